@@ -151,9 +151,9 @@ fn text(title: &str, model: &Model, steady: &Steady) -> Lines {
 }
 
 fn forcing(base: &Base) -> String {
-    let parts = base.parts.iter().map(|(cause, multiple)| match multiple {
-        1 => cause.to_string(),
-        many => format!("{many} × for {cause}"),
+    let parts = base.parts.iter().map(|part| match part.multiple {
+        1 => part.cause.to_string(),
+        many => format!("{many} × for {}", part.cause),
     });
     format!("{:.6} Hz: {}", base.frequency / TAU, listed(parts))
 }

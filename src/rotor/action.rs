@@ -81,22 +81,20 @@ impl Rotor {
     ) -> Bearings {
         let friction = self.drive.is_some_and(|drive| drive.friction);
         let mut total = Bearings::default();
-        let rotation_of_shaft = rotation;
-        self.for_each_bearing(rotation, &self.phases(rotation), |bearing, rotation| {
+        for (bearing, seen) in self.bearings_at(rotation) {
             let support = bearing.support;
-            let ratio = if support.follows_cage() {
-                self.cage_rate(support, rotation_of_shaft.angle)
-            } else {
-                0.0
+            let ratio = match support.follows_cage() {
+                true => self.cage_rate(support, rotation.angle),
+                false => 0.0,
             };
             let cage_speed = ratio * rotation.speed;
             let [place, velocity] = bearing.motion(place, velocity);
             let turn = quarter_turn(&place);
-            let [force, damping] = support.damped_force(&place, &velocity, rotation);
+            let [force, damping] = support.damped_force(&place, &velocity, &seen);
             // in the frame that turns with the cage
             let rate: Vector5 =
                 std::array::from_fn(|axis| velocity[axis] - cage_speed * turn[axis]);
-            let surfaces = support.surface_moments([&place, &velocity], rotation, ratio);
+            let surfaces = support.surface_moments([&place, &velocity], &seen, ratio);
             let [elastic, damped] = surfaces.map(|moment| moment * rotation.speed);
             total.power += dot(&force, &rate) - elastic;
             total.damping_power += dot(&damping, &rate) - damped;
@@ -107,7 +105,7 @@ impl Rotor {
             }
             let both = std::array::from_fn(|axis| force[axis] + damping[axis]);
             bearing.attachment.add_force(-1.0, &both, sum);
-        });
+        }
         total
     }
 

@@ -183,7 +183,7 @@ fn positive(name: &'static str, value: f64) -> Result<(), RotorError> {
     range(name, value, value > 0.0, "positive and finite")
 }
 
-fn not_negative(name: &'static str, value: f64) -> Result<(), RotorError> {
+pub(super) fn not_negative(name: &'static str, value: f64) -> Result<(), RotorError> {
     range(name, value, value >= 0.0, "zero or positive, finite")
 }
 

@@ -14,7 +14,7 @@ impl Damping {
         let size = structure.coordinates.len();
         let of_shaft = |coefficient: &dyn Fn(usize, usize) -> f64| {
             let mut damping = DMatrix::zeros(size, size);
-            for (axis, index) in structure.shaft.coordinates().into_iter().enumerate() {
+            for (axis, index) in structure.shaft.coordinates.into_iter().enumerate() {
                 damping[(index, index)] = coefficient(axis, index);
             }
             damping
@@ -59,7 +59,7 @@ impl Rotor {
     /// C of all that damps the shaft but the contacts of the balls: rows and columns x, y, z, θx, θy; N s/m
     /// and what follows from it for the tilts.
     pub(crate) fn damping_matrix(&self) -> [Vector5; FREEDOMS] {
-        let indices = self.structure.shaft.coordinates();
+        let indices = self.structure.shaft.coordinates;
         let entries = self.damping.entries();
         indices.map(|row| indices.map(|column| entries[(row, column)]))
     }
@@ -79,15 +79,15 @@ impl Rotor {
         rotation: &Rotation,
     ) -> Vector5 {
         let mut total = [0.0; FREEDOMS];
-        let mut arms = self.structure.arms.iter();
-        self.for_each_bearing(rotation, &self.phases(rotation), |bearing, rotation| {
+        let bearings = self.bearings_at(rotation).zip(&self.structure.arms);
+        for ((bearing, seen), arm) in bearings {
             let [position, rate] = bearing.motion(dofs, velocity);
-            let [_, force] = bearing.support.damped_force(&position, &rate, rotation);
-            let about = about_origin(&force, arms.next().copied().unwrap_or(0.0));
+            let [_, force] = bearing.support.damped_force(&position, &rate, &seen);
+            let about = about_origin(&force, *arm);
             for axis in 0..FREEDOMS {
                 total[axis] += about[axis];
             }
-        });
+        }
         total
     }
 }

@@ -145,10 +145,10 @@ impl Rotor {
     /// Energy that bearings and elastic parts store, J.
     fn stored(&self, position: &[f64], rotation: &Rotation) -> f64 {
         let mut stored = self.stiffness.half_square(position);
-        self.for_each_bearing(rotation, &self.phases(rotation), |bearing, rotation| {
+        for (bearing, seen) in self.bearings_at(rotation) {
             let displacement = bearing.displacement(position);
-            stored += bearing.support.stored_energy(&displacement, rotation);
-        });
+            stored += bearing.support.stored_energy(&displacement, &seen);
+        }
         stored
     }
 

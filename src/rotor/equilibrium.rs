@@ -132,7 +132,7 @@ impl Balance {
     /// What of it concerns the shaft: the displacement of its observed point, the force of the whole shaft onto what holds
     /// it, and the stiffness that a force at the observed point meets.
     pub(super) fn equilibrium(&self, structure: &Structure) -> Equilibrium {
-        let indices = structure.shaft.coordinates();
+        let indices = structure.shaft.coordinates;
         let stiffness = &self.restoring.stiffness;
         let motions = &structure.rigid_motions;
         Equilibrium {
@@ -219,7 +219,7 @@ pub(super) fn static_place_of(
     load: &[f64],
     given: &[Option<f64>; FREEDOMS],
 ) -> Result<StaticPlace, EquilibriumError> {
-    let [_, _, z, ..] = structure.shaft.coordinates();
+    let [_, _, z, ..] = structure.shaft.coordinates;
     let (mut free, mut start) = static_start(definition, supports, load[z]);
     for (axis, given) in given.iter().enumerate() {
         if let Some(position) = *given {

@@ -36,14 +36,14 @@ impl Rotor {
         values: &mut [f64],
     ) {
         let mut first = 0;
-        self.for_each_bearing(rotation, &self.phases(rotation), |bearing, rotation| {
+        for (bearing, seen) in self.bearings_at(rotation) {
             let (support, displacement) = (bearing.support, bearing.displacement(place));
             let last = (first + support.balls_that_lift_off()).min(values.len());
             if first < last {
-                support.past_lift_offs(&displacement, rotation, &mut values[first..last]);
+                support.past_lift_offs(&displacement, &seen, &mut values[first..last]);
             }
             first = last;
-        });
+        }
     }
 
     /// Writes the accelerations that a ball so far past its lift-off gives the degrees of freedom at most, m/s² and

@@ -80,10 +80,10 @@ impl Rotor {
             by_rate: DMatrix::zeros(size, size),
             by_time: vec![0.0; size],
         };
-        self.for_each_bearing(&rotation, &self.phases(&rotation), |bearing, seen| {
+        for (bearing, seen) in self.bearings_at(&rotation) {
             let attachment = bearing.attachment;
             let motion = bearing.motion(place, velocity);
-            let (stiffness, by_cage_angle) = bearing.support.slopes(&motion[0], seen);
+            let (stiffness, by_cage_angle) = bearing.support.slopes(&motion[0], &seen);
             attachment.add_stiffness(&stiffness, &mut sum.by_place);
             if bearing.support.is_imperfect() {
                 let place = &motion[0];
@@ -99,13 +99,13 @@ impl Rotor {
                 let damping = |[place, rate]: &[Vector5; 2], seen: &BearingRotation| {
                     bearing.support.damped_force(place, rate, seen)[1]
                 };
-                let [by_place, by_rate] = self.damping_slopes(&motion, seen, &damping);
+                let [by_place, by_rate] = self.damping_slopes(&motion, &seen, &damping);
                 attachment.add_stiffness(&by_place, &mut sum.by_place);
                 attachment.add_stiffness(&by_rate, &mut sum.by_rate);
                 let later = |step: f64| damping(&motion, &self.seen_at(time + step, bearing));
                 attachment.add_force(1.0, &forward_rate(later), &mut sum.by_time);
             }
-        });
+        }
         sum
     }
 

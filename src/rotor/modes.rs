@@ -222,7 +222,7 @@ impl Rotor {
             forward += (at(first) + turned).norm_sqr();
             backward += (at(first) - turned).norm_sqr();
         }
-        let [_, _, z, ..] = self.structure.shaft.coordinates();
+        let [_, _, z, ..] = self.structure.shaft.coordinates;
         [forward, backward, at(z).norm_sqr()]
     }
 

@@ -126,8 +126,8 @@ impl Rotor {
     /// Number of freedoms of the shaft that move: the first so many of x, y, z, θx, θy.
     pub fn active_freedoms(&self) -> usize {
         let dofs = self.dofs();
-        let indices = self.structure.shaft.coordinates().into_iter();
-        indices.take_while(|index| *index < dofs).count()
+        let indices = self.structure.shaft.coordinates.iter();
+        indices.take_while(|index| **index < dofs).count()
     }
 
     /// Displacement of the observed point of the shaft in a state.
@@ -218,17 +218,15 @@ impl Rotor {
         })
     }
 
-    /// Visits every bearing with the rotation that it sees.
-    #[inline]
-    pub(super) fn for_each_bearing(
+    /// The same with the rotation that each of them sees.
+    pub(super) fn bearings_at(
         &self,
         rotation: &Rotation,
-        phases: &Phases,
-        mut visit: impl FnMut(AttachedBearing<'_>, &BearingRotation),
-    ) {
-        for bearing in self.bearings() {
-            visit(bearing, &self.seen_by(bearing.support, rotation, phases));
-        }
+    ) -> impl Iterator<Item = (AttachedBearing<'_>, BearingRotation)> {
+        let phases = self.phases(rotation);
+        let seen =
+            move |bearing: AttachedBearing<'_>| self.seen_by(bearing.support, rotation, &phases);
+        self.bearings().map(move |bearing| (bearing, seen(bearing)))
     }
 
     /// The rotation that a bearing sees; cages that roll as the first one share its sine.
@@ -467,12 +465,13 @@ impl Rotor {
         phases: &Phases,
         sum: &mut [f64],
     ) {
-        self.for_each_bearing(rotation, phases, |bearing, rotation| {
+        for bearing in self.bearings() {
+            let seen = self.seen_by(bearing.support, rotation, phases);
             let [place, rate] = bearing.motion(place, velocity);
-            let [elastic, damping] = bearing.support.damped_force(&place, &rate, rotation);
+            let [elastic, damping] = bearing.support.damped_force(&place, &rate, &seen);
             let force = std::array::from_fn(|axis| elastic[axis] + damping[axis]);
             bearing.attachment.add_force(-1.0, &force, sum);
-        });
+        }
     }
 }
 

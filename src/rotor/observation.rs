@@ -24,34 +24,15 @@ impl Rotor {
     /// What is observed in a state at a time; of the balls in `contacts`, which must be this rotor's
     /// own [`Rotor::ball_contacts`]. Accelerations are [`Rotor::acceleration`]'s.
     pub(crate) fn sample(&self, time: f64, state: &[f64], contacts: &mut BallContacts) -> Sample {
-        if !self.is_augmented() {
-            return self.observe(time, &self.speed.at(time), state, contacts);
-        }
-        let mut accelerations = vec![0.0; self.dofs()];
-        let action = self
-            .drive
-            .map(|_| self.act(time, state, &mut accelerations));
-        let rotation = match &action {
-            Some(action) => action.rotation,
-            None => self.rotation(time, state),
-        };
-        Sample {
-            energy: Some(self.energy_balance(time, state)),
-            drive: action.and_then(|action| action.moments),
-            ..self.observe(time, &rotation, state, contacts)
-        }
-    }
-
-    /// What is observed of the motion in a state.
-    pub(super) fn observe(
-        &self,
-        time: f64,
-        rotation: &Rotation,
-        state: &[f64],
-        contacts: &mut BallContacts,
-    ) -> Sample {
         let dofs = self.dofs();
         let (position, velocity) = state[..2 * dofs].split_at(dofs);
+        let action = self
+            .drive
+            .map(|_| self.act(time, state, &mut vec![0.0; dofs]));
+        let rotation = match &action {
+            Some(action) => &action.rotation,
+            None => &self.speed.at(time),
+        };
         let force = contacts.forces.then(|| {
             let mut force = self.observe_bearings(position, rotation, contacts);
             if self.contacts_damped {
@@ -74,8 +55,10 @@ impl Rotor {
             force_on_shaft: force,
             largest_ball_load: has_balls.then_some(contacts.largest_load()),
             balls_loaded: has_balls.then_some(contacts.loaded()),
-            energy: None,
-            drive: None,
+            energy: self
+                .is_augmented()
+                .then(|| self.energy_balance(time, state)),
+            drive: action.and_then(|action| action.moments),
         }
     }
 
@@ -112,7 +95,7 @@ impl Rotor {
     /// Indices of the degrees of freedom of the housings.
     pub(crate) fn housing_freedoms(&self) -> std::ops::Range<usize> {
         let housings = self.structure.housings.iter();
-        let firsts = housings.map(|housing| housing.point.coordinates()[0]);
+        let firsts = housings.map(|housing| housing.point.coordinates[0]);
         firsts.min().unwrap_or(self.dofs())..self.dofs()
     }
 

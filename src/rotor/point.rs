@@ -8,30 +8,19 @@ use crate::bearing::{Matrix5, Vector5};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Point {
     /// Their indices; one beyond all coordinates of a component that does not move at all.
-    coordinates: [usize; 5],
+    pub coordinates: [usize; 5],
 }
 
 impl Point {
     /// The centre of mass of a rigid shaft.
-    pub const RIGID_SHAFT: Self = Self::new([0, 1, 2, 3, 4]);
-
-    /// The point whose five components are coordinates of these indices.
-    pub const fn new(coordinates: [usize; 5]) -> Self {
-        Self { coordinates }
-    }
-
-    /// Index of the coordinate of each component.
-    pub fn coordinates(&self) -> [usize; 5] {
-        self.coordinates
-    }
+    pub const RIGID_SHAFT: Self = Self {
+        coordinates: [0, 1, 2, 3, 4],
+    };
 
     /// Number of its translations, along x, y and z in this order, that are among so many degrees of freedom.
     pub fn translations(&self, dofs: usize) -> usize {
-        let [x, y, z, ..] = self.coordinates;
-        [x, y, z]
-            .into_iter()
-            .take_while(|index| *index < dofs)
-            .count()
+        let translations = self.coordinates[..3].iter();
+        translations.take_while(|index| **index < dofs).count()
     }
 
     /// Which of the five components a coordinate is.
@@ -63,9 +52,7 @@ impl Point {
             }
         }
     }
-}
 
-impl Point {
     /// Adds the complex amplitudes of a force and moments at the point to those on the degrees of freedom.
     pub fn add_phasor(&self, force: &[Complex<f64>; 5], sum: &mut [Complex<f64>]) {
         for (index, part) in self.coordinates.iter().zip(force) {

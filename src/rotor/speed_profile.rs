@@ -1,6 +1,7 @@
 //! How fast the shaft turns, and how far it has turned.
 
 use super::RotorError;
+use super::assembly::not_negative;
 
 /// A speed that the shaft has at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,40 +84,32 @@ impl SpeedProfile {
     /// [`RotorError::Range`] where a speed is negative or not finite;
     /// [`RotorError::SpeedTimes`] where the times do not rise from zero.
     pub fn new(start: f64, points: &[SpeedPoint]) -> Result<Self, RotorError> {
-        let mut from = SpeedPoint {
+        let first = SpeedPoint {
             time: 0.0,
             speed: start,
         };
-        check_speed(start)?;
+        let check = |speed| not_negative("the speed in rad/s", speed);
+        check(start)?;
+        let mut before = &first;
         for (index, point) in points.iter().enumerate() {
-            check_speed(point.speed)?;
-            if !(point.time > from.time && point.time.is_finite()) {
+            check(point.speed)?;
+            if !(point.time > before.time && point.time.is_finite()) {
                 return Err(RotorError::SpeedTimes {
                     number: index + 1,
                     time: point.time,
-                    before: from.time,
+                    before: before.time,
                 });
             }
-            from = *point;
+            before = point;
         }
         let varies = points.iter().any(|point| point.speed != start);
-        Ok(Self::through(start, if varies { points } else { &[] }))
-    }
-
-    /// The profile through checked points.
-    fn through(start: f64, points: &[SpeedPoint]) -> Self {
-        let start = SpeedPoint {
-            time: 0.0,
-            speed: start,
-        };
-        let mut last = Piece::towards(start, 0.0, points.first());
-        let mut pieces = vec![last];
+        let points = if varies { points } else { &[] };
+        let mut pieces = vec![Piece::towards(first, 0.0, points.first())];
         for (index, point) in points.iter().enumerate() {
-            let angle = last.at(point.time).angle;
-            last = Piece::towards(*point, angle, points.get(index + 1));
-            pieces.push(last);
+            let angle = pieces[index].at(point.time).angle;
+            pieces.push(Piece::towards(*point, angle, points.get(index + 1)));
         }
-        Self { pieces }
+        Ok(Self { pieces })
     }
 
     /// Angle, speed and acceleration at a time ≥ 0 in s.
@@ -150,14 +143,9 @@ impl SpeedProfile {
     pub fn time_of(&self, angle: f64) -> Option<f64> {
         let next = self.pieces[1..].partition_point(|piece| piece.rotation.angle <= angle);
         let Piece { start, rotation } = self.pieces[next];
-        let Rotation {
-            angle: from,
-            speed,
-            acceleration,
-        } = rotation;
-        let ahead = angle - from;
+        let (speed, ahead) = (rotation.speed, angle - rotation.angle);
         // ½ ω̇ s² + ω s = Δψ, in the form that keeps its digits
-        let root = (speed * speed + 2.0 * acceleration * ahead).sqrt();
+        let root = (speed * speed + 2.0 * rotation.acceleration * ahead).sqrt();
         let since = 2.0 * ahead / (speed + root);
         since.is_finite().then_some(start + since)
     }
@@ -197,17 +185,6 @@ impl SpeedProfile {
         let next = self.pieces.iter().find(|piece| piece.start > after);
         next.map_or(f64::INFINITY, |piece| piece.start)
     }
-}
-
-fn check_speed(speed: f64) -> Result<(), RotorError> {
-    if speed >= 0.0 && speed.is_finite() {
-        return Ok(());
-    }
-    Err(RotorError::Range {
-        name: "the speed in rad/s",
-        value: speed,
-        rule: "zero or positive, finite",
-    })
 }
 
 #[cfg(test)]

@@ -6,8 +6,7 @@ use super::equilibrium::FREEDOM_NAMES;
 use super::flexible::Bending;
 use super::point::{Attachment, Place, Point};
 use super::static_search::Restoring;
-use super::unbalance::Unbalance;
-use super::{FREEDOMS, Load, RotorDefinition, ShaftError};
+use super::{FREEDOMS, Load, PlaneUnbalance, RotorDefinition, ShaftError};
 use crate::bearing::{BearingRotation, MountedBearing, Support, Vector5};
 
 /// A generalised coordinate.
@@ -56,7 +55,7 @@ impl Coordinate {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct UnbalancedPoint {
     pub point: Point,
-    pub unbalance: Unbalance,
+    pub unbalance: PlaneUnbalance,
 }
 
 /// What moves, and where bearings and loads act on it.
@@ -159,7 +158,7 @@ impl Structure {
             shaft.freedoms.count(),
             definition.bearings.len(),
         );
-        let [.., tilt_x, tilt_y] = structure.shaft.coordinates();
+        let [.., tilt_x, tilt_y] = structure.shaft.coordinates;
         structure.gyroscopic[(tilt_x, tilt_y)] = shaft.inertia_polar;
         structure.gyroscopic[(tilt_y, tilt_x)] = -shaft.inertia_polar;
         let place = |load: &Load| Place {
@@ -169,7 +168,7 @@ impl Structure {
         structure.load_places = definition.loads.iter().map(place).collect();
         structure.unbalances = vec![UnbalancedPoint {
             point: structure.shaft,
-            unbalance: Unbalance::new(shaft),
+            unbalance: shaft.whole_unbalance(),
         }];
         let (point, stiffness) = (structure.shaft, &mut structure.stiffness);
         for bearing in &definition.linear_bearings {
@@ -188,8 +187,8 @@ impl Structure {
             .collect();
         let mut structure = self.with_room_for(axes * housings.len());
         for (number, (bearing, housing)) in housings.into_iter().enumerate() {
-            let mut indices = [usize::MAX; 5];
-            for (axis, own) in indices.iter_mut().enumerate().take(axes) {
+            let mut coordinates = [usize::MAX; 5];
+            for (axis, own) in coordinates.iter_mut().enumerate().take(axes) {
                 let index = first + axes * number + axis;
                 *own = index;
                 structure.mass[(index, index)] = housing.mass;
@@ -198,7 +197,7 @@ impl Structure {
                 let owner = format!(" of the housing of bearing {}", bearing + 1);
                 structure.coordinates[index] = Coordinate::of_axis(axis, &owner);
             }
-            let point = Point::new(indices);
+            let point = Point { coordinates };
             structure.attachments[bearing].outer = Some(point);
             structure.housings.push(HousingPoint {
                 bearing,
@@ -251,7 +250,7 @@ impl Structure {
         let loads = self.load_places.iter_mut().map(|own| &mut own.point);
         let points = attachments.chain(unbalances).chain(loads);
         for point in points.chain([&mut self.shaft]) {
-            *point = Point::new(point.coordinates().map(index));
+            point.coordinates = point.coordinates.map(index);
         }
         let room = Coordinate::of_axis(0, "");
         self.coordinates
@@ -291,7 +290,7 @@ impl Structure {
         match &self.bending {
             Some(bending) => bending.planes.clone(),
             None => {
-                let [x, y, _, tilt_x, tilt_y] = self.shaft.coordinates();
+                let [x, y, _, tilt_x, tilt_y] = self.shaft.coordinates;
                 vec![(x, y, 1.0), (tilt_x, tilt_y, 1.0)]
             }
         }

@@ -75,7 +75,9 @@ fn on_housing(definition: &RotorDefinition) -> Structure {
     let [x, y, z] = housing;
     let attachment = Attachment {
         inner: structure.shaft,
-        outer: Some(Point::new([x, y, z, usize::MAX, usize::MAX])),
+        outer: Some(Point {
+            coordinates: [x, y, z, usize::MAX, usize::MAX],
+        }),
     };
     structure.attachments = vec![attachment; definition.bearings.len()];
     structure

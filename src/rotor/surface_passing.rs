@@ -85,11 +85,10 @@ impl Rotor {
 
     /// Writes how far balls are past them, m.
     pub(super) fn passing_distances(&self, rotation: &Rotation, values: &mut [f64]) {
+        let phases = self.phases(rotation);
         for ((bearing, passing), value) in self.passing_events().zip(values) {
-            let nominal = self.cage_ratio(bearing.support) * rotation.angle;
-            let walk = bearing.support.cage_walk();
-            let cage = nominal + walk.map_or(0.0, |walk| walk.at(nominal)[0]);
-            *value = passing.distance(cage, rotation.angle);
+            let seen = self.seen_by(bearing.support, rotation, &phases);
+            *value = passing.distance(seen.cage_angle, rotation.angle);
         }
     }
 
@@ -114,18 +113,15 @@ impl Rotor {
         let passings = support.passings().iter();
         let kinks = passings.filter_map(|passing| passing.next_angle(0.0, ratio, 0));
         let even = (0..ANGLES).map(|part| std::f64::consts::TAU * part as f64 / ANGLES as f64);
-        let rotation = |angle| Rotation {
-            angle,
-            speed,
-            acceleration: 0.0,
+        let seen = |angle: f64| {
+            let rotation = Rotation {
+                angle,
+                speed,
+                acceleration: 0.0,
+            };
+            self.seen_by(support, &rotation, &self.phases(&rotation))
         };
-        kinks
-            .chain(even)
-            .map(|angle| {
-                let rotation = rotation(angle);
-                self.seen_by(support, &rotation, &self.phases(&rotation))
-            })
-            .collect()
+        kinks.chain(even).map(seen).collect()
     }
 }
 

@@ -115,7 +115,7 @@ impl Rotor {
         // what is given moves the shaft from there as a rigid body
         let [displacement, velocity] = &self.initial;
         let from = self.displacement(&state);
-        let shaft = self.structure.shaft.coordinates();
+        let shaft = self.structure.shaft.coordinates;
         for (axis, motion) in self.structure.rigid_motions.iter().enumerate() {
             if shaft[axis] >= dofs {
                 continue;

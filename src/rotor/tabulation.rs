@@ -47,14 +47,10 @@ impl Rotor {
     /// Counts, for every bearing, whether a ball is outside its table in an observed state.
     pub(crate) fn count_outside_tables(&self, time: f64, state: &[f64], counts: &mut [u64]) {
         let rotation = self.speed.at(time);
-        let mut counts = counts.iter_mut();
-        self.for_each_bearing(&rotation, &self.phases(&rotation), |bearing, rotation| {
+        for ((bearing, seen), count) in self.bearings_at(&rotation).zip(counts) {
             let displacement = bearing.displacement(&state[..self.dofs()]);
-            let inside = bearing.support.is_inside_table(&displacement, rotation);
-            if let Some(count) = counts.next() {
-                *count += u64::from(!inside);
-            }
-        });
+            *count += u64::from(!bearing.support.is_inside_table(&displacement, &seen));
+        }
     }
 }
 

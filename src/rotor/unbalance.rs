@@ -5,7 +5,8 @@ use nalgebra::Complex;
 use super::{Rotation, Shaft};
 use crate::bearing::{Angle, Vector5};
 
-/// Unbalances in planes along a rigid shaft, summed in the frame that turns with it, X at shaft angle 0 first.
+/// Unbalances in planes along a shaft, summed in the frame that turns with it, X at shaft angle 0 first: the centre of mass
+/// lies off the axis, and the principal axis may be inclined.
 ///
 /// `U = Σ u_i e^(iβ_i)`, `U_c = Σ u_i z_i e^(iβ_i)`: together they are a static unbalance and a couple.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -14,6 +15,28 @@ pub struct PlaneUnbalance {
     pub moment: [f64; 2],
     /// Couple unbalance U_c about the centre of mass, kg m².
     pub couple: [f64; 2],
+}
+
+impl Shaft {
+    /// Unbalance of mass eccentricity and planes.
+    pub(super) fn whole_unbalance(&self) -> PlaneUnbalance {
+        let [x, y] = self.unbalance.moment;
+        PlaneUnbalance {
+            moment: [self.mass * self.eccentricity + x, y],
+            couple: self.unbalance.couple,
+        }
+    }
+
+    /// Distance of the centre of mass from the axis, m.
+    pub(crate) fn mass_eccentricity(&self) -> f64 {
+        let [x, y] = self.whole_unbalance().moment;
+        x.hypot(y) / self.mass
+    }
+
+    /// Whether it has a static unbalance or a couple.
+    pub(crate) fn is_unbalanced(&self) -> bool {
+        self.whole_unbalance().is_some()
+    }
 }
 
 impl PlaneUnbalance {
@@ -26,67 +49,21 @@ impl PlaneUnbalance {
             self.couple[axis] += part * position;
         }
     }
-}
-
-impl Shaft {
-    /// Static unbalance of mass eccentricity and planes, kg m, in the frame that turns with the shaft.
-    fn unbalance_moment(&self) -> [f64; 2] {
-        let [x, y] = self.unbalance.moment;
-        [self.mass * self.eccentricity + x, y]
-    }
-
-    /// Distance of the centre of mass from the axis, m.
-    pub(crate) fn mass_eccentricity(&self) -> f64 {
-        let [x, y] = self.unbalance_moment();
-        x.hypot(y) / self.mass
-    }
-
-    /// Whether it has a static unbalance or a couple.
-    pub(crate) fn is_unbalanced(&self) -> bool {
-        self.unbalance_moment() != [0.0; 2] || self.unbalance.couple != [0.0; 2]
-    }
-}
-
-/// The unbalance of a shaft as it turns: its centre of mass lies off the axis, and its principal axis may be inclined.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Unbalance {
-    /// U, kg m.
-    moment: [f64; 2],
-    /// U_c, kg m².
-    couple: [f64; 2],
-}
-
-impl Unbalance {
-    pub fn new(shaft: &Shaft) -> Self {
-        Self {
-            moment: shaft.unbalance_moment(),
-            couple: shaft.unbalance.couple,
-        }
-    }
-
-    /// A static unbalance in kg m at an angle in rad.
-    pub fn in_plane(amount: f64, angle: f64) -> Self {
-        let (sin, cos) = angle.sin_cos();
-        Self {
-            moment: [amount * cos, amount * sin],
-            couple: [0.0; 2],
-        }
-    }
 
     /// Whether there is one.
-    pub fn is_some(&self) -> bool {
+    pub(super) fn is_some(&self) -> bool {
         self.moment != [0.0; 2] || self.is_couple()
     }
 
     /// Whether it has a couple.
-    pub fn is_couple(&self) -> bool {
+    pub(super) fn is_couple(&self) -> bool {
         self.couple != [0.0; 2]
     }
 
     /// Force and moment at a shaft angle, N and N m, of U e^(iψ): `F_x + i F_y = U (ω² − i ω̇) e^(iψ)`, and of the couple
     /// `M_y − i M_x = U_c (ω² − i ω̇) e^(iψ)`.
     #[inline(always)]
-    pub fn force(&self, rotation: &Rotation, angle: Angle) -> Vector5 {
+    pub(super) fn force(&self, rotation: &Rotation, angle: Angle) -> Vector5 {
         let [x, y] = turning(self.moment, rotation, angle);
         if !self.is_couple() {
             return [x, y, 0.0, 0.0, 0.0];
@@ -96,14 +73,10 @@ impl Unbalance {
     }
 
     /// Its rate of change, N/s and N m/s, the acceleration staying as it is.
-    pub fn force_rate(&self, rotation: &Rotation) -> Vector5 {
+    pub(super) fn force_rate(&self, rotation: &Rotation) -> Vector5 {
         let Angle { cos, sin } = Angle::new(rotation.angle);
-        let Rotation {
-            speed,
-            acceleration,
-            ..
-        } = *rotation;
-        let (along, inward) = (3.0 * speed * acceleration, speed * speed * speed);
+        let speed = rotation.speed;
+        let (along, inward) = (3.0 * speed * rotation.acceleration, speed * speed * speed);
         let rate = |[u, v]: [f64; 2]| {
             let of = |part: f64| {
                 [
@@ -119,7 +92,7 @@ impl Unbalance {
     }
 
     /// The same force at a constant speed in rad/s as complex amplitudes, N and N m.
-    pub fn phasor(&self, speed: f64) -> [Complex<f64>; 5] {
+    pub(super) fn phasor(&self, speed: f64) -> [Complex<f64>; 5] {
         let square = speed * speed;
         let of = |[u, v]: [f64; 2]| {
             [
@@ -133,7 +106,7 @@ impl Unbalance {
 
     /// Force and moment per angular acceleration, kg m and kg m²: `−i U e^(iψ)` and that of the couple. A motion q̈ of the
     /// point that it acts at resists the rotation by the moment that is its product with q̈.
-    pub fn along(&self, angle: Angle) -> Vector5 {
+    pub(super) fn along(&self, angle: Angle) -> Vector5 {
         let rotation = Rotation {
             angle: 0.0,
             speed: 0.0,
@@ -187,7 +160,7 @@ mod tests {
             speed: 300.0,
             acceleration: 5e4,
         };
-        let whole = Unbalance::new(&shaft);
+        let whole = shaft.whole_unbalance();
         let force = whole.force(&rotation, Angle::new(rotation.angle));
         let mut sum = [0.0; 5];
         for (amount, angle, position) in planes {

@@ -11,7 +11,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::continuation::{Continuer, Start, is_interrupted};
+use super::continuation::Continuer;
 use super::{Family, Multipliers, ShootingError, SpecialKind};
 
 /// Parts of a step that a motion of doubled period is first sought at.
@@ -111,7 +111,7 @@ impl Branch {
 
 /// Follows the branch of motions that begins near `guess` at the parameter 0.
 ///
-/// `watch` sees every point and says whether to go on.
+/// `watch` sees every point.
 ///
 /// # Errors
 /// [`ShootingError`] where not even the first motion is found; what happens later ends the branch.
@@ -119,9 +119,11 @@ pub fn follow(
     family: &mut dyn Family,
     guess: DVector<f64>,
     plan: &Continuation,
-    watch: &mut dyn FnMut(&BranchPoint) -> bool,
+    watch: &mut dyn FnMut(&BranchPoint),
 ) -> Result<Branch, ShootingError> {
-    follow_from(family, Start::AtFrom(guess), plan, watch)
+    let mut continuer = Continuer { family, plan };
+    let first = continuer.near(guess)?;
+    Ok(continuer.branch(first, watch))
 }
 
 /// Follows the branch of doubled period from where a motion has a multiplier −1; `family` is that of
@@ -133,15 +135,16 @@ pub fn follow_doubled(
     family: &mut dyn Family,
     doubling: &BranchPoint,
     plan: &Continuation,
-    watch: &mut dyn FnMut(&BranchPoint) -> bool,
+    watch: &mut dyn FnMut(&BranchPoint),
 ) -> Result<Branch, ShootingError> {
     let direction = turned(doubling).ok_or(ShootingError::Singular)?;
+    let mut continuer = Continuer { family, plan };
     let mut last = ShootingError::Singular;
     for part in FIRST_PARTS {
-        let start = Start::Beside(doubling, direction.clone(), part * plan.step);
-        match follow_from(family, start, plan, watch) {
-            Err(error) if !is_interrupted(&error) => last = error,
-            result => return result,
+        match continuer.beside(doubling, direction.clone(), part * plan.step) {
+            Ok(first) => return Ok(continuer.branch(first, watch)),
+            Err(error) if error.is_interrupted() => return Err(error),
+            Err(error) => last = error,
         }
     }
     Err(last)
@@ -156,20 +159,6 @@ fn turned(point: &BranchPoint) -> Option<DVector<f64>> {
     let decomposed = shifted.svd(false, true);
     let least = decomposed.singular_values.imin();
     Some(decomposed.v_t?.row(least).transpose())
-}
-
-fn follow_from(
-    family: &mut dyn Family,
-    start: Start<'_>,
-    plan: &Continuation,
-    watch: &mut dyn FnMut(&BranchPoint) -> bool,
-) -> Result<Branch, ShootingError> {
-    let mut continuer = Continuer { family, plan };
-    let first = continuer.first(start)?;
-    let mut branch = Branch::without_points(BranchEnd::Points);
-    let end = continuer.along(first, &mut branch, watch);
-    branch.end = end.unwrap_or_else(BranchEnd::Lost);
-    Ok(branch)
 }
 
 #[cfg(test)]
@@ -225,7 +214,7 @@ mod tests {
             least_step: 1e-4,
             points: 100,
         };
-        follow(&mut family, DVector::zeros(1), &plan, &mut |_| true).unwrap()
+        follow(&mut family, DVector::zeros(1), &plan, &mut |_| {}).unwrap()
     }
 
     /// A multiplier that jumps over −1 is −1 at no point: the branch says between which points.

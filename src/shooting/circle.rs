@@ -6,9 +6,8 @@ use nalgebra::DMatrix;
 
 /// A node may lie beside its even share of the circle by this part of the distance of two nodes.
 const UNEVEN: f64 = 0.25;
-/// Periods searched for nodes, per node, at first and at most.
-const FIRST_SEARCH: u64 = 8;
-const LONGEST_SEARCH: u64 = 1 << 14;
+/// Periods searched for nodes, per node.
+const LONGEST_SEARCH: u64 = 1 << 13;
 
 /// States at the same phase of a first forcing, and all around the phase of a second one.
 ///
@@ -18,13 +17,18 @@ const LONGEST_SEARCH: u64 = 1 << 14;
 /// evenly: a system that knows nothing but time can be integrated from them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Circle {
-    period: f64,
-    rotation: f64,
-    strobes: Vec<u64>,
-    angles: Vec<f64>,
-    /// Coefficients of the harmonics from values at the nodes.
-    coefficients: DMatrix<f64>,
-    shift: DMatrix<f64>,
+    /// The period T, s.
+    pub period: f64,
+    /// How far the second phase turns in a period, rad.
+    pub rotation: f64,
+    /// Numbers of whole periods after which the nodes are passed.
+    pub strobes: Vec<u64>,
+    /// The nodes: phases of the second forcing, rad.
+    pub angles: Vec<f64>,
+    /// Mean, and cosine and sine of every harmonic in turn, from values at the nodes: a matrix.
+    pub coefficients: DMatrix<f64>,
+    /// Matrix from values at the nodes to those a period later.
+    pub shift: DMatrix<f64>,
 }
 
 impl Circle {
@@ -57,34 +61,6 @@ impl Circle {
         })
     }
 
-    /// The same nodes with another period, s.
-    pub fn with_period(&self, period: f64) -> Self {
-        Self {
-            period,
-            ..self.clone()
-        }
-    }
-
-    /// The period T, s.
-    pub fn period(&self) -> f64 {
-        self.period
-    }
-
-    /// How far the second phase turns in a period, rad.
-    pub fn rotation(&self) -> f64 {
-        self.rotation
-    }
-
-    /// Numbers of whole periods after which the nodes are passed.
-    pub fn strobes(&self) -> &[u64] {
-        &self.strobes
-    }
-
-    /// The nodes: phases of the second forcing, rad.
-    pub fn angles(&self) -> &[f64] {
-        &self.angles
-    }
-
     /// Number of nodes.
     pub fn nodes(&self) -> usize {
         self.angles.len()
@@ -95,19 +71,9 @@ impl Circle {
         self.angles.len() / 2
     }
 
-    /// Matrix from values at the nodes to those a period later.
-    pub fn shift(&self) -> &DMatrix<f64> {
-        &self.shift
-    }
-
     /// Matrix from values at the nodes to those a period before.
     pub fn back(&self) -> DMatrix<f64> {
         self.values_at(&turned(&self.angles, -self.rotation))
-    }
-
-    /// Mean, and cosine and sine of every harmonic in turn, from values at the nodes: a matrix.
-    pub fn coefficients(&self) -> &DMatrix<f64> {
-        &self.coefficients
     }
 
     /// Matrix from values at the nodes to the values at other phases, rad.
@@ -144,20 +110,9 @@ fn phase(rotation: f64, strobe: u64) -> f64 {
 
 /// The first whole periods that lead almost evenly around.
 fn nodes(rotation: f64, count: usize) -> Option<Vec<u64>> {
-    let mut search = FIRST_SEARCH;
-    while search <= LONGEST_SEARCH {
-        if let Some(found) = nodes_within(rotation, count, search * count as u64) {
-            return Some(found);
-        }
-        search *= 4;
-    }
-    None
-}
-
-fn nodes_within(rotation: f64, count: usize, search: u64) -> Option<Vec<u64>> {
     let mut found: Vec<Option<u64>> = vec![None; count];
     let mut left = count;
-    for strobe in 0..search {
+    for strobe in 0..LONGEST_SEARCH * count as u64 {
         let share = phase(rotation, strobe) / TAU * count as f64;
         let nearest = share.round();
         let slot = &mut found[nearest as usize % count];
@@ -178,7 +133,7 @@ mod tests {
 
     #[test]
     fn a_single_period_is_not_turned() {
-        assert_eq!(Circle::point(0.5).shift()[(0, 0)], 1.0);
+        assert_eq!(Circle::point(0.5).shift[(0, 0)], 1.0);
     }
 
     #[test]
@@ -186,10 +141,10 @@ mod tests {
         let circle =
             Circle::around(1.0, 0.3 * 3f64.sqrt(), 2).expect("an irrational part of a turn");
         // a second harmonic is turned exactly
-        let values = circle.angles().iter().map(|angle| (2.0 * angle).cos());
+        let values = circle.angles.iter().map(|angle| (2.0 * angle).cos());
         let values = nalgebra::DVector::from_iterator(5, values);
-        let turned = circle.shift() * values;
-        let expected = (2.0 * (circle.angles()[1] + 0.3 * 3f64.sqrt())).cos();
+        let turned = &circle.shift * values;
+        let expected = (2.0 * (circle.angles[1] + 0.3 * 3f64.sqrt())).cos();
         assert!((turned[1] - expected).abs() < 1e-14);
     }
 }

@@ -7,9 +7,8 @@ use super::map::{jacobian, residual};
 use super::multipliers::{Crossing, SpecialKind, multipliers};
 use super::newton::{ShootingError, solve};
 use super::{
-    Branch, BranchEnd, BranchPoint, Continuation, Family, MapError, Slopes, Special, Unrefined,
+    Branch, BranchEnd, BranchPoint, Continuation, Family, Image, Slopes, Special, Unrefined,
 };
-use crate::integrate::IntegrateError;
 use crate::integrate::root::Bracket;
 
 /// Corrections of a point before its step is halved.
@@ -37,31 +36,22 @@ const LOCATED: f64 = 1e-6;
 /// and where it does not fall below this, it jumps and has no such point.
 const CONTINUOUS: f64 = 1e-2;
 
-/// Where a branch begins.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) enum Start<'a> {
-    /// Near these states at the parameter 0, towards 1.
-    AtFrom(DVector<f64>),
-    /// A distance beside a motion, in a direction of its states.
-    Beside(&'a BranchPoint, DVector<f64>, f64),
-}
-
 /// A point with what it takes to go on.
 #[derive(Clone)]
 pub(super) struct Node {
-    pub point: BranchPoint,
+    point: BranchPoint,
     /// States and parameter.
-    pub unknowns: DVector<f64>,
-    pub tangent: DVector<f64>,
+    unknowns: DVector<f64>,
+    tangent: DVector<f64>,
     /// Slopes of what is missing by states and parameter.
-    pub slopes: DMatrix<f64>,
+    slopes: DMatrix<f64>,
     /// What is missing after half the period.
     half: Option<DVector<f64>>,
     corrections: usize,
 }
 
 impl Node {
-    pub fn crossing(&self) -> Crossing {
+    fn crossing(&self) -> Crossing {
         let turning = self.tangent[self.tangent.len() - 1];
         Crossing::of(&self.point.multipliers, turning)
     }
@@ -81,37 +71,48 @@ pub(super) struct Continuer<'a> {
 }
 
 impl Continuer<'_> {
-    pub fn first(&mut self, start: Start<'_>) -> Result<Node, ShootingError> {
-        match start {
-            Start::AtFrom(guess) => {
-                self.family.set(0.0)?;
-                let found = solve(self.family, guess, self.plan.tolerance)?;
-                let unknowns = found.states.push(0.0);
-                let mut towards = DVector::zeros(unknowns.len());
-                towards[unknowns.len() - 1] = 1.0;
-                self.node(unknowns, &towards, 0)
-            }
-            Start::Beside(point, direction, distance) => {
-                let origin = point.states.clone().push(point.parameter);
-                let direction = normalised(direction.push(0.0));
-                // where branches meet two directions lead on, and slopes there tell nothing of which
-                let guess = &origin + &direction * distance;
-                let slopes = self.slopes_at(&guess)?;
-                let mut node = self.corrected(guess, &direction, &slopes)?;
-                let away = &node.unknowns - &origin;
-                if product(&away, &node.tangent) < 0.0 {
-                    node.tangent.neg_mut();
-                }
-                Ok(node)
-            }
-        }
+    /// The first point of a branch, near these states at the parameter 0, towards 1.
+    pub fn near(&mut self, guess: DVector<f64>) -> Result<Node, ShootingError> {
+        self.family.set(0.0)?;
+        let found = solve(self.family, guess, self.plan.tolerance)?;
+        let unknowns = found.states.push(0.0);
+        let towards = of_parameter(unknowns.len());
+        self.node(unknowns, &towards, 0)
     }
 
-    pub fn along(
+    /// The first point of a branch, a distance beside a motion in a direction of its states.
+    pub fn beside(
+        &mut self,
+        point: &BranchPoint,
+        direction: DVector<f64>,
+        distance: f64,
+    ) -> Result<Node, ShootingError> {
+        let origin = point.states.clone().push(point.parameter);
+        let direction = normalised(direction.push(0.0));
+        // where branches meet two directions lead on, and slopes there tell nothing of which
+        let guess = &origin + &direction * distance;
+        let slopes = self.slopes_at(&guess)?;
+        let mut node = self.corrected(guess, &direction, &slopes)?;
+        let away = &node.unknowns - &origin;
+        if product(&away, &node.tangent) < 0.0 {
+            node.tangent.neg_mut();
+        }
+        Ok(node)
+    }
+
+    /// The branch from its first point on.
+    pub fn branch(&mut self, first: Node, watch: &mut dyn FnMut(&BranchPoint)) -> Branch {
+        let mut branch = Branch::without_points(BranchEnd::Points);
+        let end = self.along(first, &mut branch, watch);
+        branch.end = end.unwrap_or_else(BranchEnd::Lost);
+        branch
+    }
+
+    fn along(
         &mut self,
         first: Node,
         branch: &mut Branch,
-        watch: &mut dyn FnMut(&BranchPoint) -> bool,
+        watch: &mut dyn FnMut(&BranchPoint),
     ) -> Result<BranchEnd, ShootingError> {
         let mut node = first;
         let (mut step, mut widest) = (self.plan.step, 0.0_f64);
@@ -119,23 +120,24 @@ impl Continuer<'_> {
             let width = node.half.as_ref().map(DVector::amax);
             widest = widest.max(width.unwrap_or(0.0));
             branch.points.push(node.point.clone());
-            if !watch(&node.point) || branch.points.len() >= self.plan.points {
+            watch(&node.point);
+            if branch.points.len() >= self.plan.points {
                 return Ok(BranchEnd::Points);
             }
             let vanishes = width.is_some_and(|width| width < VANISHING * widest);
             let (next, length) = match self.next(&node, &mut step) {
-                Err(error) if vanishes && !is_interrupted(&error) => return Ok(BranchEnd::Closed),
+                Err(error) if vanishes && !error.is_interrupted() => return Ok(BranchEnd::Closed),
                 result => result?,
             };
-            let parameter = next.point.parameter;
             if passed_half(&node, &next) {
                 return Ok(BranchEnd::Closed);
             }
             self.locate_all(&node, &next, length, branch)?;
+            let parameter = next.point.parameter;
             if parameter >= 1.0 {
-                let last = self.at_parameter(&node, &next, 1.0)?;
-                watch(&last.point);
-                branch.points.push(last.point);
+                let last = self.last(&node, &next)?;
+                watch(&last);
+                branch.points.push(last);
                 return Ok(BranchEnd::Reached);
             }
             if parameter <= 0.0 {
@@ -160,14 +162,14 @@ impl Continuer<'_> {
                     }
                     return Ok((next, length));
                 }
-                Err(error) if smallest || is_interrupted(&error) => return Err(error),
+                Err(error) if smallest || error.is_interrupted() => return Err(error),
                 _ => *step = (0.5 * length).max(self.plan.least_step),
             }
         }
     }
 
     /// Corrects a guess in the plane across a direction, with slopes of about there.
-    pub fn corrected(
+    fn corrected(
         &mut self,
         mut unknowns: DVector<f64>,
         direction: &DVector<f64>,
@@ -211,19 +213,17 @@ impl Continuer<'_> {
         let (states, parameter) = parts(unknowns);
         self.family.set(parameter)?;
         let image = self.family.image(&states, Slopes::All)?;
-        self.slopes_from(unknowns, &states, &image.end, &image.slopes)
+        self.slopes_from(unknowns, &image)
     }
 
     /// Slopes of what is missing by the states, and by the parameter as a difference.
     fn slopes_from(
         &mut self,
         unknowns: &DVector<f64>,
-        states: &DVector<f64>,
-        end: &DVector<f64>,
-        slopes: &[DMatrix<f64>],
+        image: &Image,
     ) -> Result<DMatrix<f64>, ShootingError> {
-        let by_states = jacobian(self.family, slopes);
-        let here = residual(self.family, states, end);
+        let by_states = jacobian(self.family, &image.slopes);
+        let here = residual(self.family, &parts(unknowns).0, &image.end);
         let mut beside = unknowns.clone();
         beside[unknowns.len() - 1] += PARAMETER_STEP;
         let by_parameter = (self.missing(&beside)? - here) / PARAMETER_STEP;
@@ -245,13 +245,10 @@ impl Continuer<'_> {
         let image = self.family.image(&states, Slopes::All)?;
         let half = self.family.half_return(&states)?;
         let multipliers = multipliers(self.family.circle(), &image.slopes);
-        let slopes = self.slopes_from(&unknowns, &states, &image.end, &image.slopes)?;
-        let mut ahead = DVector::zeros(unknowns.len());
-        ahead[unknowns.len() - 1] = 1.0;
-        let tangent = bordered(&slopes, direction)
-            .lu()
-            .solve(&ahead)
-            .ok_or(ShootingError::Singular)?;
+        let slopes = self.slopes_from(&unknowns, &image)?;
+        let ahead = of_parameter(unknowns.len());
+        let tangent = bordered(&slopes, direction).lu().solve(&ahead);
+        let tangent = tangent.ok_or(ShootingError::Singular)?;
         Ok(Node {
             point: BranchPoint {
                 parameter,
@@ -267,25 +264,15 @@ impl Continuer<'_> {
         })
     }
 
-    /// The motion at a parameter between two points.
-    fn at_parameter(
-        &mut self,
-        before: &Node,
-        after: &Node,
-        parameter: f64,
-    ) -> Result<Node, ShootingError> {
+    /// The motion at the end of the parameter's range, between two points.
+    fn last(&mut self, before: &Node, after: &Node) -> Result<BranchPoint, ShootingError> {
         let (from, to) = (before.point.parameter, after.point.parameter);
-        let part = (parameter - from) / (to - from);
+        let part = (1.0 - from) / (to - from);
         let mut guess = &before.unknowns + (&after.unknowns - &before.unknowns) * part;
         let last = guess.len() - 1;
-        guess[last] = parameter;
-        let mut direction = DVector::zeros(guess.len());
-        direction[last] = 1.0;
-        let mut found = self.corrected(guess, &direction, &after.slopes)?;
-        if product(&found.tangent, &after.tangent) < 0.0 {
-            found.tangent.neg_mut();
-        }
-        Ok(found)
+        guess[last] = 1.0;
+        let direction = of_parameter(guess.len());
+        Ok(self.corrected(guess, &direction, &after.slopes)?.point)
     }
 
     /// Finds where the motion changes its kind between two neighbouring points.
@@ -308,7 +295,7 @@ impl Continuer<'_> {
             } else if kind == SpecialKind::Fold || before.outside() != after.outside() {
                 branch.unrefined.push(Unrefined {
                     kind,
-                    between: [before.point.parameter, after.point.parameter],
+                    between: [before, after].map(|node| node.point.parameter),
                     left,
                     after: after_points,
                 });
@@ -338,7 +325,7 @@ impl Continuer<'_> {
             let at = bracket.guess();
             let guess = &before.unknowns + &before.tangent * at;
             let found = match self.corrected(guess, &before.tangent, &after.slopes) {
-                Err(error) if is_interrupted(&error) => return Err(error),
+                Err(error) if error.is_interrupted() => return Err(error),
                 // as near as the neighbouring points are
                 Err(_) => break,
                 Ok(found) => found,
@@ -356,14 +343,6 @@ impl Continuer<'_> {
     }
 }
 
-/// Whether somebody asked the integration to stop.
-pub(super) fn is_interrupted(error: &ShootingError) -> bool {
-    matches!(
-        error,
-        ShootingError::Map(MapError::Integrate(IntegrateError::Interrupted { .. }))
-    )
-}
-
 /// Whether a motion of doubled period went through one of half the period.
 fn passed_half(before: &Node, after: &Node) -> bool {
     match (&before.half, &after.half) {
@@ -376,6 +355,13 @@ fn passed_half(before: &Node, after: &Node) -> bool {
 fn parts(unknowns: &DVector<f64>) -> (DVector<f64>, f64) {
     let states = unknowns.len() - 1;
     (unknowns.rows(0, states).into_owned(), unknowns[states])
+}
+
+/// The direction of the parameter among so many unknowns.
+fn of_parameter(unknowns: usize) -> DVector<f64> {
+    let mut direction = DVector::zeros(unknowns);
+    direction[unknowns - 1] = 1.0;
+    direction
 }
 
 /// `⟨a, b⟩`

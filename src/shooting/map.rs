@@ -76,7 +76,7 @@ pub(super) fn residual(
     states: &DVector<f64>,
     end: &DVector<f64>,
 ) -> DVector<f64> {
-    end - mixed(map.circle().shift(), states, map.size())
+    end - mixed(&map.circle().shift, states, map.size())
 }
 
 /// States of so many numbers each, mixed by a matrix over the nodes of a closed curve.
@@ -91,7 +91,7 @@ pub fn mixed(matrix: &DMatrix<f64>, states: &DVector<f64>, size: usize) -> DVect
 
 /// Slopes of the residual: those of the states on the diagonal, less the shift.
 pub(super) fn jacobian(map: &dyn ReturnMap, slopes: &[DMatrix<f64>]) -> DMatrix<f64> {
-    let (size, shift) = (map.size(), map.circle().shift());
+    let (size, shift) = (map.size(), &map.circle().shift);
     let count = shift.nrows();
     DMatrix::from_fn(size * count, size * count, |row, column| {
         let (node, from) = (row / size, column / size);

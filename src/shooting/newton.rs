@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector, Dyn, LU};
 
 use super::map::{jacobian, residual};
 use super::{MapError, ReturnMap, Slopes};
+use crate::integrate::IntegrateError;
 
 /// Corrections before the search is given up.
 const MOST_CORRECTIONS: usize = 40;
@@ -44,6 +45,16 @@ pub enum ShootingError {
         "a multiplier of the motion is 1 to round-off: it is at a turning point, or is not damped"
     )]
     Singular,
+}
+
+impl ShootingError {
+    /// Whether somebody asked the integration to stop.
+    pub fn is_interrupted(&self) -> bool {
+        matches!(
+            self,
+            Self::Map(MapError::Integrate(IntegrateError::Interrupted { .. }))
+        )
+    }
 }
 
 /// Finds states that return from a first guess, to `tolerance` of the size of the motion.

@@ -77,13 +77,10 @@ pub enum SteadyError {
     },
     /// The two frequencies do not keep their ratio along the parameter.
     #[error(
-        "{key} changes the ratio of the two frequencies of the forcing, and a motion of two frequencies \
-         is followed only at a constant ratio"
+        "the parameter changes the ratio of the two frequencies of the forcing, and a motion of two \
+         frequencies is followed only at a constant ratio"
     )]
-    RatioChanges {
-        /// The key.
-        key: String,
-    },
+    RatioChanges,
     /// Nothing that repeats was found.
     #[error(
         "no motion of the period {period:.6e} s was found from the static equilibrium, nor after {waited} \

@@ -62,36 +62,22 @@ impl SteadyLines {
         sampled: &[Vec<Sample>],
         noise: f64,
     ) -> Self {
-        let spectra: Vec<_> = channels
-            .iter()
-            .map(|channel| spectrum(periods, &values(*channel, sampled)))
-            .collect();
-        let largest: Vec<f64> = spectra
-            .iter()
-            .map(|spectrum| {
-                let lines = spectrum.iter().filter(|(at, _)| *at != [0, 0]);
-                lines.map(|(_, value)| value.norm()).fold(0.0, f64::max)
-            })
-            .collect();
-        let count = spectra.first().map_or(0, Vec::len);
-        let heard = |number: &usize| {
-            spectra[0][*number].0 == [0, 0]
-                || spectra
-                    .iter()
-                    .zip(&largest)
-                    .any(|(spectrum, largest)| spectrum[*number].1.norm() > noise * largest)
-        };
-        let mut lines: Vec<SteadyLine> = (0..count)
-            .filter(heard)
-            .map(|number| {
-                let at = spectra[0][number].0;
-                line(
-                    periods,
-                    at,
-                    spectra.iter().map(|spectrum| spectrum[number].1),
-                )
-            })
-            .collect();
+        let spectra = channels.iter().map(|channel| values(*channel, sampled));
+        let spectra: Vec<_> = spectra.map(|values| spectrum(periods, &values)).collect();
+        let least = spectra.iter().map(|spectrum| {
+            let lines = spectrum.iter().filter(|(at, _)| *at != [0, 0]);
+            noise * lines.map(|(_, value)| value.norm()).fold(0.0, f64::max)
+        });
+        let least: Vec<f64> = least.collect();
+        let mut lines = Vec::new();
+        for number in 0..spectra.first().map_or(0, Vec::len) {
+            let at = spectra[0][number].0;
+            let values: Vec<_> = spectra.iter().map(|spectrum| spectrum[number].1).collect();
+            let mut pairs = values.iter().zip(&least);
+            if at == [0, 0] || pairs.any(|(value, least)| value.norm() > *least) {
+                lines.push(line(periods, at, &values));
+            }
+        }
         lines.sort_by(|a, b| a.frequency.total_cmp(&b.frequency));
         Self {
             channels: channels.to_vec(),
@@ -107,14 +93,14 @@ type Component = ([i32; 2], Complex<f64>);
 fn spectrum(periods: &Periods, values: &DMatrix<f64>) -> Vec<Component> {
     let circle = &periods.circle;
     let instants = values.ncols();
-    let coefficients = circle.coefficients() * values;
+    let coefficients = &circle.coefficients * values;
     let most = (instants / KEPT) as i32;
     let mut found = Vec::new();
     for harmonic in 0..=circle.harmonics() {
         let turned: Vec<Complex<f64>> = (0..instants)
             .map(|instant| {
                 let part = instant as f64 / instants as f64;
-                let back = -(harmonic as f64) * circle.rotation() * part;
+                let back = -(harmonic as f64) * circle.rotation * part;
                 complex(&coefficients, harmonic, instant) * Complex::from_polar(1.0, back)
             })
             .collect();
@@ -140,34 +126,17 @@ fn complex(coefficients: &DMatrix<f64>, harmonic: usize, instant: usize) -> Comp
     Complex::new(0.5 * cos, -0.5 * sin)
 }
 
-fn line(
-    periods: &Periods,
-    multiples: [i32; 2],
-    values: impl Iterator<Item = Complex<f64>>,
-) -> SteadyLine {
-    let second = periods
-        .bases
-        .get(1)
-        .map_or(0.0, |base| base.frequency / TAU);
+fn line(periods: &Periods, multiples: [i32; 2], values: &[Complex<f64>]) -> SteadyLine {
+    let second = periods.bases.get(1).map_or(0.0, |base| base.frequency);
     let frequency =
-        f64::from(multiples[0]) / periods.circle.period() + f64::from(multiples[1]) * second;
-    let sides = if multiples == [0, 0] { 1.0 } else { 2.0 };
-    let (mut amplitude, mut phase) = (Vec::new(), Vec::new());
-    for value in values {
-        if multiples == [0, 0] {
-            // the mean keeps its sign
-            amplitude.push(value.re);
-            phase.push(0.0);
-        } else {
-            amplitude.push(sides * value.norm());
-            phase.push(if frequency < 0.0 {
-                -value.arg()
-            } else {
-                value.arg()
-            });
-        }
-    }
+        f64::from(multiples[0]) / periods.circle.period + f64::from(multiples[1]) * (second / TAU);
     let sign = if frequency < 0.0 { -1 } else { 1 };
+    let line = |value: &Complex<f64>| match multiples {
+        // the mean keeps its sign
+        [0, 0] => (value.re, 0.0),
+        _ => (2.0 * value.norm(), f64::from(sign) * value.arg()),
+    };
+    let (amplitude, phase) = values.iter().map(line).unzip();
     SteadyLine {
         frequency: frequency.abs(),
         multiples: multiples.map(|multiple| sign * multiple),

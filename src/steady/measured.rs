@@ -1,6 +1,6 @@
 //! The errors of a steady motion: of its integration, and of the reduction of a shaft that bends.
 
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
 use super::SteadyError;
@@ -8,7 +8,7 @@ use super::rotor_map::RotorMap;
 use super::samples::sampled;
 use super::search::{Found, returned_from};
 use crate::rotor::Sample;
-use crate::shooting::{ReturnMap, Slopes, multipliers, refine};
+use crate::shooting::{Multipliers, ReturnMap, ShootingError, Slopes, multipliers, refine};
 use crate::simulate::{Model, Reduction, ReductionError, finer_rotor, reference_settings};
 
 /// Distance of the motion from one found again at a tenth of the tolerance, with the round-off that both share.
@@ -36,10 +36,8 @@ pub(super) fn measured(
     let asked = map.solver.settings;
     map.solver.settings = reference_settings(asked);
     let tolerance = map.solver.settings.tolerance;
-    let again = refine(map, found.states.clone(), &found.slopes, tolerance)?;
-    let reference = sampled(map, &again.states, model, false)?;
-    let slopes = map.image(&again.states, Slopes::All)?.slopes;
-    let multipliers = multipliers(map.circle(), &slopes);
+    let (states, multipliers) = found_again(map, &found.states, &found.slopes)?;
+    let reference = sampled(map, &states, model, false)?;
     map.solver.settings = asked;
     let [apart, excursion] = distance(map, sampled_before, &reference);
     let displacement = apart + map.rotor.displacement_round_off();
@@ -49,6 +47,18 @@ pub(super) fn measured(
         multipliers: found.multipliers.distances(&multipliers),
         reference_tolerance: tolerance,
     })
+}
+
+/// The states and multipliers of a motion that is found again with the present settings.
+pub(super) fn found_again(
+    map: &mut RotorMap<'_>,
+    states: &DVector<f64>,
+    slopes: &[DMatrix<f64>],
+) -> Result<(DVector<f64>, Multipliers), ShootingError> {
+    let tolerance = map.solver.settings.tolerance;
+    let again = refine(map, states.clone(), slopes, tolerance)?;
+    let slopes = map.image(&again.states, Slopes::All)?.slopes;
+    Ok((again.states, multipliers(map.circle(), &slopes)))
 }
 
 /// What is kept of a shaft that bends; of a verified motion also how far that of a shaft with more modes is from it, where

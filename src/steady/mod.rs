@@ -139,7 +139,7 @@ impl Steady {
             let values = states.iter().zip(weights.iter());
             values.map(|(state, weight)| weight * state[part]).sum()
         });
-        (start + number as f64 * circle.period(), state.collect())
+        (start + number as f64 * circle.period, state.collect())
     }
 
     /// Whether neighbouring motions come closer: the motion is what a long run settles to.
@@ -207,7 +207,7 @@ fn answer(
     warnings.extend(self::warnings(&found, error, solver.settings.tolerance));
     Ok(Steady {
         equilibrium: StaticState::of(&map.rotor),
-        period: map.periods.circle.period(),
+        period: map.periods.circle.period,
         multiple: map.periods.multiple,
         instability,
         single_period,

@@ -2,9 +2,11 @@
 
 use std::f64::consts::TAU;
 
+use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
 use super::SteadyError;
+use crate::keys;
 use crate::rotor::{Forcing, ForcingCause, Rotor};
 use crate::shooting::Circle;
 
@@ -24,36 +26,27 @@ const PERIODS: u64 = 1 << 14;
 pub struct Base {
     /// Angular frequency, rad/s.
     pub frequency: f64,
-    /// Forcings and which multiple of it each is.
-    pub(crate) parts: Vec<(ForcingCause, u32)>,
+    /// The forcings.
+    pub(crate) parts: Vec<BasePart>,
     /// Time from which on it repeats, s.
     pub from: f64,
 }
 
+/// A forcing, and which multiple of a base it is.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub(crate) struct BasePart {
+    #[serde(serialize_with = "keys::name")]
+    pub cause: ForcingCause,
+    pub multiple: u32,
+}
+
 impl Serialize for Base {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        #[derive(Serialize)]
-        #[allow(non_snake_case)]
-        struct Keys {
-            frequency_Hz: f64,
-            period_s: f64,
-            causes: Vec<Cause>,
-        }
-        #[derive(Serialize)]
-        struct Cause {
-            cause: String,
-            multiple: u32,
-        }
-        let cause = |(cause, multiple): &(ForcingCause, u32)| Cause {
-            cause: cause.to_string(),
-            multiple: *multiple,
-        };
-        let keys = Keys {
-            frequency_Hz: self.frequency / TAU,
-            period_s: self.period(),
-            causes: self.parts.iter().map(cause).collect(),
-        };
-        keys.serialize(serializer)
+        let mut keys = serializer.serialize_struct("Base", 3)?;
+        keys.serialize_field("frequency_Hz", &(self.frequency / TAU))?;
+        keys.serialize_field("period_s", &self.period())?;
+        keys.serialize_field("causes", &self.parts)?;
+        keys.end()
     }
 }
 
@@ -65,25 +58,26 @@ impl Base {
 
     /// Whether balls that pass belong to it.
     pub(crate) fn has_ball_pass(&self) -> bool {
-        let passes = |(cause, _): &(ForcingCause, u32)| {
+        let mut causes = self.parts.iter().map(|part| part.cause);
+        causes.any(|cause| {
             matches!(
                 cause,
                 ForcingCause::BallPass { .. } | ForcingCause::Cage { .. }
             )
-        };
-        self.parts.iter().any(passes)
+        })
     }
 
     /// Takes in a forcing that has a common period with what is here; whether it has one.
     fn take(&mut self, forcing: &Forcing) -> bool {
-        let Some((own, other)) = fraction(self.frequency, forcing.frequency) else {
+        let Some((own, multiple)) = fraction(self.frequency, forcing.frequency) else {
             return false;
         };
         self.frequency /= f64::from(own);
-        for (_, multiple) in &mut self.parts {
-            *multiple *= own;
+        for part in &mut self.parts {
+            part.multiple *= own;
         }
-        self.parts.push((forcing.cause, other));
+        let cause = forcing.cause;
+        self.parts.push(BasePart { cause, multiple });
         self.from = self.from.max(forcing.from);
         true
     }
@@ -104,9 +98,10 @@ pub fn bases(forcings: &[Forcing]) -> Vec<Base> {
     let mut found: Vec<Base> = Vec::new();
     for forcing in forcings {
         if !found.iter_mut().any(|base| base.take(forcing)) {
+            let (cause, multiple) = (forcing.cause, 1);
             found.push(Base {
                 frequency: forcing.frequency,
-                parts: vec![(forcing.cause, 1)],
+                parts: vec![BasePart { cause, multiple }],
                 from: forcing.from,
             });
         }
@@ -148,7 +143,7 @@ impl Periods {
 
     /// The same with so many harmonics of the second frequency.
     pub fn with_harmonics(&self, harmonics: usize) -> Result<Self, SteadyError> {
-        let circle = Circle::around(self.circle.period(), self.rotation(), harmonics);
+        let circle = Circle::around(self.circle.period, self.rotation(), harmonics);
         Ok(Self {
             circle: circle.ok_or_else(|| SteadyError::NearlyCommon {
                 frequencies: self.frequencies(),
@@ -163,12 +158,13 @@ impl Periods {
         let other = Self::new(rotor, self.multiple)?;
         let turn = (other.rotation() - self.rotation()).abs();
         if other.bases.len() != self.bases.len() || turn > SAME_RATIO * TAU {
-            return Err(SteadyError::RatioChanges {
-                key: "the parameter".to_owned(),
-            });
+            return Err(SteadyError::RatioChanges);
         }
         Ok(Self {
-            circle: self.circle.with_period(other.circle.period()),
+            circle: Circle {
+                period: other.circle.period,
+                ..self.circle.clone()
+            },
             ..other
         })
     }
@@ -201,20 +197,20 @@ impl Periods {
     /// How far the second phase turns in a period, rad.
     fn rotation(&self) -> f64 {
         match &self.bases[..] {
-            [_, second] => second.frequency * self.circle.period(),
+            [_, second] => second.frequency * self.circle.period,
             _ => 0.0,
         }
     }
 
     /// Time after whole periods, s, where everything repeats already.
     pub fn time(&self, strobe: u64) -> f64 {
-        (self.first() + strobe as f64) * self.circle.period()
+        (self.first() + strobe as f64) * self.circle.period
     }
 
     /// Whole periods until everything repeats.
     fn first(&self) -> f64 {
         let from = self.bases.iter().map(|base| base.from).fold(0.0, f64::max);
-        (from / self.circle.period()).ceil()
+        (from / self.circle.period).ceil()
     }
 
     /// Phase of the second frequency at the time of strobe 0, rad.

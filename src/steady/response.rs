@@ -6,8 +6,9 @@ use nalgebra::Complex;
 use serde::Serialize;
 
 use super::lines::swings;
+use super::measured::found_again;
 use super::periods::Periods;
-use super::rotor_map::{RotorMap, Solver, Source};
+use super::rotor_map::{RotorMap, Solver};
 use super::samples::sampled;
 use super::search::find;
 use super::{SteadyError, Swing};
@@ -16,8 +17,7 @@ use crate::integrate::Counters;
 use crate::keys;
 use crate::rotor::{Rotor, RotorDefinition};
 use crate::shooting::{
-    Branch, BranchEnd, BranchPoint, Continuation, Family, ReturnMap, Slopes, SpecialKind,
-    Unrefined, follow, follow_doubled, multipliers, refine,
+    Branch, BranchEnd, BranchPoint, Continuation, Family, SpecialKind, follow, follow_doubled,
 };
 use crate::simulate::{Model, reference_settings};
 
@@ -49,6 +49,14 @@ pub struct ResponseQuestion<'a> {
     pub stop: &'a AtomicBool,
     /// Counts the periods that were integrated, for whoever watches the search.
     pub integrated: &'a AtomicU64,
+}
+
+impl ResponseQuestion<'_> {
+    /// Value of the parameter at a part of its range.
+    fn value(&self, part: f64) -> f64 {
+        let [from, to] = self.range;
+        from + (to - from) * part
+    }
 }
 
 /// A motion of a branch.
@@ -135,18 +143,7 @@ pub fn response(
     let first = (question.family)(question.range[0]).map_err(SteadyError::Parameter)?;
     let rotor = Rotor::assemble(&first)?;
     let periods = Periods::new(&rotor, question.multiple)?;
-    branches(question, rotor, periods, progress)
-}
-
-fn branches(
-    question: &ResponseQuestion<'_>,
-    rotor: Rotor,
-    periods: Periods,
-    progress: &mut dyn FnMut(f64),
-) -> Result<Vec<Response>, SteadyError> {
-    let [from, to] = question.range;
-    let at = |parameter: f64| (question.family)(from + (to - from) * parameter);
-    let source: Source<'_> = &at;
+    let source = |parameter: f64| (question.family)(question.value(parameter));
     let mut settings = question.model.integrator;
     settings.tolerance = (EXACTER * settings.tolerance).max(TIGHTEST);
     let solver = Solver {
@@ -156,12 +153,14 @@ fn branches(
     };
     let mut map = RotorMap::new(rotor, periods, solver);
     let guess = find(&mut map)?.states;
-    let mut map = map.of_family(source);
-    let plan = plan(question);
-    let mut watch = |point: &BranchPoint| {
-        progress(point.parameter.clamp(0.0, 1.0));
-        true
+    map.source = Some((&source, 0.0));
+    let plan = Continuation {
+        tolerance: question.model.integrator.tolerance.max(10.0 * TIGHTEST),
+        step: 1.0 / STEPS,
+        least_step: LEAST_PART / STEPS,
+        points: question.points,
     };
+    let mut watch = |point: &BranchPoint| progress(point.parameter.clamp(0.0, 1.0));
     let main = follow(&mut map, guess, &plan, &mut watch)?;
     stopped(&main)?;
     let mut found = vec![answer(&mut map, &main, question)?];
@@ -188,26 +187,10 @@ fn branches(
     Ok(found)
 }
 
-fn plan(question: &ResponseQuestion<'_>) -> Continuation {
-    Continuation {
-        tolerance: question.model.integrator.tolerance.max(10.0 * TIGHTEST),
-        step: 1.0 / STEPS,
-        least_step: LEAST_PART / STEPS,
-        points: question.points,
-    }
-}
-
 /// Ends the search where somebody stopped it.
 fn stopped(branch: &Branch) -> Result<(), SteadyError> {
     match &branch.end {
-        BranchEnd::Lost(error) => {
-            let error = SteadyError::from(error.clone());
-            if error.is_interrupted() {
-                Err(error)
-            } else {
-                Ok(())
-            }
-        }
+        BranchEnd::Lost(error) if error.is_interrupted() => Err(error.clone().into()),
         _ => Ok(()),
     }
 }
@@ -229,7 +212,7 @@ fn is_on_another(
     question: &ResponseQuestion<'_>,
 ) -> bool {
     let [from, to] = question.range;
-    let value = from + (to - from) * point.parameter;
+    let value = question.value(point.parameter);
     let near =
         |point: &ResponsePoint| (point.value - value).abs() < 1.5 * (to - from).abs() / STEPS;
     let ends = |response: &&Response| response.multiple == multiple;
@@ -255,15 +238,17 @@ fn answer(
             point: response_point(map, &special.point, question)?,
         });
     }
+    let unrefined = branch.unrefined.iter().map(|unrefined| ResponseUnrefined {
+        kind: unrefined.kind,
+        after: unrefined.after,
+        between: unrefined.between.map(|part| question.value(part)),
+        left: unrefined.left,
+    });
     Ok(Response {
         multiple: map.periods.multiple,
         points,
         specials,
-        unrefined: branch
-            .unrefined
-            .iter()
-            .map(|unrefined| unrefined_over(question.range, unrefined))
-            .collect(),
+        unrefined: unrefined.collect(),
         end: match &branch.end {
             BranchEnd::Reached => "the parameter reached its last value".to_owned(),
             BranchEnd::CameBack => "the branch came back to the first value".to_owned(),
@@ -279,28 +264,17 @@ fn answer(
     })
 }
 
-/// The same in the unit of the parameter.
-fn unrefined_over([from, to]: [f64; 2], unrefined: &Unrefined) -> ResponseUnrefined {
-    ResponseUnrefined {
-        kind: unrefined.kind,
-        after: unrefined.after,
-        between: unrefined.between.map(|part| from + (to - from) * part),
-        left: unrefined.left,
-    }
-}
-
 fn response_point(
     map: &mut RotorMap<'_>,
     point: &BranchPoint,
     question: &ResponseQuestion<'_>,
 ) -> Result<ResponsePoint, SteadyError> {
-    let [from, to] = question.range;
     map.set(point.parameter)?;
     let sampled = sampled(map, &point.states, question.model, true)?;
     let channels = Channel::of_freedoms(map.rotor.active_freedoms());
     Ok(ResponsePoint {
-        value: from + (to - from) * point.parameter,
-        period: map.periods.circle.period(),
+        value: question.value(point.parameter),
+        period: map.periods.circle.period,
         swings: swings(&channels, &map.periods.circle, &sampled),
         multipliers: point.multipliers.values(),
         multiplier_errors: match question.model.verify {
@@ -316,10 +290,8 @@ fn response_point(
 fn multiplier_errors(map: &mut RotorMap<'_>, point: &BranchPoint) -> Option<Vec<f64>> {
     let asked = map.solver.settings;
     map.solver.settings = reference_settings(asked);
-    let tolerance = map.solver.settings.tolerance;
-    let again = refine(map, point.states.clone(), &point.slopes, tolerance).ok();
-    let image = again.and_then(|again| map.image(&again.states, Slopes::All).ok());
+    let again = found_again(map, &point.states, &point.slopes);
     map.solver.settings = asked;
-    let found = multipliers(map.circle(), &image?.slopes);
-    Some(point.multipliers.distances(&found))
+    let (_, multipliers) = again.ok()?;
+    Some(point.multipliers.distances(&multipliers))
 }

@@ -40,7 +40,7 @@ pub(super) struct RotorMap<'a> {
     pub scale: MotionScale,
     pub counters: Counters,
     /// Where the rotor of another parameter comes from, and that of the present one.
-    source: Option<(Source<'a>, f64)>,
+    pub source: Option<(Source<'a>, f64)>,
 }
 
 impl<'a> RotorMap<'a> {
@@ -54,14 +54,6 @@ impl<'a> RotorMap<'a> {
             scale,
             counters: Counters::default(),
             source: None,
-        }
-    }
-
-    /// The same as one of many, at the parameter 0.
-    pub fn of_family(self, source: Source<'a>) -> Self {
-        Self {
-            source: Some((source, 0.0)),
-            ..self
         }
     }
 
@@ -99,7 +91,7 @@ impl<'a> RotorMap<'a> {
     /// The state a period after a time.
     fn end(&mut self, start: f64, state: &[f64]) -> Result<Vec<f64>, IntegrateError> {
         let grid = Grid {
-            interval: self.periods.circle.period(),
+            interval: self.periods.circle.period,
             count: 2,
         };
         let states = self.trajectory(start, state, grid)?;
@@ -108,28 +100,13 @@ impl<'a> RotorMap<'a> {
             .map_or_else(|| vec![f64::NAN; state.len()], <[f64]>::to_vec))
     }
 
-    /// The same and its slopes, scaled.
-    fn end_and_slopes(
-        &mut self,
-        start: f64,
-        state: &[f64],
-    ) -> Result<(Vec<f64>, DMatrix<f64>), IntegrateError> {
-        let end = self.end(start, state)?;
-        let slopes = self.slopes(start, state)?;
-        let scale = &self.unit.scale;
-        let slopes = DMatrix::from_fn(scale.len(), scale.len(), |row, column| {
-            slopes[(row, column)] * scale[column] / scale[row]
-        });
-        Ok((end, slopes))
-    }
-
-    /// Slopes integrated beside the motion.
+    /// Slopes of that state, scaled, integrated beside the motion.
     fn slopes(&mut self, start: f64, state: &[f64]) -> Result<DMatrix<f64>, IntegrateError> {
         let system = Shifted {
             system: &self.rotor,
             start,
         };
-        let (solver, period) = (&self.solver, self.periods.circle.period());
+        let (solver, period) = (&self.solver, self.periods.circle.period);
         let settings = Settings {
             tolerance: solver.settings.tolerance.min(SLOPE_TOLERANCE),
             ..solver.settings
@@ -138,7 +115,10 @@ impl<'a> RotorMap<'a> {
         let found = variation(&system, &scaling, &settings, solver.stop, period, state)?;
         self.counters.add(&found.counters);
         solver.integrated.fetch_add(1, Ordering::Relaxed);
-        Ok(found.slopes)
+        let scale = &self.unit.scale;
+        Ok(DMatrix::from_fn(scale.len(), scale.len(), |row, column| {
+            found.slopes[(row, column)] * scale[column] / scale[row]
+        }))
     }
 }
 
@@ -155,19 +135,11 @@ impl ReturnMap for RotorMap<'_> {
         let mut end = DVector::zeros(states.len());
         let mut found = Vec::new();
         for (node, state) in self.states(states).iter().enumerate() {
-            let start = self.periods.time(self.periods.circle.strobes()[node]);
-            let wanted = match slopes {
-                Slopes::None => false,
-                Slopes::First => node == 0,
-                Slopes::All => true,
-            };
-            let reached = if wanted {
-                let (reached, slopes) = self.end_and_slopes(start, state)?;
-                found.push(slopes);
-                reached
-            } else {
-                self.end(start, state)?
-            };
+            let start = self.periods.time(self.periods.circle.strobes[node]);
+            let reached = self.end(start, state)?;
+            if slopes == Slopes::All || slopes == Slopes::First && node == 0 {
+                found.push(self.slopes(start, state)?);
+            }
             let size = reached.len();
             end.as_mut_slice()[size * node..size * (node + 1)]
                 .copy_from_slice(&self.unit.scaled(&reached));

@@ -26,11 +26,8 @@ pub(super) fn sampled(
     forces: bool,
 ) -> Result<Vec<Vec<Sample>>, SteadyError> {
     let trajectories = trajectories(map, states, model)?;
-    Ok(samples_along(
-        map,
-        &trajectories,
-        map.rotor.unwatched_balls(forces),
-    ))
+    let contacts = map.rotor.unwatched_balls(forces);
+    Ok(samples_along(map, &trajectories, contacts))
 }
 
 /// States of a period on a grid, from every node.
@@ -41,10 +38,10 @@ pub(super) fn trajectories(
 ) -> Result<Vec<States>, SteadyError> {
     let count = sample_count(map, model);
     let grid = Grid {
-        interval: map.periods.circle.period() / count as f64,
+        interval: map.periods.circle.period / count as f64,
         count: count as u64,
     };
-    let strobes = map.periods.circle.strobes().to_vec();
+    let strobes = map.periods.circle.strobes.clone();
     let mut all = Vec::new();
     for (state, strobe) in map.states(states).iter().zip(strobes) {
         all.push(map.trajectory(map.periods.time(strobe), state, grid)?);
@@ -66,21 +63,27 @@ fn samples_along(
     trajectories: &[States],
     mut contacts: BallContacts,
 ) -> Vec<Vec<Sample>> {
+    let samples = instants(map, trajectories).map(|instants| {
+        instants
+            .map(|(time, state)| map.rotor.sample(time, state, &mut contacts))
+            .collect()
+    });
+    samples.collect()
+}
+
+/// Times and states along each of the trajectories of a period.
+fn instants<'a>(
+    map: &'a RotorMap<'_>,
+    trajectories: &'a [States],
+) -> impl Iterator<Item = impl Iterator<Item = (f64, &'a [f64])>> {
     let circle = &map.periods.circle;
-    let mut trajectory = |(states, strobe): (&States, &u64)| {
+    let pairs = trajectories.iter().zip(&circle.strobes);
+    pairs.map(|(states, strobe)| {
         let start = map.periods.time(*strobe);
-        let interval = circle.period() / states.len() as f64;
-        let sample = |(number, state): (usize, &[f64])| {
-            map.rotor
-                .sample(start + number as f64 * interval, state, &mut contacts)
-        };
-        states.iter().enumerate().map(sample).collect()
-    };
-    trajectories
-        .iter()
-        .zip(circle.strobes())
-        .map(&mut trajectory)
-        .collect()
+        let interval = circle.period / states.len() as f64;
+        let states = states.iter().enumerate();
+        states.map(move |(number, state)| (start + number as f64 * interval, state))
+    })
 }
 
 /// What to know of how hard the balls are pressed along the trajectories of a period.
@@ -91,16 +94,11 @@ pub(super) fn peak_warnings(
     map: &RotorMap<'_>,
     trajectories: &[States],
 ) -> Result<Vec<String>, BeyondContact> {
-    let (circle, mut contacts) = (&map.periods.circle, PeakWatch::contacts(&map.rotor));
+    let mut contacts = PeakWatch::contacts(&map.rotor);
     let mut peaks = PeakWatch::new(&map.rotor);
-    for (states, strobe) in trajectories.iter().zip(circle.strobes()) {
-        let start = map.periods.time(*strobe);
-        let interval = circle.period() / states.len() as f64;
-        for (number, state) in states.iter().enumerate() {
-            let time = start + number as f64 * interval;
-            map.rotor.sample(time, state, &mut contacts);
-            peaks.take(time, &contacts);
-        }
+    for (time, state) in instants(map, trajectories).flatten() {
+        map.rotor.sample(time, state, &mut contacts);
+        peaks.take(time, &contacts);
     }
     peaks.warnings(&map.rotor)
 }
@@ -117,7 +115,7 @@ fn sample_count(map: &RotorMap<'_>, model: &Model) -> usize {
 /// Samples of a period that the scene asks for.
 fn requested(map: &RotorMap<'_>, model: &Model) -> usize {
     let rate = model.sampling.rate(map.rotor.speed());
-    (rate * map.periods.circle.period()).ceil() as usize
+    (rate * map.periods.circle.period).ceil() as usize
 }
 
 /// The trace that is shown: the period itself, or some of the slower of two frequencies, whose states
@@ -132,13 +130,9 @@ pub(super) fn trace(
     if !map.periods.is_torus() {
         return sampled.first().cloned().unwrap_or_default();
     }
-    let slower = map
-        .periods
-        .bases
-        .iter()
-        .map(Base::period)
-        .fold(0.0, f64::max);
-    let periods = (TRACED * slower / circle.period()).ceil() as u64;
+    let slower = map.periods.bases.iter().map(Base::period);
+    let slower = slower.fold(0.0, f64::max);
+    let periods = (TRACED * slower / circle.period).ceil() as u64;
     let instants = trajectories.first().map_or(0, States::len);
     let shown = requested(map, model).max(LEAST_SHOWN).next_power_of_two();
     let mut trace = Vec::new();
@@ -153,7 +147,7 @@ pub(super) fn trace(
                 }
             }
             let since = strobe as f64 + instant as f64 / instants as f64;
-            let time = map.periods.time(0) + since * circle.period();
+            let time = map.periods.time(0) + since * circle.period;
             trace.push(map.rotor.sample(time, &state, &mut contacts));
         }
     }

@@ -50,7 +50,7 @@ pub(super) fn find(map: &mut RotorMap<'_>) -> Result<Found, SteadyError> {
         let before = map.periods.circle.clone();
         map.periods = map.periods.with_harmonics(harmonics)?;
         let start = match &guess {
-            Some(states) => mixed(&before.values_at(map.circle().angles()), states, map.size()),
+            Some(states) => mixed(&before.values_at(&map.circle().angles), states, map.size()),
             None => DVector::zeros(map.size() * map.circle().nodes()),
         };
         let (returned, waited) = returned_from(map, start, tolerance)?;
@@ -100,7 +100,7 @@ pub(super) fn returned_from(
         }
     }
     Err(SteadyError::NotFound {
-        period: map.circle().period(),
+        period: map.circle().period,
         waited,
         source: last,
     })
@@ -123,7 +123,7 @@ fn later(map: &mut dyn ReturnMap, states: &DVector<f64>) -> Result<DVector<f64>,
 
 /// Largest component of every harmonic of the closed curve, the mean first.
 fn harmonic_sizes(circle: &Circle, states: &DVector<f64>, size: usize) -> Vec<f64> {
-    let coefficients = mixed(circle.coefficients(), states, size);
+    let coefficients = mixed(&circle.coefficients, states, size);
     let largest = |rows: std::ops::Range<usize>| {
         let parts = rows.flat_map(|row| (0..size).map(move |part| size * row + part));
         parts
@@ -158,7 +158,7 @@ fn more_harmonics(sizes: &[f64], tolerance: f64) -> Option<usize> {
 /// With the slopes and multipliers of what was found.
 fn finished(map: &mut RotorMap<'_>, returned: Returned, waited: u64) -> Result<Found, SteadyError> {
     let image = map.image(&returned.states, Slopes::All)?;
-    let shifted = mixed(map.circle().shift(), &returned.states, map.size());
+    let shifted = mixed(&map.circle().shift, &returned.states, map.size());
     Ok(Found {
         missing: (&image.end - shifted).amax(),
         multipliers: multipliers(map.circle(), &image.slopes),

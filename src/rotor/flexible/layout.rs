@@ -7,8 +7,7 @@ use super::reduction::ReducedShaft;
 use crate::bearing::MountedBearing;
 use crate::rotor::point::{Attachment, Place, Point};
 use crate::rotor::structure::{Coordinate, CoordinateKind, Structure, UnbalancedPoint};
-use crate::rotor::unbalance::Unbalance;
-use crate::rotor::{FREEDOMS, Freedoms, Load, RotorDefinition};
+use crate::rotor::{FREEDOMS, Freedoms, Load, PlaneUnbalance, RotorDefinition};
 
 /// Frequency of the modes that are kept over that of the highest excitation.
 const HEADROOM: f64 = 3.0;
@@ -46,7 +45,9 @@ impl Layout {
 
     fn point(&self, number: usize) -> Point {
         let (first, second) = (2 * number, self.plane_size() + 2 * number);
-        Point::new([first, second, self.z(), second + 1, first + 1])
+        Point {
+            coordinates: [first, second, self.z(), second + 1, first + 1],
+        }
     }
 
     /// Each deflection, slope and mode of the plane of x and θy with that of the plane of y and −θx, and the sign of the
@@ -174,9 +175,11 @@ impl Structure {
             point: at(load.position),
             arm: 0.0,
         };
-        let unbalanced = |own: &PointUnbalance| UnbalancedPoint {
-            point: at(own.position),
-            unbalance: Unbalance::in_plane(own.amount, own.angle),
+        let unbalanced = |own: &PointUnbalance| {
+            let mut unbalance = PlaneUnbalance::default();
+            unbalance.add(own.amount, own.angle, 0.0);
+            let point = at(own.position);
+            UnbalancedPoint { point, unbalance }
         };
         Ok(Self {
             coordinates: coordinates(&layout, &points, &reduction),
@@ -213,7 +216,7 @@ fn coordinates(layout: &Layout, points: &[f64], reduction: &ReducedShaft) -> Vec
     let mut coordinates = vec![Coordinate::of_axis(2, ""); layout.size()];
     for (number, position) in points.iter().enumerate() {
         let owner = format!(" of the shaft at {:.1} mm", 1e3 * position);
-        for (axis, index) in layout.point(number).coordinates().into_iter().enumerate() {
+        for (axis, index) in layout.point(number).coordinates.into_iter().enumerate() {
             if axis != 2 {
                 coordinates[index] = Coordinate::of_axis(axis, &owner);
             }
@@ -233,7 +236,7 @@ fn coordinates(layout: &Layout, points: &[f64], reduction: &ReducedShaft) -> Vec
 fn rigid_motions(layout: &Layout, points: &[f64]) -> [DVector<f64>; FREEDOMS] {
     let mut motions = std::array::from_fn(|_| DVector::zeros(layout.size()));
     for (number, position) in points.iter().enumerate() {
-        let [x, y, z, tilt_x, tilt_y] = layout.point(number).coordinates();
+        let [x, y, z, tilt_x, tilt_y] = layout.point(number).coordinates;
         let arm = position - points[0];
         let parts = [
             (0, x, 1.0),

@@ -266,7 +266,12 @@ impl FlexibleShaft {
             return Err(ShaftError::Beyond { position, length });
         }
         if let Some(given) = &self.matrices {
-            return given.clone().with_discs(&fixed, same, &self.discs);
+            let off = |at: &&f64| (given.nodes[given.node_at(**at)] - **at).abs() > same;
+            if let Some(&position) = fixed.iter().find(off) {
+                let nearest = given.nodes[given.node_at(position)];
+                return Err(ShaftError::NoNode { position, nearest });
+            }
+            return Ok(given.clone().with_discs(&self.discs));
         }
         fixed.extend(self.elements_of_sections().map(|(start, _)| start));
         fixed.push(length);
@@ -275,7 +280,7 @@ impl FlexibleShaft {
         let longest = longest.unwrap_or(length / LEAST_ELEMENTS);
         let nodes = subdivided(&fixed, longest);
         let plane = self.plane(&nodes);
-        Ok(Mesh { nodes, plane })
+        Ok(Mesh { nodes, plane }.with_discs(&self.discs))
     }
 
     fn plane(&self, nodes: &[f64]) -> Plane {
@@ -288,13 +293,11 @@ impl FlexibleShaft {
             add(&mut mass, 1.0, &element.rotary_inertia(), index);
             add(&mut polar, 2.0, &element.rotary_inertia(), index);
         }
-        let mut plane = Plane {
+        Plane {
             mass,
             polar,
             stiffness,
-        };
-        plane.add_discs(nodes, &self.discs);
-        plane
+        }
     }
 
     /// The element between two neighbouring nodes, with the cross-section of the section that they lie in.
@@ -313,15 +316,6 @@ impl FlexibleShaft {
 }
 
 impl Plane {
-    fn add_discs(&mut self, nodes: &[f64], discs: &[Disc]) {
-        for disc in discs {
-            let slope = 2 * nearest(nodes, disc.position) + 1;
-            self.mass[(slope - 1, slope - 1)] += disc.mass;
-            self.mass[(slope, slope)] += disc.inertia_transverse;
-            self.polar[(slope, slope)] += disc.inertia_polar;
-        }
-    }
-
     /// `vᵀ A v` of a matrix for the deflections w and slopes θ of a rigid motion at all nodes.
     fn of_motion(matrix: &DMatrix<f64>, motion: impl Fn(usize) -> [f64; 2]) -> f64 {
         let parts = (0..matrix.nrows() / 2).flat_map(motion);
@@ -331,26 +325,28 @@ impl Plane {
 }
 
 impl Mesh {
-    /// With discs, where a node lies at each of some positions.
-    fn with_discs(
-        mut self,
-        positions: &[f64],
-        same: f64,
-        discs: &[Disc],
-    ) -> Result<Self, ShaftError> {
-        for &position in positions {
-            let nearest = self.nodes[self.node_at(position)];
-            if (nearest - position).abs() > same {
-                return Err(ShaftError::NoNode { position, nearest });
-            }
+    /// With discs at the nodes.
+    fn with_discs(mut self, discs: &[Disc]) -> Self {
+        for disc in discs {
+            let slope = 2 * self.node_at(disc.position) + 1;
+            self.plane.mass[(slope - 1, slope - 1)] += disc.mass;
+            self.plane.mass[(slope, slope)] += disc.inertia_transverse;
+            self.plane.polar[(slope, slope)] += disc.inertia_polar;
         }
-        self.plane.add_discs(&self.nodes, discs);
-        Ok(self)
+        self
     }
 
     /// Index of the node at a position.
     pub fn node_at(&self, position: f64) -> usize {
-        nearest(&self.nodes, position)
+        let after = self.nodes.partition_point(|node| *node < position);
+        let distance = |index: &usize| {
+            let node = self.nodes.get(*index);
+            node.map_or(f64::INFINITY, |at| (at - position).abs())
+        };
+        [after, after.saturating_sub(1)]
+            .into_iter()
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+            .unwrap_or(0)
     }
 }
 
@@ -364,19 +360,6 @@ fn subdivided(fixed: &[f64], longest: f64) -> Vec<f64> {
         nodes.push(ends[1]);
     }
     nodes
-}
-
-fn nearest(nodes: &[f64], position: f64) -> usize {
-    let after = nodes.partition_point(|node| *node < position);
-    let distance = |index: &usize| {
-        nodes
-            .get(*index)
-            .map_or(f64::INFINITY, |at| (at - position).abs())
-    };
-    [after, after.saturating_sub(1)]
-        .into_iter()
-        .min_by(|a, b| distance(a).total_cmp(&distance(b)))
-        .unwrap_or(0)
 }
 
 /// Adds a matrix of the element behind node `index`.

@@ -275,12 +275,12 @@ fn moments_of_the_bearings_are_about_the_observed_point() {
     let (place, velocity) = state.split_at(dofs);
     let rotation = rotor.speed.at(0.01);
     let [mut held, mut damped] = [(); 2].map(|()| vec![0.0; dofs]);
-    rotor.for_each_bearing(&rotation, &rotor.phases(&rotation), |bearing, seen| {
+    for (bearing, seen) in rotor.bearings_at(&rotation) {
         let [place, rate] = bearing.motion(place, velocity);
-        let [elastic, damping] = bearing.support.damped_force(&place, &rate, seen);
+        let [elastic, damping] = bearing.support.damped_force(&place, &rate, &seen);
         bearing.attachment.add_force(-1.0, &elastic, &mut held);
         bearing.attachment.add_force(-1.0, &damping, &mut damped);
-    });
+    }
     let found = sample.force_on_shaft.expect("observed");
     for (axis, found) in found.into_iter().enumerate() {
         let motion = &rotor.structure.rigid_motions[axis];
