@@ -1,5 +1,6 @@
 //! What acts on a shaft in a state, by what it comes from, and at which power.
 
+use super::coefficients::half_square;
 use super::energy::Works;
 use super::motion::dot;
 use super::structure::UnbalancedPoint;
@@ -140,7 +141,8 @@ impl Rotor {
         let (crossing, held) = (dot(&across, velocity), dot(&resisting, place));
         let moment = crossing - speed * held;
         InternalDamping {
-            power: 2.0 * self.internal_damping.half_square(velocity) - speed * (crossing + moment),
+            power: 2.0 * half_square(&self.internal_damping.entries, velocity)
+                - speed * (crossing + moment),
             moment,
         }
     }
@@ -187,8 +189,8 @@ impl Rotor {
             loads,
             unbalance,
             viscous: 2.0
-                * (self.damping.half_square(velocity)
-                    - self.internal_damping.half_square(velocity)),
+                * (half_square(&self.damping.entries, velocity)
+                    - half_square(&self.internal_damping.entries, velocity)),
             internal,
             moments,
         }

@@ -7,7 +7,8 @@ use crate::panels::Panels;
 /// A matrix of linear forces on the degrees of freedom, stored the way that its products are cheapest.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Coefficients {
-    entries: DMatrix<f64>,
+    /// All entries, of degrees of freedom and of held coordinates.
+    pub entries: DMatrix<f64>,
     form: Form,
 }
 
@@ -43,11 +44,6 @@ impl Coefficients {
         Self { entries, form }
     }
 
-    /// All entries, of degrees of freedom and of held coordinates.
-    pub fn entries(&self) -> &DMatrix<f64> {
-        &self.entries
-    }
-
     /// Adds `factor` times the product with a vector of the degrees of freedom.
     #[inline(always)]
     pub fn add_product(&self, factor: f64, vector: &[f64], sum: &mut [f64]) {
@@ -66,15 +62,10 @@ impl Coefficients {
             Form::Full(panels) => panels.add_product(factor, vector, sum),
         }
     }
-
-    /// `½ vᵀ A v`.
-    pub fn half_square(&self, vector: &[f64]) -> f64 {
-        half_square(&self.entries, vector)
-    }
 }
 
 /// `½ vᵀ A v` with the first rows and columns of A.
-fn half_square(entries: &DMatrix<f64>, vector: &[f64]) -> f64 {
+pub(super) fn half_square(entries: &DMatrix<f64>, vector: &[f64]) -> f64 {
     let mut sum = 0.0;
     for (row, left) in vector.iter().enumerate() {
         for (column, right) in vector.iter().enumerate() {
@@ -87,7 +78,8 @@ fn half_square(entries: &DMatrix<f64>, vector: &[f64]) -> f64 {
 /// The mass matrix of the degrees of freedom, positive definite.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Mass {
-    entries: DMatrix<f64>,
+    /// Entries, kg, kg m or kg m².
+    pub entries: DMatrix<f64>,
     inverse: Inverse,
 }
 
@@ -116,11 +108,6 @@ impl Mass {
         inverse.map(|inverse| Self { entries, inverse })
     }
 
-    /// One entry, kg, kg m or kg m².
-    pub fn entry(&self, row: usize, column: usize) -> f64 {
-        self.entries[(row, column)]
-    }
-
     /// Makes accelerations of forces, in place.
     #[inline(always)]
     pub fn accelerate(&self, forces: &mut [f64]) {
@@ -145,11 +132,6 @@ impl Mass {
                 panels.add_product(1.0, given, forces);
             }
         }
-    }
-
-    /// Kinetic energy at velocities of the degrees of freedom, J.
-    pub fn kinetic_energy(&self, velocity: &[f64]) -> f64 {
-        half_square(&self.entries, velocity)
     }
 
     /// `M^½`.

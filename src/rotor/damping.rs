@@ -60,14 +60,14 @@ impl Rotor {
     /// and what follows from it for the tilts.
     pub(crate) fn damping_matrix(&self) -> [Vector5; FREEDOMS] {
         let indices = self.structure.shaft.coordinates;
-        let entries = self.damping.entries();
+        let entries = &self.damping.entries;
         indices.map(|row| indices.map(|column| entries[(row, column)]))
     }
 
     /// Entry of C + ωG at a speed in rad/s: what resists, and the gyroscopic coupling of the tilts.
     pub(super) fn rate_entry(&self, row: usize, column: usize, speed: f64) -> f64 {
         let [resisting, coupling] =
-            [&self.damping, &self.gyroscopic].map(|matrix| matrix.entries()[(row, column)]);
+            [&self.damping, &self.gyroscopic].map(|matrix| matrix.entries[(row, column)]);
         resisting + coupling * speed
     }
 

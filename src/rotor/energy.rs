@@ -1,5 +1,6 @@
 //! Where the energy of a motion is, where it came from and where it went.
 
+use super::coefficients::half_square;
 use super::motion::dot;
 use super::{Rotation, Rotor};
 
@@ -129,7 +130,7 @@ impl Rotor {
 
     /// Kinetic energy, J.
     fn kinetic(&self, velocity: &[f64], rotation: &Rotation) -> f64 {
-        let motion = self.mass.kinetic_energy(velocity);
+        let motion = half_square(&self.mass.entries, velocity);
         if self.drive.is_none() {
             return motion;
         }
@@ -144,7 +145,7 @@ impl Rotor {
 
     /// Energy that bearings and elastic parts store, J.
     fn stored(&self, position: &[f64], rotation: &Rotation) -> f64 {
-        let mut stored = self.stiffness.half_square(position);
+        let mut stored = half_square(&self.stiffness.entries, position);
         for (bearing, seen) in self.bearings_at(rotation) {
             let displacement = bearing.displacement(position);
             stored += bearing.support.stored_energy(&displacement, &seen);

@@ -144,7 +144,7 @@ impl Balance {
             } else {
                 Matrix5::from_fn(|row, column| stiffness[(indices[row], indices[column])])
             },
-            residual: self.residual,
+            residual: self.relative_residual(),
             newton_steps: self.newton_steps,
         }
     }

@@ -76,7 +76,7 @@ impl Rotor {
         let rotation = self.speed.at(time);
         let size = self.structure.coordinates.len();
         let mut sum = ForceSlopes {
-            by_place: self.stiffness.entries() - self.circulatory.entries() * rotation.speed,
+            by_place: &self.stiffness.entries - &self.circulatory.entries * rotation.speed,
             by_rate: DMatrix::zeros(size, size),
             by_time: vec![0.0; size],
         };

@@ -44,7 +44,7 @@ pub use drive::{Drive, DriveMoments};
 pub use energy::{EnergyBalance, Works};
 pub(crate) use equilibrium::static_place;
 pub use equilibrium::{Equilibrium, EquilibriumError, FREEDOM_NAMES, StaticProblem};
-pub use flexible::{Disc, FlexibleShaft, Mesh, Plane, PointUnbalance, Section, ShaftError};
+pub use flexible::{Disc, FlexibleShaft, Mesh, Plane, PointUnbalance, ShaftError};
 pub use forcing::{Forcing, ForcingCause, Unrepeated};
 pub use linear_bearing::LinearBearing;
 pub use load::{Load, LoadKind};

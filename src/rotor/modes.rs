@@ -167,22 +167,17 @@ impl Rotor {
         let alike = |a: &Complex<f64>, b: &Complex<f64>| (a - b).norm() < REPEATED * a.norm();
         let groups = eigenvalues.chunk_by(alike);
         groups
-            .flat_map(|group| self.modes_of(&matrices, group))
-            .collect()
-    }
-
-    /// Modes of an eigenvalue, or of several that are the same.
-    fn modes_of(&self, matrices: &[DMatrix<f64>; 2], group: &[Complex<f64>]) -> Vec<Mode> {
-        let shapes = self.shapes(matrices, group[0], group.len().min(self.dofs()));
-        let pairs = group.iter().zip(shapes.column_iter());
-        pairs
-            .map(|(eigenvalue, shape)| {
-                let shape: Vec<_> = shape.iter().copied().collect();
-                Mode {
-                    eigenvalue: *eigenvalue,
-                    shares: self.shares(&shape),
-                    shape,
-                }
+            .flat_map(|group| {
+                let shapes = self.shapes(&matrices, group[0], group.len().min(self.dofs()));
+                let columns = shapes.column_iter();
+                let shapes: Vec<Vec<_>> =
+                    columns.map(|own| own.iter().copied().collect()).collect();
+                group.iter().zip(shapes)
+            })
+            .map(|(eigenvalue, shape)| Mode {
+                eigenvalue: *eigenvalue,
+                shares: self.shares(&shape),
+                shape,
             })
             .collect()
     }
@@ -241,8 +236,8 @@ impl Rotor {
 
     /// K at the static equilibrium and C + ωG in coordinates in which the mass is one.
     fn normalised(&self) -> [DMatrix<f64>; 2] {
-        let rate = self.damping.entries() + self.gyroscopic.entries() * self.speed();
-        let stiffness = &self.tangent - self.circulatory.entries() * self.speed();
+        let rate = &self.damping.entries + &self.gyroscopic.entries * self.speed();
+        let stiffness = &self.tangent - &self.circulatory.entries * self.speed();
         [&stiffness, &rate].map(|matrix| self.mass.normalised(matrix))
     }
 }

@@ -75,7 +75,7 @@ impl Rotor {
     /// contact.
     fn highest_frequency(&self) -> f64 {
         let highest = (0..self.dofs())
-            .map(|dof| (self.tangent[(dof, dof)].max(0.0) / self.mass.entry(dof, dof)).sqrt())
+            .map(|dof| (self.tangent[(dof, dof)].max(0.0) / self.mass.entries[(dof, dof)]).sqrt())
             .fold(0.0, f64::max);
         let natural = match highest {
             0.0 => (contact_stiffness(&self.supports) / self.shaft_mass).sqrt(),
@@ -186,9 +186,9 @@ impl Rotor {
     fn amplitudes(&self, force: DVector<Complex<f64>>, omega: f64, speed: f64) -> Vec<f64> {
         let dofs = self.dofs();
         let dynamic = DMatrix::from_fn(dofs, dofs, |row, column| {
-            let inertia = omega * omega * self.mass.entry(row, column);
+            let inertia = omega * omega * self.mass.entries[(row, column)];
             let rate = self.rate_entry(row, column, speed);
-            let turning = speed * self.circulatory.entries()[(row, column)];
+            let turning = speed * self.circulatory.entries[(row, column)];
             Complex::new(
                 self.tangent[(row, column)] - turning - inertia,
                 omega * rate,

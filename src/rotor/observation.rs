@@ -7,18 +7,31 @@ use crate::bearing::{BallLoads, LOADED_SHARE, Support, Vector5};
 impl Rotor {
     /// Room for what [`Rotor::sample`] observes of the balls.
     pub(crate) fn ball_contacts(&self) -> BallContacts {
-        BallContacts::new(&self.supports, true)
+        self.room_for(|support| BallLoads::new(support.known_balls(), true))
     }
 
     /// As [`Rotor::ball_contacts`] for samples that say nothing of contact angles.
     pub(crate) fn ball_loads(&self) -> BallContacts {
-        BallContacts::new(&self.supports, false)
+        self.room_for(|support| BallLoads::new(support.known_balls(), false))
     }
 
     /// As [`Rotor::ball_contacts`] for samples that say nothing of the balls, and of the forces of the bearings
     /// only where asked for.
     pub(crate) fn unwatched_balls(&self, forces: bool) -> BallContacts {
-        BallContacts::unwatched(&self.supports, forces)
+        let unwatched = self.room_for(|_| BallLoads::default());
+        BallContacts {
+            forces,
+            ..unwatched
+        }
+    }
+
+    /// Room for some balls of each bearing, and for its forces.
+    fn room_for(&self, balls: impl Fn(&Support) -> BallLoads) -> BallContacts {
+        BallContacts {
+            bearings: self.supports.iter().map(balls).collect(),
+            axial_forces: vec![0.0; self.supports.len()],
+            forces: true,
+        }
     }
 
     /// What is observed in a state at a time; of the balls in `contacts`, which must be this rotor's
@@ -43,7 +56,7 @@ impl Rotor {
             }
             force.map(|force| -force)
         });
-        let has_balls = contacts.has_balls();
+        let has_balls = contacts.bearings.iter().any(|balls| balls.balls() > 0);
         Sample {
             time,
             angle: rotation.angle,
@@ -185,41 +198,17 @@ pub struct Sample {
 /// bears axially; filled anew at every sample, without allocation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BallContacts {
-    pub(super) bearings: Vec<BallLoads>,
+    bearings: Vec<BallLoads>,
     /// By bearing, in its own orientation, N.
-    pub(super) axial_forces: Vec<f64>,
+    axial_forces: Vec<f64>,
     /// Whether the forces of the bearings are observed.
-    pub(super) forces: bool,
+    forces: bool,
 }
 
 impl BallContacts {
-    /// Room for the balls of some bearings, and for their angles; a linear bearing has none.
-    pub(super) fn new(supports: &[Support], angles: bool) -> Self {
-        let loads = |support: &Support| BallLoads::new(support.known_balls(), angles);
-        Self {
-            bearings: supports.iter().map(loads).collect(),
-            axial_forces: vec![0.0; supports.len()],
-            forces: true,
-        }
-    }
-
-    /// Room for none of the balls: they are not observed, and the forces of the bearings only where asked for.
-    pub(super) fn unwatched(supports: &[Support], forces: bool) -> Self {
-        Self {
-            bearings: vec![BallLoads::default(); supports.len()],
-            forces,
-            ..Self::new(supports, false)
-        }
-    }
-
     /// The balls of each bearing; none of a linear one.
     pub fn bearings(&self) -> &[BallLoads] {
         &self.bearings
-    }
-
-    /// Whether any ball is observed.
-    pub(super) fn has_balls(&self) -> bool {
-        self.bearings.iter().any(|bearing| bearing.balls() > 0)
     }
 
     /// Axial force that the inner ring presses onto each bearing, positive the way its facing loads

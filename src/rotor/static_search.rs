@@ -49,19 +49,6 @@ pub(super) struct StaticSearch<'a> {
     pub restoring: &'a dyn Fn(&[f64]) -> Restoring,
 }
 
-/// Where a search ended.
-#[derive(Debug, Clone)]
-pub(super) struct Balance {
-    /// Displacement, m and rad.
-    pub displacement: DVector<f64>,
-    /// What holds the structure there.
-    pub restoring: Restoring,
-    /// Largest unbalanced force relative to the forces in play, moments by their length.
-    pub residual: f64,
-    /// Newton steps taken.
-    pub newton_steps: usize,
-}
-
 impl StaticSearch<'_> {
     /// Finds the displacement whose force is the load.
     ///
@@ -74,24 +61,20 @@ impl StaticSearch<'_> {
     /// [`EquilibriumError`] names the coordinate that nothing carries.
     pub fn solve(&self) -> Result<Balance, EquilibriumError> {
         self.check_finite()?;
-        let (state, newton_steps) = self.newton().map_err(|lost| self.not_carried(&lost))?;
-        Ok(Balance {
-            residual: state.relative_residual(),
-            displacement: state.displacement,
-            restoring: state.restoring,
-            newton_steps,
-        })
+        self.newton().map_err(|lost| self.not_carried(&lost))
     }
 
-    /// Newton from a start until the residual is below what is accepted and at its round-off; the state and
-    /// the number of steps, or where it got lost.
-    fn newton(&self) -> Result<(State, usize), Box<State>> {
+    /// Newton from a start until the residual is below what is accepted and at its round-off, or until it got lost.
+    fn newton(&self) -> Result<Balance, Box<Balance>> {
         let mut reach = 0.5 * self.groove_centre_distance;
         let start = self.coordinates.iter().map(|coordinate| coordinate.start);
         let mut state = self.evaluate(DVector::from_iterator(self.coordinates.len(), start));
         for newton_steps in 0..STEP_LIMIT {
             if state.relative_residual() <= CONVERGED {
-                return Ok((state, newton_steps));
+                return Ok(Balance {
+                    newton_steps,
+                    ..state
+                });
             }
             let (step, shortened) = state.step(reach);
             if shortened {
@@ -101,8 +84,10 @@ impl StaticSearch<'_> {
             let gained = next.relative_residual() < 0.5 * state.relative_residual();
             if state.relative_residual() <= ACCEPTED_RESIDUAL && !gained {
                 let next_is_better = next.relative_residual() < state.relative_residual();
-                let best = if next_is_better { next } else { state };
-                return Ok((best, newton_steps + 1));
+                return Ok(Balance {
+                    newton_steps: newton_steps + 1,
+                    ..if next_is_better { next } else { state }
+                });
             }
             state = next;
             if self.has_run_away(&state) {
@@ -131,7 +116,7 @@ impl StaticSearch<'_> {
         Ok(())
     }
 
-    fn evaluate(&self, displacement: DVector<f64>) -> State {
+    fn evaluate(&self, displacement: DVector<f64>) -> Balance {
         let restoring = (self.restoring)(displacement.as_slice());
         let size = displacement.len();
         let mut scale = restoring.largest_share;
@@ -155,9 +140,10 @@ impl StaticSearch<'_> {
         }
         // no residual can be told from zero below what round-off of a position makes of it
         let round_off = POSITION_ROUND_OFF * self.groove_centre_distance * stiffest;
-        State {
+        Balance {
             displacement,
             restoring,
+            newton_steps: 0,
             excess,
             jacobian,
             stiffest,
@@ -166,7 +152,7 @@ impl StaticSearch<'_> {
     }
 
     /// The state a part of a step further.
-    fn moved(&self, state: &State, step: &DVector<f64>, part: f64) -> State {
+    fn moved(&self, state: &Balance, step: &DVector<f64>, part: f64) -> Balance {
         let mut displacement = state.displacement.clone();
         for (axis, coordinate) in self.coordinates.iter().enumerate() {
             displacement[axis] += part * step[axis] / coordinate.length;
@@ -175,7 +161,7 @@ impl StaticSearch<'_> {
     }
 
     /// The state a step further, or nearer where the force along the step overshoots.
-    fn search(&self, state: &State, step: &DVector<f64>) -> State {
+    fn search(&self, state: &Balance, step: &DVector<f64>) -> Balance {
         let start_slope = state.excess.dot(step);
         let acceptable = 0.5 * start_slope.abs();
         let mut trial = self.moved(state, step, 1.0);
@@ -201,7 +187,7 @@ impl StaticSearch<'_> {
         trial
     }
 
-    fn has_run_away(&self, state: &State) -> bool {
+    fn has_run_away(&self, state: &Balance) -> bool {
         let limit = RUNAWAY * self.groove_centre_distance;
         let mut travels = self.coordinates.iter().zip(state.displacement.iter());
         travels.any(|(coordinate, position)| {
@@ -210,7 +196,7 @@ impl StaticSearch<'_> {
         })
     }
 
-    fn not_carried(&self, state: &State) -> EquilibriumError {
+    fn not_carried(&self, state: &Balance) -> EquilibriumError {
         let worst = state.excess.iamax();
         let coordinate = &self.coordinates[worst];
         EquilibriumError::NotCarried {
@@ -222,10 +208,14 @@ impl StaticSearch<'_> {
     }
 }
 
-/// One point of the search; forces and displacements in comparable units, N and m, held coordinates at zero.
-struct State {
-    displacement: DVector<f64>,
-    restoring: Restoring,
+/// One point of the search, and where it ends; excess and jacobian in comparable units, N and m, held coordinates at zero.
+pub(super) struct Balance {
+    /// Displacement, m and rad.
+    pub displacement: DVector<f64>,
+    /// What holds the structure there.
+    pub restoring: Restoring,
+    /// Newton steps taken.
+    pub newton_steps: usize,
     excess: DVector<f64>,
     jacobian: DMatrix<f64>,
     /// Largest diagonal entry of the free coordinates.
@@ -234,9 +224,9 @@ struct State {
     scale: f64,
 }
 
-impl State {
-    /// Largest unbalanced force relative to the forces in play.
-    fn relative_residual(&self) -> f64 {
+impl Balance {
+    /// Largest unbalanced force relative to the forces in play, moments by their length.
+    pub fn relative_residual(&self) -> f64 {
         let largest = self.excess.amax();
         if largest == 0.0 {
             0.0

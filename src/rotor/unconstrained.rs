@@ -257,7 +257,7 @@ impl Rotor {
             }
         }
         // gyroscopic moments turn one tilt into the other
-        let gyroscopic = self.gyroscopic.entries();
+        let gyroscopic = &self.gyroscopic.entries;
         let own = driven.clone();
         for (dof, driven) in driven.iter_mut().enumerate() {
             *driven |= (0..self.dofs()).any(|other| own[other] && gyroscopic[(dof, other)] != 0.0);

@@ -23,10 +23,7 @@ pub enum Multipliers {
 impl Multipliers {
     /// Largest magnitude.
     pub fn largest(&self) -> f64 {
-        match self {
-            Self::Periodic(all) => all.first().map_or(0.0, |first| first.norm()),
-            Self::Torus(all) => all.first().copied().unwrap_or(0.0),
-        }
+        self.values().first().map_or(0.0, |first| first.norm())
     }
 
     /// Whether neighbouring motions come closer.

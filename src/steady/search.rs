@@ -124,18 +124,14 @@ fn later(map: &mut dyn ReturnMap, states: &DVector<f64>) -> Result<DVector<f64>,
 /// Largest component of every harmonic of the closed curve, the mean first.
 fn harmonic_sizes(circle: &Circle, states: &DVector<f64>, size: usize) -> Vec<f64> {
     let coefficients = mixed(&circle.coefficients, states, size);
-    let largest = |rows: std::ops::Range<usize>| {
-        let parts = rows.flat_map(|row| (0..size).map(move |part| size * row + part));
-        parts
-            .map(|index| coefficients[index].abs())
-            .fold(0.0, f64::max)
+    let largest = |harmonic| {
+        let (first, rows) = match harmonic {
+            0 => (0, 1),
+            k => (2 * k - 1, 2),
+        };
+        coefficients.rows(size * first, size * rows).amax()
     };
-    (0..=circle.harmonics())
-        .map(|harmonic| match harmonic {
-            0 => largest(0..1),
-            k => largest(2 * k - 1..2 * k + 1),
-        })
-        .collect()
+    (0..=circle.harmonics()).map(largest).collect()
 }
 
 /// How many harmonics are needed, by how fast they fall; `None` where there are enough.

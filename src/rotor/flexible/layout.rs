@@ -154,7 +154,7 @@ impl Structure {
         let reduction = shaft.reduction(definition, &points)?;
         let layout = Layout {
             points: points.len(),
-            modes: reduction.modes(),
+            modes: reduction.modes,
             axial: definition.shaft.freedoms != Freedoms::Radial,
         };
         let at = |position: f64| layout.point(shaft.index_of(position, &points).unwrap_or(0));

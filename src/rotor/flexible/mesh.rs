@@ -3,25 +3,12 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::bearing::MountedBearing;
-use crate::physics::{BeamElement, ElementMatrix, Material};
+use crate::physics::{BeamElement, ElementMatrix};
 
 /// Positions nearer than this part of the shaft's length are one node.
 const SAME_NODE: f64 = 1e-9;
 /// Fewest elements of a shaft: the lowest ten frequencies are then those of the beam to 1e-4.
 const LEAST_ELEMENTS: f64 = 40.0;
-
-/// A part of the shaft of one cross-section.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Section {
-    /// Length, m.
-    pub length: f64,
-    /// Outer diameter, m.
-    pub outer_diameter: f64,
-    /// Inner diameter, m; zero of a solid section.
-    pub inner_diameter: f64,
-    /// Elastic constants and density; a density of zero makes a massless section.
-    pub material: Material,
-}
 
 /// A rigid disc on the shaft.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -75,8 +62,8 @@ pub struct PointUnbalance {
 /// A shaft of sections one after the other, with discs. Positions count from its left end.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct FlexibleShaft {
-    /// From the left end on, towards +Z.
-    pub sections: Vec<Section>,
+    /// Parts of one cross-section each, from the left end on, towards +Z; a density of zero makes a massless one.
+    pub sections: Vec<BeamElement>,
     /// Node positions and matrices of another program in place of sections.
     pub matrices: Option<Mesh>,
     /// In any order.
@@ -239,13 +226,7 @@ impl FlexibleShaft {
         self.sections.iter().scan(0.0, |left, section| {
             let start = *left;
             *left += section.length;
-            let element = BeamElement {
-                length: section.length,
-                outer_diameter: section.outer_diameter,
-                inner_diameter: section.inner_diameter,
-                material: section.material,
-            };
-            Some((start, element))
+            Some((start, *section))
         })
     }
 

@@ -8,7 +8,7 @@ mod mesh;
 mod reduction;
 
 pub(super) use layout::Bending;
-pub use mesh::{Disc, FlexibleShaft, Mesh, Plane, PointUnbalance, Section, ShaftError};
+pub use mesh::{Disc, FlexibleShaft, Mesh, Plane, PointUnbalance, ShaftError};
 
 #[cfg(test)]
 mod motion_tests;

@@ -9,12 +9,12 @@ use crate::bearing::{
     ContactDamping, ContactLaw, Facing, Housing, Imperfections, MountedBearing, Preload, catalogue,
 };
 use crate::integrate::{Grid, Integration, Method, Settings, States, System};
-use crate::physics::Material;
+use crate::physics::{BeamElement, Material};
 use crate::rotor::load::{Harmonic, Pace};
 use crate::rotor::{
     CageMotion, Damping, Disc, Drive, FlexibleShaft, Freedoms, InitialPosition, InitialState,
-    LinearBearing, Load, LoadKind, PlaneUnbalance, PointUnbalance, Rotor, RotorDefinition, Section,
-    Shaft, Whirl,
+    LinearBearing, Load, LoadKind, PlaneUnbalance, PointUnbalance, Rotor, RotorDefinition, Shaft,
+    Whirl,
 };
 
 const STEEL: Material = Material {
@@ -29,7 +29,7 @@ const UNBALANCES: [(f64, f64, f64); 2] = [(2e-5, 0.4, 0.15), (3e-5, 2.0, 0.4)];
 /// A shaft of 40 mm with a disc off its middle, softer by a factor.
 fn shaft(softness: f64) -> FlexibleShaft {
     FlexibleShaft {
-        sections: vec![Section {
+        sections: vec![BeamElement {
             length: LENGTH,
             outer_diameter: 0.04,
             inner_diameter: 0.0,
@@ -349,7 +349,7 @@ fn the_energy_of_a_driven_shaft_closes_with_unbalances_in_two_planes() {
 /// A shaft of 20 mm between pins, with a point mass in its middle.
 fn laval(density: f64, internal_damping: f64) -> RotorDefinition {
     let flexible = FlexibleShaft {
-        sections: vec![Section {
+        sections: vec![BeamElement {
             length: 0.8,
             outer_diameter: 0.02,
             inner_diameter: 0.0,

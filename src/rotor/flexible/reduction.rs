@@ -17,21 +17,15 @@ pub(in crate::rotor) struct ReducedShaft {
     /// Deflection and slope of all nodes by the coordinates that are kept.
     pub transformation: DMatrix<f64>,
     pub plane: Plane,
-    /// Angular frequencies of the modes, rad/s.
-    frequencies: Vec<f64>,
+    /// Number of modes.
+    pub modes: usize,
 }
 
 impl ReducedShaft {
-    /// Number of modes.
-    pub fn modes(&self) -> usize {
-        self.frequencies.len()
-    }
-
     /// Largest deflection of a node by a share of one of a mode, m.
     pub fn largest_deflection(&self, mode: usize) -> f64 {
-        let shape = self
-            .transformation
-            .column(self.transformation.ncols() - self.modes() + mode);
+        let first = self.transformation.ncols() - self.modes;
+        let shape = self.transformation.column(first + mode);
         shape
             .iter()
             .step_by(2)
@@ -65,8 +59,7 @@ impl Mesh {
         let singular = ShaftError::Singular {
             points: positions.len(),
         };
-        let (transformation, frequencies) =
-            self.transformation(positions, count).ok_or(singular)?;
+        let transformation = self.transformation(positions, count).ok_or(singular)?;
         let reduce = |matrix: &DMatrix<f64>| {
             let reduced = transformation.tr_mul(&(matrix * &transformation));
             // what round-off leaves of the symmetry
@@ -78,10 +71,10 @@ impl Mesh {
             stiffness: reduce(&self.plane.stiffness),
         };
         Ok(ReducedShaft {
+            modes: transformation.ncols() - 2 * positions.len(),
             nodes: self.nodes,
             transformation,
             plane,
-            frequencies,
         })
     }
 
@@ -93,12 +86,12 @@ impl Mesh {
             .any(|row| self.plane.mass[(row, row)] == 0.0)
     }
 
-    /// T, a row for each deflection and slope of the nodes, and the frequencies of its modes.
+    /// T, a row for each deflection and slope of the nodes.
     fn transformation(
         &self,
         positions: &[f64],
         count: impl Fn(&[f64]) -> usize,
-    ) -> Option<(DMatrix<f64>, Vec<f64>)> {
+    ) -> Option<DMatrix<f64>> {
         let points = positions.iter().map(|position| self.node_at(*position));
         let boundary: Vec<usize> = points.flat_map(|node| [2 * node, 2 * node + 1]).collect();
         let size = 2 * self.nodes.len();
@@ -108,7 +101,7 @@ impl Mesh {
             transformation[(*row, column)] = 1.0;
         }
         if interior.is_empty() {
-            return Some((transformation, Vec::new()));
+            return Some(transformation);
         }
         let inside = |matrix: &DMatrix<f64>, columns: &[usize]| {
             matrix.select_rows(&interior).select_columns(columns)
@@ -118,28 +111,26 @@ impl Mesh {
         } = &self.plane;
         let inner_stiffness = inside(stiffness, &interior).cholesky()?;
         let followed = inner_stiffness.solve(&inside(stiffness, &boundary));
-        let (shapes, frequencies) =
-            lowest_modes(&inside(mass, &interior), &inner_stiffness.l(), count)?;
-        transformation = transformation.resize_horizontally(boundary.len() + shapes.ncols(), 0.0);
+        let shapes = lowest_modes(&inside(mass, &interior), &inner_stiffness.l(), count)?;
+        let kept = boundary.len();
+        transformation = transformation.resize_horizontally(kept + shapes.ncols(), 0.0);
         for (inner, row) in interior.iter().enumerate() {
-            for column in 0..boundary.len() {
-                transformation[(*row, column)] = -followed[(inner, column)];
-            }
-            for mode in 0..shapes.ncols() {
-                transformation[(*row, boundary.len() + mode)] = shapes[(inner, mode)];
-            }
+            let mut row = transformation.row_mut(*row);
+            row.columns_mut(0, kept).copy_from(&-followed.row(inner));
+            row.columns_mut(kept, shapes.ncols())
+                .copy_from(&shapes.row(inner));
         }
-        Some((transformation, frequencies))
+        Some(transformation)
     }
 }
 
-/// The lowest modes of `K φ = ω² M φ` with φᵀ M φ = 1, where K = L Lᵀ, and their frequencies in rad/s: of all, lowest
-/// first, `count` says how many. The mass may be singular.
+/// The lowest modes of `K φ = ω² M φ` with φᵀ M φ = 1, where K = L Lᵀ: `count` says how many by the frequencies of all in
+/// rad/s, lowest first. The mass may be singular.
 fn lowest_modes(
     mass: &DMatrix<f64>,
     factor: &DMatrix<f64>,
     count: impl Fn(&[f64]) -> usize,
-) -> Option<(DMatrix<f64>, Vec<f64>)> {
+) -> Option<DMatrix<f64>> {
     // L⁻¹ M L⁻ᵀ has the eigenvalues 1/ω², the largest of which are the most exact
     let half = factor.solve_lower_triangular(mass)?;
     let compliance = factor.solve_lower_triangular(&half.transpose())?;
@@ -151,10 +142,8 @@ fn lowest_modes(
         .collect();
     order.sort_by(|a, b| modes.eigenvalues[*b].total_cmp(&modes.eigenvalues[*a]));
     let frequency = |mode: &usize| 1.0 / modes.eigenvalues[*mode].sqrt();
-    let mut frequencies: Vec<f64> = order.iter().map(frequency).collect();
-    let count = count(&frequencies);
-    frequencies.truncate(count);
-    order.truncate(count);
+    let frequencies: Vec<f64> = order.iter().map(frequency).collect();
+    order.truncate(count(&frequencies));
     let mut shapes = DMatrix::zeros(mass.nrows(), order.len());
     for (column, mode) in order.into_iter().enumerate() {
         let shape = factor.tr_solve_lower_triangular(&modes.eigenvectors.column(mode))?;
@@ -162,7 +151,7 @@ fn lowest_modes(
         let sign = shape[shape.iamax()].signum();
         shapes.set_column(column, &(shape * (sign / modes.eigenvalues[mode].sqrt())));
     }
-    Some((shapes, frequencies))
+    Some(shapes)
 }
 
 #[cfg(test)]

@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use nalgebra::{Complex, DMatrix};
 
 use super::*;
-use crate::physics::Material;
-use crate::rotor::flexible::{Disc, FlexibleShaft, Section};
+use crate::physics::{BeamElement, Material};
+use crate::rotor::flexible::{Disc, FlexibleShaft};
 
 /// Of the book cases: G = 81.2 GPa.
 const STEEL: Material = Material {
@@ -20,7 +20,7 @@ const STEEL: Material = Material {
 /// Source: Friswell et al., *Dynamics of Rotating Machines* (2010), example 5.9.1.
 fn book_shaft() -> FlexibleShaft {
     FlexibleShaft {
-        sections: vec![Section {
+        sections: vec![BeamElement {
             length: 1.5,
             outer_diameter: 0.05,
             inner_diameter: 0.0,
@@ -106,7 +106,7 @@ fn six_elements_have_the_whirl_frequencies_of_the_book() {
 #[test]
 fn a_pinned_shaft_vibrates_a_little_slower_than_eulers() {
     let shaft = FlexibleShaft {
-        sections: vec![Section {
+        sections: vec![BeamElement {
             length: 1.0,
             outer_diameter: 0.025,
             inner_diameter: 0.0,

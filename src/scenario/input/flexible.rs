@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 use super::bearing::{MaterialInput, material};
 use super::shaft::ShaftInput;
 use super::unbalance::UnbalanceInput;
-use crate::physics::Material;
-use crate::rotor::{Disc, FlexibleShaft, Freedoms, PointUnbalance, Section};
+use crate::physics::{BeamElement, Material};
+use crate::rotor::{Disc, FlexibleShaft, Freedoms, PointUnbalance};
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Inertia, Length, Mass, Quantity, si};
 use crate::scenario::{Issue, matrices_file};
@@ -94,7 +94,7 @@ pub fn build(
             }
         },
     };
-    let sections: Option<Vec<Section>> = shaft
+    let sections: Option<Vec<BeamElement>> = shaft
         .section
         .iter()
         .enumerate()
@@ -109,7 +109,7 @@ pub fn build(
                     },
                     ..built.material
                 };
-                Some(Section { material, ..built })
+                Some(BeamElement { material, ..built })
             })
         })
         .collect();
@@ -314,10 +314,10 @@ fn check_bore(inner: f64, outer: f64, part: &str, problems: &mut Problems<'_>) -
 }
 
 impl SectionInput {
-    fn build(&self, base: Material, problems: &mut Problems<'_>) -> Option<Section> {
+    fn build(&self, base: Material, problems: &mut Problems<'_>) -> Option<BeamElement> {
         let (outer, inner) = (self.outer_diameter.si(), self.inner_diameter.si());
         check_bore(inner, outer, "section", problems)?;
-        Some(Section {
+        Some(BeamElement {
             length: self.length.si(),
             outer_diameter: outer,
             inner_diameter: inner,
