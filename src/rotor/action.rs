@@ -11,12 +11,13 @@ use crate::bearing::{Angle, Vector5, quarter_turn};
 pub(super) struct Action {
     pub rotation: Rotation,
     bearings: Bearings,
-    internal: InternalDamping,
+    /// Moment of damping inside the shaft on the rotation, N m.
+    internal_moment: f64,
     /// Power of the loads and the weight, W; on a driven shaft of their share in the masses beside the axis, too.
     loads: f64,
     /// Power of the unbalances at a prescribed speed, W.
     unbalance: f64,
-    /// Power that viscous damping which stands still takes, W.
+    /// Power that viscous damping takes, W.
     viscous: f64,
     pub moments: Option<DriveMoments>,
 }
@@ -28,7 +29,7 @@ impl Action {
         let speed = self.rotation.speed;
         let powers = Works {
             loads: self.loads,
-            viscous: self.viscous + self.internal.power,
+            viscous: self.viscous,
             contact: bearings.damping_power,
             bearings: bearings.power,
             ..Works::default()
@@ -36,7 +37,7 @@ impl Action {
         match &self.moments {
             None => Works {
                 unbalance: self.unbalance,
-                rotation: -(bearings.cage_moment + self.internal.moment) * speed,
+                rotation: -(bearings.cage_moment + self.internal_moment) * speed,
                 ..powers
             },
             Some(moments) => Works {
@@ -47,15 +48,6 @@ impl Action {
             },
         }
     }
-}
-
-/// What damping inside the shaft does besides exerting its forces.
-#[derive(Default)]
-struct InternalDamping {
-    /// Power that it takes, W.
-    power: f64,
-    /// Its moment on the rotation, N m.
-    moment: f64,
 }
 
 /// What the bearings do besides exerting their forces.
@@ -129,10 +121,11 @@ impl Rotor {
         }
     }
 
-    /// Damping inside the shaft, of the velocities in the frame that turns with it.
-    fn internal_damping(&self, place: &[f64], velocity: &[f64], speed: f64) -> InternalDamping {
+    /// Power in W that damping inside the shaft takes of the velocities in the frame that turns with it, and its moment on
+    /// the rotation in N m.
+    fn internal_damping(&self, place: &[f64], velocity: &[f64], speed: f64) -> [f64; 2] {
         if !self.damped_inside {
-            return InternalDamping::default();
+            return [0.0; 2];
         }
         let [mut across, mut resisting] = [(); 2].map(|()| vec![0.0; self.dofs()]);
         self.circulatory.add_product(1.0, place, &mut across);
@@ -140,11 +133,8 @@ impl Rotor {
             .add_product(1.0, place, &mut resisting);
         let (crossing, held) = (dot(&across, velocity), dot(&resisting, place));
         let moment = crossing - speed * held;
-        InternalDamping {
-            power: 2.0 * half_square(&self.internal_damping.entries, velocity)
-                - speed * (crossing + moment),
-            moment,
-        }
+        let along = 2.0 * half_square(&self.internal_damping.entries, velocity);
+        [along - speed * (crossing + moment), moment]
     }
 
     /// Everything that acts in a state; leaves the accelerations of the degrees of freedom in `sum`.
@@ -165,7 +155,7 @@ impl Rotor {
         self.circulatory.add_product(rotation.speed, place, sum);
         self.gyroscopic.add_product(-rotation.speed, velocity, sum);
         self.mass.accelerate(sum);
-        let internal = self.internal_damping(place, velocity, rotation.speed);
+        let [internal, internal_moment] = self.internal_damping(place, velocity, rotation.speed);
         let mut loads = dot(&self.constant_force, velocity);
         loads += self.power_of_loads(time, rotation.angle, velocity);
         let unbalance = self.power_of_unbalances(&rotation, velocity);
@@ -174,7 +164,7 @@ impl Rotor {
             // masses beside the axis feel the base and the weight
             let base = self.felt_by_unbalances(time, rotation.angle);
             loads += rotation.speed * base;
-            let resisting = dot(&along, sum) + base + internal.moment;
+            let resisting = dot(&along, sum) + base + internal_moment;
             let moments = self.moments(drive, &bearings, &rotation, resisting);
             rotation.acceleration = moments.total() / self.inertia_polar;
             self.mass.accelerate(&mut along);
@@ -183,15 +173,15 @@ impl Rotor {
             }
             moments
         });
+        let [all, turning] = [&self.damping, &self.internal_damping]
+            .map(|damping| half_square(&damping.entries, velocity));
         Action {
             rotation,
             bearings,
+            internal_moment,
             loads,
             unbalance,
-            viscous: 2.0
-                * (half_square(&self.damping.entries, velocity)
-                    - half_square(&self.internal_damping.entries, velocity)),
-            internal,
+            viscous: 2.0 * (all - turning) + internal,
             moments,
         }
     }

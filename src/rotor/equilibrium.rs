@@ -2,6 +2,7 @@
 
 use nalgebra::DMatrix;
 
+use super::lift_off::tilting_arm;
 use super::point::Attachment;
 use super::static_search::{Balance, StaticCoordinate, StaticSearch};
 use super::structure::{Structure, UnbalancedPoint};
@@ -119,11 +120,7 @@ impl StaticProblem<'_> {
 
     /// Length that makes tilts comparable to displacements: the farthest groove from the centre.
     fn arm(&self) -> f64 {
-        let reach = |support: &Support| {
-            let definition = support.definition();
-            definition.bearing.geometry.inner_groove_radius() + definition.position.abs()
-        };
-        let own = self.supports.iter().map(reach).reduce(f64::max);
+        let own = self.supports.iter().map(tilting_arm).reduce(f64::max);
         own.unwrap_or_else(|| Support::largest(self.supports, Geometry::inner_groove_radius))
     }
 }

@@ -78,7 +78,7 @@ impl Rotor {
 }
 
 /// Largest arm of a ball's load about the centre of mass, m.
-fn tilting_arm(support: &Support) -> f64 {
+pub(super) fn tilting_arm(support: &Support) -> f64 {
     let definition = support.definition();
     definition.position.abs() + definition.bearing.geometry.inner_groove_radius()
 }

@@ -22,16 +22,6 @@ const APPROACH: f64 = 1e-5;
 /// A usual angular frequency, rad/s.
 const RATE: f64 = 1e3;
 
-/// Slopes of forces on all coordinates.
-struct ForceSlopes {
-    /// ∂F/∂q at a fixed velocity.
-    by_place: DMatrix<f64>,
-    /// ∂F/∂q̇.
-    by_rate: DMatrix<f64>,
-    /// ∂F/∂t at a fixed place and velocity.
-    by_time: Vec<f64>,
-}
-
 impl Rotor {
     /// Writes the slopes of the derivative by the state and by the time.
     pub(super) fn linearise(
@@ -44,23 +34,50 @@ impl Rotor {
         let dofs = self.dofs();
         let (place, velocity) = state.split_at(dofs);
         let rotation = self.speed.at(time);
-        let slopes = self.force_slopes(time, place, velocity);
+        // of what holds the structure: K, the bearings, and the damping of their contacts; what a change of speed does to
+        // the inertia of the balls is left out, as it is slow beside the passing of a ball
+        let size = self.structure.coordinates.len();
+        let mut by_place = &self.stiffness.entries - &self.circulatory.entries * rotation.speed;
+        let (mut by_rate, mut held) = (DMatrix::zeros(size, size), vec![0.0; size]);
+        for (bearing, seen) in self.bearings_at(&rotation) {
+            let (attachment, support) = (bearing.attachment, bearing.support);
+            let motion = bearing.motion(place, velocity);
+            let (stiffness, by_cage_angle) = support.slopes(&motion[0], &seen);
+            attachment.add_stiffness(&stiffness, &mut by_place);
+            if support.is_imperfect() {
+                let later =
+                    |step: f64| support.force(&motion[0], &self.seen_at(time + step, bearing));
+                attachment.add_force(1.0, &forward_rate(later), &mut held);
+            } else {
+                attachment.add_force(seen.cage_speed, &by_cage_angle, &mut held);
+            }
+            if support.is_damped() {
+                let damping = |[place, rate]: &[Vector5; 2], seen: &BearingRotation| {
+                    support.damped_force(place, rate, seen)[1]
+                };
+                let slopes = self.damping_slopes(&motion, |motion| damping(motion, &seen));
+                attachment.add_stiffness(&slopes[0], &mut by_place);
+                attachment.add_stiffness(&slopes[1], &mut by_rate);
+                let later = |step: f64| damping(&motion, &self.seen_at(time + step, bearing));
+                attachment.add_force(1.0, &forward_rate(later), &mut held);
+            }
+        }
         jacobian.fill(0.0);
         by_time.fill(0.0);
         for column in 0..dofs {
             jacobian[(column, dofs + column)] = 1.0;
             for row in 0..dofs {
                 let rate = self.rate_entry(row, column, rotation.speed);
-                jacobian[(dofs + row, column)] = -slopes.by_place[(row, column)];
-                jacobian[(dofs + row, dofs + column)] = -(rate + slopes.by_rate[(row, column)]);
+                jacobian[(dofs + row, column)] = -by_place[(row, column)];
+                jacobian[(dofs + row, dofs + column)] = -(rate + by_rate[(row, column)]);
             }
         }
         for mut column in jacobian.column_iter_mut() {
             self.mass.accelerate(&mut column.as_mut_slice()[dofs..]);
         }
         let by_time = &mut by_time[dofs..];
-        for (by_time, slope) in by_time.iter_mut().zip(&slopes.by_time) {
-            *by_time -= slope;
+        for (by_time, held) in by_time.iter_mut().zip(&held) {
+            *by_time -= held;
         }
         self.add_outer_rate(time, &rotation, by_time);
         self.gyroscopic
@@ -68,45 +85,6 @@ impl Rotor {
         self.circulatory
             .add_product(rotation.acceleration, place, by_time);
         self.mass.accelerate(by_time);
-    }
-
-    /// Slopes of what holds the structure: K, the bearings, and the damping of their contacts. What a change of speed does
-    /// to the inertia of the balls is left out: it is slow beside the passing of a ball.
-    fn force_slopes(&self, time: f64, place: &[f64], velocity: &[f64]) -> ForceSlopes {
-        let rotation = self.speed.at(time);
-        let size = self.structure.coordinates.len();
-        let mut sum = ForceSlopes {
-            by_place: &self.stiffness.entries - &self.circulatory.entries * rotation.speed,
-            by_rate: DMatrix::zeros(size, size),
-            by_time: vec![0.0; size],
-        };
-        for (bearing, seen) in self.bearings_at(&rotation) {
-            let attachment = bearing.attachment;
-            let motion = bearing.motion(place, velocity);
-            let (stiffness, by_cage_angle) = bearing.support.slopes(&motion[0], &seen);
-            attachment.add_stiffness(&stiffness, &mut sum.by_place);
-            if bearing.support.is_imperfect() {
-                let place = &motion[0];
-                let later = |step: f64| {
-                    let seen = self.seen_at(time + step, bearing);
-                    bearing.support.force(place, &seen)
-                };
-                attachment.add_force(1.0, &forward_rate(later), &mut sum.by_time);
-            } else {
-                attachment.add_force(seen.cage_speed, &by_cage_angle, &mut sum.by_time);
-            }
-            if bearing.support.is_damped() {
-                let damping = |[place, rate]: &[Vector5; 2], seen: &BearingRotation| {
-                    bearing.support.damped_force(place, rate, seen)[1]
-                };
-                let [by_place, by_rate] = self.damping_slopes(&motion, &seen, &damping);
-                attachment.add_stiffness(&by_place, &mut sum.by_place);
-                attachment.add_stiffness(&by_rate, &mut sum.by_rate);
-                let later = |step: f64| damping(&motion, &self.seen_at(time + step, bearing));
-                attachment.add_force(1.0, &forward_rate(later), &mut sum.by_time);
-            }
-        }
-        sum
     }
 
     /// The rotation that a bearing sees at a time.
@@ -120,8 +98,7 @@ impl Rotor {
     fn damping_slopes(
         &self,
         motion: &[Vector5; 2],
-        seen: &BearingRotation,
-        damping: &dyn Fn(&[Vector5; 2], &BearingRotation) -> Vector5,
+        damping: impl Fn(&[Vector5; 2]) -> Vector5,
     ) -> [Matrix5; 2] {
         let arm = Support::largest(&self.supports, Geometry::inner_groove_radius);
         let column = |which: usize, step: f64, axis: usize| -> Vector5 {
@@ -129,7 +106,7 @@ impl Rotor {
             let at = |step: f64| {
                 let mut moved = *motion;
                 moved[which][axis] += step;
-                damping(&moved, seen)
+                damping(&moved)
             };
             let (up, down) = (at(step), at(-step));
             std::array::from_fn(|row| (up[row] - down[row]) / (2.0 * step))

@@ -141,12 +141,7 @@ impl Structure {
             Some(flexible) => Self::bending(flexible, definition)?,
             None => Self::of_rigid(definition),
         };
-        let housed = |bearing: &MountedBearing| bearing.housing.is_some();
-        Ok(if definition.bearings.iter().any(housed) {
-            grounded.on_housings(&definition.bearings)
-        } else {
-            grounded
-        })
+        Ok(grounded.on_housings(&definition.bearings))
     }
 
     /// That of a definition whose shaft is rigid.
@@ -210,17 +205,8 @@ impl Structure {
 
     /// The same with more degrees of freedom, behind its own, that nothing belongs to yet.
     fn with_room_for(mut self, added: usize) -> Self {
-        let (dofs, size) = (self.dofs, self.coordinates.len() + added);
+        let dofs = self.dofs;
         let index = |old: usize| if old < dofs { old } else { old + added };
-        let enlarged = |matrix: &DMatrix<f64>| {
-            let mut large = DMatrix::zeros(size, size);
-            for (column, entries) in matrix.column_iter().enumerate() {
-                for (row, entry) in entries.iter().enumerate() {
-                    large[(index(row), index(column))] = *entry;
-                }
-            }
-            large
-        };
         for matrix in [
             &mut self.mass,
             &mut self.damping,
@@ -229,21 +215,14 @@ impl Structure {
             &mut self.internal_damping,
             &mut self.circulatory,
         ] {
-            *matrix = enlarged(matrix);
+            let taller = matrix.clone().insert_rows(dofs, added, 0.0);
+            *matrix = taller.insert_columns(dofs, added, 0.0);
         }
         for deflections in self.bending.iter_mut().flat_map(|own| &mut own.deflections) {
-            let mut large = DMatrix::zeros(deflections.nrows(), size);
-            for (old, column) in deflections.column_iter().enumerate() {
-                large.set_column(index(old), &column);
-            }
-            *deflections = large;
+            *deflections = deflections.clone().insert_columns(dofs, added, 0.0);
         }
         for motion in &mut self.rigid_motions {
-            let mut large = DVector::zeros(size);
-            for (old, part) in motion.iter().enumerate() {
-                large[index(old)] = *part;
-            }
-            *motion = large;
+            *motion = motion.clone().insert_rows(dofs, added, 0.0);
         }
         let attachments = self.attachments.iter_mut().map(|own| &mut own.inner);
         let unbalances = self.unbalances.iter_mut().map(|own| &mut own.point);

@@ -15,48 +15,41 @@ impl Rotor {
         if self.drive.is_some() {
             return f64::INFINITY;
         }
-        let angle = self.speed.at(after).angle;
-        let mut next = f64::INFINITY;
-        for support in self
+        let now = self.speed.at(after).angle;
+        let imperfect = self
             .supports
             .iter()
-            .filter(|support| support.is_imperfect())
-        {
+            .filter(|support| support.is_imperfect());
+        let times = imperfect.flat_map(|support| {
             let ratio = self.cage_ratio(support);
-            for passing in support.passings() {
-                // round-off of angles may bring back the passage that has just been
-                let times = (0..3).map_while(|later| {
-                    let angle = match support.cage_walk() {
-                        None => passing.next_angle(angle, ratio, later)?,
-                        Some(walk) => angle_by_walk(passing, walk, ratio, angle, later)?,
-                    };
-                    self.speed.time_of(angle)
-                });
-                let first = times.into_iter().find(|time| *time > after);
-                next = next.min(first.unwrap_or(f64::INFINITY));
-            }
-        }
-        next
+            support.passings().iter().map(move |passing| {
+                self.first_time(after, |later| match support.cage_walk() {
+                    None => passing.next_angle(now, ratio, later),
+                    Some(walk) => angle_by_walk(passing, walk, ratio, now, later),
+                })
+            })
+        });
+        times.fold(f64::INFINITY, f64::min)
     }
 
     /// The first time after `after` at which a ball pass ends with which a cage gains an angle, s.
     pub(super) fn next_cage_step(&self, after: f64) -> f64 {
-        let wandering = self.supports.iter().filter_map(|support| {
-            let walk = support.cage_walk()?;
-            Some((walk.spacing(), self.cage_ratio(support)))
+        let now = self.speed.at(after).angle;
+        let times = self.supports.iter().filter_map(|support| {
+            let (spacing, ratio) = (support.cage_walk()?.spacing(), self.cage_ratio(support));
+            let passed = (ratio * now / spacing).floor();
+            let angle = |later: u32| Some((passed + f64::from(later + 1)) * spacing / ratio);
+            (ratio > 0.0).then(|| self.first_time(after, angle))
         });
-        let angle = |(spacing, ratio): (f64, f64)| {
-            let passed = (ratio * self.speed.at(after).angle / spacing).floor();
-            // round-off may bring back the end that has just been
-            let times = (1..4).map_while(|later| {
-                let nominal = (passed + f64::from(later)) * spacing;
-                self.speed.time_of(nominal / ratio)
-            });
-            let mut later = times.filter(|time| *time > after);
-            later.next().unwrap_or(f64::INFINITY)
-        };
-        let turning = wandering.filter(|(_, ratio)| *ratio > 0.0);
-        turning.map(angle).fold(f64::INFINITY, f64::min)
+        times.fold(f64::INFINITY, f64::min)
+    }
+
+    /// The first time after `after` at which the shaft reaches one of the next angles, s: round-off may bring back that of
+    /// `after` itself. Infinite where it reaches none.
+    fn first_time(&self, after: f64, angle: impl Fn(u32) -> Option<f64>) -> f64 {
+        let mut times = (0..3).map_while(|later| self.speed.time_of(angle(later)?));
+        let first = times.find(|time| *time > after);
+        first.unwrap_or(f64::INFINITY)
     }
 
     /// Change of a cage's angle by that of the shaft.

@@ -10,9 +10,11 @@
 //! Seydel, ch. 4.
 
 use nalgebra::{DMatrix, DVector};
+use serde::Serialize;
 
 use super::continuation::Continuer;
 use super::{Family, Multipliers, ShootingError, SpecialKind};
+use crate::keys;
 
 /// Parts of a step that a motion of doubled period is first sought at.
 const FIRST_PARTS: [f64; 4] = [1.0, 0.2, 0.04, 5.0];
@@ -56,17 +58,19 @@ pub struct Special {
 
 /// Where a motion changes its kind between two points of a branch, and the point could not be found: the
 /// multipliers jump there, as where a contact parts all at once.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Unrefined {
     /// What a number that changes its sign speaks for.
+    #[serde(serialize_with = "keys::name")]
     pub kind: SpecialKind,
+    /// Number of branch points before it.
+    #[serde(rename = "after_points")]
+    pub after: usize,
     /// Parameters of both points.
     pub between: [f64; 2],
     /// The least that was found of that number, zero at the point itself: how far a multiplier stays from
     /// the unit circle or, at a fold, the branch from turning.
     pub left: f64,
-    /// Number of branch points before it.
-    pub after: usize,
 }
 
 /// Why a branch ends.

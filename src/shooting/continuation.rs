@@ -74,7 +74,7 @@ impl Continuer<'_> {
     /// The first point of a branch, near these states at the parameter 0, towards 1.
     pub fn near(&mut self, guess: DVector<f64>) -> Result<Node, ShootingError> {
         self.family.set(0.0)?;
-        let found = solve(self.family, guess, self.plan.tolerance)?;
+        let found = solve(self.family, guess, None, self.plan.tolerance)?;
         let unknowns = found.states.push(0.0);
         let towards = of_parameter(unknowns.len());
         self.node(unknowns, &towards, 0)

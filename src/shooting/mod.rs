@@ -24,4 +24,4 @@ pub use branch::{
 pub use circle::Circle;
 pub use map::{Family, Image, MapError, ReturnMap, Slopes, mixed};
 pub use multipliers::{Crossing, Multipliers, SpecialKind, multipliers};
-pub use newton::{Returned, ShootingError, refine, solve};
+pub use newton::{Returned, ShootingError, solve};

@@ -59,44 +59,21 @@ impl ShootingError {
 
 /// Finds states that return from a first guess, to `tolerance` of the size of the motion.
 ///
-/// Slopes are kept from one correction to the next as long as corrections shrink fast.
+/// Slopes, where some are known of about these states, are kept from one correction to the next as long as corrections
+/// shrink fast.
 ///
 /// # Errors
 /// [`ShootingError`] where they are not found.
 pub fn solve(
     map: &mut dyn ReturnMap,
     guess: DVector<f64>,
-    tolerance: f64,
-) -> Result<Returned, ShootingError> {
-    search(map, guess, None, tolerance)
-}
-
-/// As [`solve`], with slopes that are known of about these states.
-///
-/// # Errors
-/// [`ShootingError`] where they are not found.
-pub fn refine(
-    map: &mut dyn ReturnMap,
-    guess: DVector<f64>,
-    slopes: &[DMatrix<f64>],
-    tolerance: f64,
-) -> Result<Returned, ShootingError> {
-    let factors = jacobian(map, slopes).lu();
-    search(map, guess, Some(factors), tolerance)
-}
-
-type Factors = LU<f64, Dyn, Dyn>;
-
-fn search(
-    map: &mut dyn ReturnMap,
-    guess: DVector<f64>,
-    factors: Option<Factors>,
+    slopes: Option<&[DMatrix<f64>]>,
     tolerance: f64,
 ) -> Result<Returned, ShootingError> {
     let mut search = Search {
         states: guess,
         missing: DVector::zeros(0),
-        factors,
+        factors: slopes.map(|slopes| jacobian(map, slopes).lu()),
         asked: Slopes::First,
         history: Vec::new(),
     };
@@ -128,7 +105,7 @@ fn search(
 struct Search {
     states: DVector<f64>,
     missing: DVector<f64>,
-    factors: Option<Factors>,
+    factors: Option<LU<f64, Dyn, Dyn>>,
     /// Slopes that the next evaluation asks for where fresh ones are needed: those of one state until they lead too slowly.
     asked: Slopes,
     history: Vec<f64>,

@@ -8,7 +8,7 @@ use super::rotor_map::RotorMap;
 use super::samples::sampled;
 use super::search::{Found, returned_from};
 use crate::rotor::Sample;
-use crate::shooting::{Multipliers, ReturnMap, ShootingError, Slopes, multipliers, refine};
+use crate::shooting::{Multipliers, ReturnMap, ShootingError, Slopes, multipliers, solve};
 use crate::simulate::{Model, Reduction, ReductionError, finer_rotor, reference_settings};
 
 /// Distance of the motion from one found again at a tenth of the tolerance, with the round-off that both share.
@@ -56,7 +56,7 @@ pub(super) fn found_again(
     slopes: &[DMatrix<f64>],
 ) -> Result<(DVector<f64>, Multipliers), ShootingError> {
     let tolerance = map.solver.settings.tolerance;
-    let again = refine(map, states.clone(), slopes, tolerance)?;
+    let again = solve(map, states.clone(), Some(slopes), tolerance)?;
     let slopes = map.image(&again.states, Slopes::All)?.slopes;
     Ok((again.states, multipliers(map.circle(), &slopes)))
 }
@@ -86,8 +86,7 @@ pub(super) fn reduction(
         finer.unit.scaled(&alike)
     });
     let guess: Vec<f64> = guess.collect();
-    let tolerance = map.solver.settings.tolerance;
-    let sampled = returned_from(&mut finer, DVector::from_vec(guess), tolerance)
+    let sampled = returned_from(&mut finer, DVector::from_vec(guess))
         .and_then(|(again, _)| sampled(&mut finer, &again.states, model, false));
     map.counters.add(&finer.counters);
     let error = match sampled {

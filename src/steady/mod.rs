@@ -262,8 +262,7 @@ fn search(
     if map.periods.multiple == 1 {
         return Ok((single, None));
     }
-    let tolerance = map.solver.settings.tolerance;
-    let again = found_from(map, single.states, tolerance)?;
+    let again = found_from(map, single.states)?;
     Ok((again, Some(single.multipliers)))
 }
 

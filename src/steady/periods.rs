@@ -17,8 +17,6 @@ const EXACT: f64 = 1e-11;
 const LONGEST: u32 = 12;
 /// Two ratios of frequencies are the same to this part of a turn.
 const SAME_RATIO: f64 = 1e-9;
-/// Periods that are searched for phases.
-const PERIODS: u64 = 1 << 14;
 
 /// A frequency of which one or more forcings are multiples.
 #[derive(Debug, Clone, PartialEq)]
@@ -147,7 +145,6 @@ impl Periods {
         Ok(Self {
             circle: circle.ok_or_else(|| SteadyError::NearlyCommon {
                 frequencies: self.frequencies(),
-                periods: PERIODS,
             })?,
             ..self.clone()
         })

@@ -17,7 +17,8 @@ use crate::integrate::Counters;
 use crate::keys;
 use crate::rotor::{Rotor, RotorDefinition};
 use crate::shooting::{
-    Branch, BranchEnd, BranchPoint, Continuation, Family, SpecialKind, follow, follow_doubled,
+    Branch, BranchEnd, BranchPoint, Continuation, Family, SpecialKind, Unrefined, follow,
+    follow_doubled,
 };
 use crate::simulate::{Model, reference_settings};
 
@@ -92,22 +93,6 @@ pub struct ResponseSpecial {
     pub point: ResponsePoint,
 }
 
-/// Where a motion seems to change its kind between two motions of a branch, and the point was not found.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct ResponseUnrefined {
-    /// How.
-    #[serde(serialize_with = "keys::name")]
-    pub kind: SpecialKind,
-    /// Number of points of the branch before it.
-    #[serde(rename = "after_points")]
-    pub after: usize,
-    /// Values of the parameter between which it happens.
-    pub between: [f64; 2],
-    /// How far a multiplier stays from the unit circle or, at a fold, the branch from turning: zero where the
-    /// point is found.
-    pub left: f64,
-}
-
 /// A branch of motions.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Response {
@@ -118,8 +103,8 @@ pub struct Response {
     pub points: Vec<ResponsePoint>,
     /// Where it turns or its motion changes its kind.
     pub specials: Vec<ResponseSpecial>,
-    /// Where they seem to, without a point that could be found.
-    pub unrefined: Vec<ResponseUnrefined>,
+    /// Where they seem to between two values of the parameter, without a point that could be found.
+    pub unrefined: Vec<Unrefined>,
     /// Why it ends, in words.
     pub end: String,
     /// Whether it goes on beyond its last motion: it was lost, or has as many motions as asked for.
@@ -238,11 +223,9 @@ fn answer(
             point: response_point(map, &special.point, question)?,
         });
     }
-    let unrefined = branch.unrefined.iter().map(|unrefined| ResponseUnrefined {
-        kind: unrefined.kind,
-        after: unrefined.after,
+    let unrefined = branch.unrefined.iter().map(|unrefined| Unrefined {
         between: unrefined.between.map(|part| question.value(part)),
-        left: unrefined.left,
+        ..*unrefined
     });
     Ok(Response {
         multiple: map.periods.multiple,

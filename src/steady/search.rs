@@ -42,7 +42,7 @@ pub(super) fn find(map: &mut RotorMap<'_>) -> Result<Found, SteadyError> {
     let tolerance = map.solver.settings.tolerance;
     if !map.periods.is_torus() {
         let guess = DVector::zeros(map.size());
-        return found_from(map, guess, tolerance);
+        return found_from(map, guess);
     }
     let mut harmonics = FIRST_HARMONICS;
     let mut guess: Option<DVector<f64>> = None;
@@ -53,7 +53,7 @@ pub(super) fn find(map: &mut RotorMap<'_>) -> Result<Found, SteadyError> {
             Some(states) => mixed(&before.values_at(&map.circle().angles), states, map.size()),
             None => DVector::zeros(map.size() * map.circle().nodes()),
         };
-        let (returned, waited) = returned_from(map, start, tolerance)?;
+        let (returned, waited) = returned_from(map, start)?;
         let sizes = harmonic_sizes(map.circle(), &returned.states, map.size());
         match more_harmonics(&sizes, tolerance) {
             None => return finished(map, returned, waited),
@@ -74,9 +74,8 @@ pub(super) fn find(map: &mut RotorMap<'_>) -> Result<Found, SteadyError> {
 pub(super) fn found_from(
     map: &mut RotorMap<'_>,
     guess: DVector<f64>,
-    tolerance: f64,
 ) -> Result<Found, SteadyError> {
-    let (returned, waited) = returned_from(map, guess, tolerance)?;
+    let (returned, waited) = returned_from(map, guess)?;
     finished(map, returned, waited)
 }
 
@@ -84,8 +83,8 @@ pub(super) fn found_from(
 pub(super) fn returned_from(
     map: &mut RotorMap<'_>,
     mut guess: DVector<f64>,
-    tolerance: f64,
 ) -> Result<(Returned, u64), SteadyError> {
+    let tolerance = map.solver.settings.tolerance;
     let mut waited = 0;
     let mut last = ShootingError::Singular;
     for wait in WAITS {
@@ -93,7 +92,7 @@ pub(super) fn returned_from(
             guess = later(map, &guess)?;
             waited += 1;
         }
-        match solve(map, guess.clone(), tolerance) {
+        match solve(map, guess.clone(), None, tolerance) {
             Ok(returned) => return Ok((returned, waited)),
             Err(ShootingError::Map(error)) if is_final(&error) => return Err(error.into()),
             Err(error) => last = error,
@@ -185,7 +184,7 @@ pub(super) fn subharmonic(
             continue;
         };
         map.periods = single.times(single.multiple * periods as u32);
-        match solve(map, states.clone(), tolerance) {
+        match solve(map, states.clone(), None, tolerance) {
             Ok(returned) => {
                 let found = finished(map, returned, waited as u64)?;
                 if found.multipliers.is_stable() {

@@ -112,23 +112,17 @@ pub struct RandomShocks {
 impl RandomShocks {
     /// The shocks that begin before `until` in s.
     pub fn new(statistics: &ShockStatistics, until: f64) -> Self {
-        let ShockStatistics {
-            peak,
-            least,
-            duration,
-            rate,
-            seed,
-        } = *statistics;
-        let [gaps, parts] = [0, 1].map(|stream| SplitMix64::new(seed).stream(stream));
-        let mut begin = 0.0;
+        let random = SplitMix64::new(statistics.seed);
+        let [gaps, parts] = [0, 1].map(|stream| random.stream(stream));
+        let (least, mut begin) = (statistics.least, 0.0);
         let shock = |number| {
-            begin -= gaps.uniform(number).ln() / rate;
+            begin -= gaps.uniform(number).ln() / statistics.rate;
             (begin, least + (1.0 - least) * parts.uniform(number))
         };
         let shocks = (0..).map(shock).take_while(|(begin, _)| *begin < until);
         Self {
-            peak,
-            duration,
+            peak: statistics.peak,
+            duration: statistics.duration,
             shocks: shocks.collect(),
         }
     }
