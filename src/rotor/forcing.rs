@@ -10,31 +10,16 @@ use super::{LoadKind, Rotor};
 pub enum ForcingCause {
     /// The unbalance turns with the shaft.
     Unbalance,
-    /// The balls of a bearing pass a position that stands still.
-    BallPass {
-        /// Bearing, from 0.
-        bearing: usize,
-    },
+    /// The balls of a bearing, counted from 0, pass a position that stands still.
+    BallPass(usize),
     /// The balls of a bearing, which differ, go round with their cage.
-    Cage {
-        /// Bearing, from 0.
-        bearing: usize,
-    },
+    Cage(usize),
     /// What is on the inner race of a bearing turns with the shaft.
-    InnerRace {
-        /// Bearing, from 0.
-        bearing: usize,
-    },
+    InnerRace(usize),
     /// What is on balls of a bearing turns with them.
-    BallSpin {
-        /// Bearing, from 0.
-        bearing: usize,
-    },
-    /// A varying load.
-    Load {
-        /// Load, from 0, among those that vary.
-        number: usize,
-    },
+    BallSpin(usize),
+    /// A load, counted from 0 among those that vary.
+    Load(usize),
 }
 
 /// `unbalance`, `ball pass of bearing 1`, `cage of bearing 1`, `inner race of bearing 1`, `balls of bearing 1`, `varying load 1`.
@@ -42,11 +27,11 @@ impl fmt::Display for ForcingCause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Unbalance => f.write_str("unbalance"),
-            Self::BallPass { bearing } => write!(f, "ball pass of bearing {}", bearing + 1),
-            Self::Cage { bearing } => write!(f, "cage of bearing {}", bearing + 1),
-            Self::InnerRace { bearing } => write!(f, "inner race of bearing {}", bearing + 1),
-            Self::BallSpin { bearing } => write!(f, "balls of bearing {}", bearing + 1),
-            Self::Load { number } => write!(f, "varying load {}", number + 1),
+            Self::BallPass(bearing) => write!(f, "ball pass of bearing {}", bearing + 1),
+            Self::Cage(bearing) => write!(f, "cage of bearing {}", bearing + 1),
+            Self::InnerRace(bearing) => write!(f, "inner race of bearing {}", bearing + 1),
+            Self::BallSpin(bearing) => write!(f, "balls of bearing {}", bearing + 1),
+            Self::Load(number) => write!(f, "varying load {}", number + 1),
         }
     }
 }
@@ -126,12 +111,8 @@ impl Rotor {
                 });
             }
         };
-        if self
-            .structure
-            .unbalances
-            .iter()
-            .any(|own| own.unbalance.is_some())
-        {
+        let mut unbalances = self.structure.unbalances.iter();
+        if unbalances.any(|own| own.unbalance.is_some()) {
             add(ForcingCause::Unbalance, speed, 0.0);
         }
         for (bearing, support) in self.supports.iter().enumerate() {
@@ -145,21 +126,21 @@ impl Rotor {
                 return Err(Unrepeated::Defect { bearing });
             }
             if surfaces.balls_differ {
-                add(ForcingCause::Cage { bearing }, cage, 0.0);
+                add(ForcingCause::Cage(bearing), cage, 0.0);
             } else if support.follows_cage() {
-                add(ForcingCause::BallPass { bearing }, balls * cage, 0.0);
+                add(ForcingCause::BallPass(bearing), balls * cage, 0.0);
             }
             if surfaces.inner {
-                add(ForcingCause::InnerRace { bearing }, speed, 0.0);
+                add(ForcingCause::InnerRace(bearing), speed, 0.0);
             }
             if let Some(ratio) = surfaces.rolling {
-                add(ForcingCause::BallSpin { bearing }, ratio * cage, 0.0);
+                add(ForcingCause::BallSpin(bearing), ratio * cage, 0.0);
             }
         }
         for (number, load) in self.loads.iter().enumerate() {
             let refused = |what| Unrepeated::Load { number, what };
             if let Some((frequency, from)) = load.kind.repetition(speed).map_err(refused)? {
-                add(ForcingCause::Load { number }, frequency, from);
+                add(ForcingCause::Load(number), frequency, from);
             }
         }
         Ok(found)

@@ -125,9 +125,7 @@ impl AttachedBearing<'_> {
 impl Rotor {
     /// Number of freedoms of the shaft that move: the first so many of x, y, z, θx, θy.
     pub fn active_freedoms(&self) -> usize {
-        let dofs = self.dofs();
-        let indices = self.structure.shaft.coordinates.iter();
-        indices.take_while(|index| **index < dofs).count()
+        self.structure.shaft.active(self.dofs())
     }
 
     /// Displacement of the observed point of the shaft in a state.

@@ -17,10 +17,10 @@ impl Point {
         coordinates: [0, 1, 2, 3, 4],
     };
 
-    /// Number of its translations, along x, y and z in this order, that are among so many degrees of freedom.
-    pub fn translations(&self, dofs: usize) -> usize {
-        let translations = self.coordinates[..3].iter();
-        translations.take_while(|index| **index < dofs).count()
+    /// How many of its components, in their order, are among so many degrees of freedom.
+    pub fn active(&self, dofs: usize) -> usize {
+        let indices = self.coordinates.iter();
+        indices.take_while(|index| **index < dofs).count()
     }
 
     /// Which of the five components a coordinate is.

@@ -47,17 +47,12 @@ struct Piece {
 impl Piece {
     #[inline]
     fn at(&self, time: f64) -> Rotation {
-        let since = time - self.start;
-        let Rotation {
-            angle,
-            speed,
-            acceleration,
-        } = self.rotation;
-        let gained = acceleration * since;
+        let (since, from) = (time - self.start, &self.rotation);
+        let gained = from.acceleration * since;
         Rotation {
-            angle: angle + (speed + 0.5 * gained) * since,
-            speed: speed + gained,
-            acceleration,
+            angle: from.angle + (from.speed + 0.5 * gained) * since,
+            speed: from.speed + gained,
+            acceleration: from.acceleration,
         }
     }
 

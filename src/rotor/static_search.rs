@@ -98,22 +98,15 @@ impl StaticSearch<'_> {
     }
 
     fn check_finite(&self) -> Result<(), EquilibriumError> {
-        for coordinate in &self.coordinates {
-            let load = if coordinate.free {
-                coordinate.load
-            } else {
-                0.0
-            };
-            for value in [load, coordinate.start] {
-                if !value.is_finite() {
-                    return Err(EquilibriumError::NotFinite {
-                        freedom: coordinate.name.clone(),
-                        value,
-                    });
-                }
-            }
-        }
-        Ok(())
+        let values = self.coordinates.iter().flat_map(|own| {
+            let load = if own.free { own.load } else { 0.0 };
+            [(own, load), (own, own.start)]
+        });
+        let mut wrong = values.filter(|(_, value)| !value.is_finite());
+        wrong.next().map_or(Ok(()), |(own, value)| {
+            let freedom = own.name.clone();
+            Err(EquilibriumError::NotFinite { freedom, value })
+        })
     }
 
     fn evaluate(&self, displacement: DVector<f64>) -> Balance {
@@ -123,16 +116,12 @@ impl StaticSearch<'_> {
         let mut excess = DVector::zeros(size);
         let mut jacobian = DMatrix::identity(size, size);
         let mut stiffest: f64 = 0.0;
-        let free = || {
-            self.coordinates
-                .iter()
-                .enumerate()
-                .filter(|(_, own)| own.free)
-        };
-        for (row, own) in free() {
+        let coordinates = self.coordinates.iter().enumerate();
+        let free = coordinates.filter(|(_, own)| own.free);
+        for (row, own) in free.clone() {
             excess[row] = (restoring.force[row] - own.load) / own.length;
             scale = scale.max((own.load / own.length).abs());
-            for (column, other) in free() {
+            for (column, other) in free.clone() {
                 let lengths = own.length * other.length;
                 jacobian[(row, column)] = restoring.stiffness[(row, column)] / lengths;
             }

@@ -175,7 +175,7 @@ impl Structure {
     /// The same with those bearings on housings that have one. A housing moves along x and y, and along z where the shaft
     /// does; its displacement counts from where its own weight has put it.
     fn on_housings(self, bearings: &[MountedBearing]) -> Self {
-        let (first, axes) = (self.dofs, self.shaft.translations(self.dofs));
+        let (first, axes) = (self.dofs, self.shaft.active(self.dofs).min(3));
         let housings = bearings.iter().enumerate();
         let housings: Vec<_> = housings
             .filter_map(|(bearing, mounted)| Some((bearing, mounted.housing?)))
@@ -273,14 +273,6 @@ impl Structure {
                 vec![(x, y, 1.0), (tilt_x, tilt_y, 1.0)]
             }
         }
-    }
-
-    /// Lengths that make displacements of all coordinates, m.
-    pub fn lengths(&self, arm: f64) -> Vec<f64> {
-        let coordinates = self.coordinates.iter();
-        coordinates
-            .map(|coordinate| coordinate.length(arm))
-            .collect()
     }
 
     /// Force onto all that holds the structure, and its slope, with the cages where they start.

@@ -141,10 +141,11 @@ impl FreeDirections {
         let linear = linear.flat_map(|bearing| &bearing.stiffness[..3]);
         let contact = linear.fold(contact_stiffness(supports), |most, own| most.max(*own));
         let dofs = structure.dofs;
-        let lengths = structure.lengths(Support::largest(supports, Geometry::inner_groove_radius));
+        let arm = Support::largest(supports, Geometry::inner_groove_radius);
+        let length = |dof: usize| structure.coordinates[dof].length(arm);
         let scaled = DMatrix::from_fn(dofs, dofs, |row, column| {
             let both = stiffness[(row, column)] + stiffness[(column, row)];
-            0.5 * both / (lengths[row] * lengths[column])
+            0.5 * both / (length(row) * length(column))
         });
         let mut shares = vec![0.0; dofs];
         let mut least = f64::INFINITY;

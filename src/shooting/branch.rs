@@ -13,7 +13,7 @@ use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
 use super::continuation::Continuer;
-use super::{Family, Multipliers, ShootingError, SpecialKind};
+use super::{Multipliers, ReturnMap, ShootingError, SpecialKind};
 use crate::keys;
 
 /// Parts of a step that a motion of doubled period is first sought at.
@@ -120,7 +120,7 @@ impl Branch {
 /// # Errors
 /// [`ShootingError`] where not even the first motion is found; what happens later ends the branch.
 pub fn follow(
-    family: &mut dyn Family,
+    family: &mut dyn ReturnMap,
     guess: DVector<f64>,
     plan: &Continuation,
     watch: &mut dyn FnMut(&BranchPoint),
@@ -136,7 +136,7 @@ pub fn follow(
 /// # Errors
 /// As [`follow`].
 pub fn follow_doubled(
-    family: &mut dyn Family,
+    family: &mut dyn ReturnMap,
     doubling: &BranchPoint,
     plan: &Continuation,
     watch: &mut dyn FnMut(&BranchPoint),
@@ -167,7 +167,7 @@ fn turned(point: &BranchPoint) -> Option<DVector<f64>> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Circle, Image, MapError, ReturnMap, Slopes};
+    use super::super::{Circle, Image, MapError, Slopes};
     use super::*;
 
     /// A motion at rest whose multiplier goes from −0.5 to −1.5: all at once, as where a contact parts, or
@@ -193,9 +193,7 @@ mod tests {
                 slopes: vec![DMatrix::from_element(1, 1, self.multiplier)],
             })
         }
-    }
 
-    impl Family for Parting {
         fn set(&mut self, parameter: f64) -> Result<(), MapError> {
             self.multiplier = match self.at_once {
                 false => -0.5 - parameter,

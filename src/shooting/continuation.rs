@@ -7,7 +7,7 @@ use super::map::{jacobian, residual};
 use super::multipliers::{Crossing, SpecialKind, multipliers};
 use super::newton::{ShootingError, solve};
 use super::{
-    Branch, BranchEnd, BranchPoint, Continuation, Family, Image, Slopes, Special, Unrefined,
+    Branch, BranchEnd, BranchPoint, Continuation, Image, ReturnMap, Slopes, Special, Unrefined,
 };
 use crate::integrate::root::Bracket;
 
@@ -66,7 +66,7 @@ impl Node {
 
 /// What follows a branch of a family.
 pub(super) struct Continuer<'a> {
-    pub family: &'a mut dyn Family,
+    pub family: &'a mut dyn ReturnMap,
     pub plan: &'a Continuation,
 }
 
@@ -203,27 +203,37 @@ impl Continuer<'_> {
     }
 
     fn missing(&mut self, unknowns: &DVector<f64>) -> Result<DVector<f64>, ShootingError> {
-        let (states, parameter) = parts(unknowns);
-        self.family.set(parameter)?;
-        let image = self.family.image(&states, Slopes::None)?;
+        let (states, image) = self.image(unknowns, Slopes::None)?;
         Ok(residual(self.family, &states, &image.end))
     }
 
+    /// States and their image at a parameter.
+    fn image(
+        &mut self,
+        unknowns: &DVector<f64>,
+        slopes: Slopes,
+    ) -> Result<(DVector<f64>, Image), ShootingError> {
+        let count = unknowns.len() - 1;
+        let states = unknowns.rows(0, count).into_owned();
+        self.family.set(unknowns[count])?;
+        let image = self.family.image(&states, slopes)?;
+        Ok((states, image))
+    }
+
     fn slopes_at(&mut self, unknowns: &DVector<f64>) -> Result<DMatrix<f64>, ShootingError> {
-        let (states, parameter) = parts(unknowns);
-        self.family.set(parameter)?;
-        let image = self.family.image(&states, Slopes::All)?;
-        self.slopes_from(unknowns, &image)
+        let (states, image) = self.image(unknowns, Slopes::All)?;
+        self.slopes_from(unknowns, &states, &image)
     }
 
     /// Slopes of what is missing by the states, and by the parameter as a difference.
     fn slopes_from(
         &mut self,
         unknowns: &DVector<f64>,
+        states: &DVector<f64>,
         image: &Image,
     ) -> Result<DMatrix<f64>, ShootingError> {
         let by_states = jacobian(self.family, &image.slopes);
-        let here = residual(self.family, &parts(unknowns).0, &image.end);
+        let here = residual(self.family, states, &image.end);
         let mut beside = unknowns.clone();
         beside[unknowns.len() - 1] += PARAMETER_STEP;
         let by_parameter = (self.missing(&beside)? - here) / PARAMETER_STEP;
@@ -240,18 +250,16 @@ impl Continuer<'_> {
         direction: &DVector<f64>,
         corrections: usize,
     ) -> Result<Node, ShootingError> {
-        let (states, parameter) = parts(&unknowns);
-        self.family.set(parameter)?;
-        let image = self.family.image(&states, Slopes::All)?;
+        let (states, image) = self.image(&unknowns, Slopes::All)?;
         let half = self.family.half_return(&states)?;
         let multipliers = multipliers(self.family.circle(), &image.slopes);
-        let slopes = self.slopes_from(&unknowns, &image)?;
+        let slopes = self.slopes_from(&unknowns, &states, &image)?;
         let ahead = of_parameter(unknowns.len());
         let tangent = bordered(&slopes, direction).lu().solve(&ahead);
         let tangent = tangent.ok_or(ShootingError::Singular)?;
         Ok(Node {
             point: BranchPoint {
-                parameter,
+                parameter: unknowns[unknowns.len() - 1],
                 states,
                 slopes: image.slopes,
                 multipliers,
@@ -349,12 +357,6 @@ fn passed_half(before: &Node, after: &Node) -> bool {
         (Some(before), Some(after)) => before.dot(after) < 0.0,
         _ => false,
     }
-}
-
-/// States and parameter.
-fn parts(unknowns: &DVector<f64>) -> (DVector<f64>, f64) {
-    let states = unknowns.len() - 1;
-    (unknowns.rows(0, states).into_owned(), unknowns[states])
 }
 
 /// The direction of the parameter among so many unknowns.

@@ -50,11 +50,8 @@ pub trait ReturnMap {
     /// # Errors
     /// [`MapError`] where that is not known.
     fn image(&mut self, states: &DVector<f64>, slopes: Slopes) -> Result<Image, MapError>;
-}
 
-/// A map that depends on a parameter; the unit of the states does not.
-pub trait Family: ReturnMap {
-    /// Makes the map that of a value of the parameter.
+    /// Makes the map that of a value of the parameter; the unit of the states does not depend on it.
     ///
     /// # Errors
     /// [`MapError::Parameter`] where there is none.

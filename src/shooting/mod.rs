@@ -22,6 +22,6 @@ pub use branch::{
     Branch, BranchEnd, BranchPoint, Continuation, Special, Unrefined, follow, follow_doubled,
 };
 pub use circle::Circle;
-pub use map::{Family, Image, MapError, ReturnMap, Slopes, mixed};
+pub use map::{Image, MapError, ReturnMap, Slopes, mixed};
 pub use multipliers::{Crossing, Multipliers, SpecialKind, multipliers};
 pub use newton::{Returned, ShootingError, solve};

@@ -57,12 +57,7 @@ impl Base {
     /// Whether balls that pass belong to it.
     pub(crate) fn has_ball_pass(&self) -> bool {
         let mut causes = self.parts.iter().map(|part| part.cause);
-        causes.any(|cause| {
-            matches!(
-                cause,
-                ForcingCause::BallPass { .. } | ForcingCause::Cage { .. }
-            )
-        })
+        causes.any(|cause| matches!(cause, ForcingCause::BallPass(_) | ForcingCause::Cage(_)))
     }
 
     /// Takes in a forcing that has a common period with what is here; whether it has one.
@@ -227,7 +222,7 @@ mod tests {
     #[test]
     fn frequencies_in_whole_ratios_share_one() {
         let forcing = |number, frequency| Forcing {
-            cause: ForcingCause::Load { number },
+            cause: ForcingCause::Load(number),
             frequency,
             from: 0.0,
         };

@@ -17,7 +17,7 @@ use crate::integrate::Counters;
 use crate::keys;
 use crate::rotor::{Rotor, RotorDefinition};
 use crate::shooting::{
-    Branch, BranchEnd, BranchPoint, Continuation, Family, SpecialKind, Unrefined, follow,
+    Branch, BranchEnd, BranchPoint, Continuation, ReturnMap, SpecialKind, Unrefined, follow,
     follow_doubled,
 };
 use crate::simulate::{Model, reference_settings};

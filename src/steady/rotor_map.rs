@@ -11,7 +11,7 @@ use crate::integrate::{
     variation,
 };
 use crate::rotor::{MotionScale, Rotor, RotorDefinition};
-use crate::shooting::{Circle, Family, Image, MapError, ReturnMap, Slopes};
+use crate::shooting::{Circle, Image, MapError, ReturnMap, Slopes};
 
 /// Slopes are integrated at least this exactly: the search and the signs of multipliers along a branch rest on them.
 const SLOPE_TOLERANCE: f64 = 1e-7;
@@ -146,9 +146,7 @@ impl ReturnMap for RotorMap<'_> {
         }
         Ok(Image { end, slopes: found })
     }
-}
 
-impl Family for RotorMap<'_> {
     fn set(&mut self, parameter: f64) -> Result<(), MapError> {
         let Some((source, present)) = self.source else {
             return Ok(());
