@@ -51,6 +51,8 @@ pub use load::{Load, LoadKind};
 pub use modes::{Mode, NaturalFrequency, Whirl};
 pub use motion::Rotor;
 pub use motion_scale::MotionScale;
+#[cfg(test)]
+pub(crate) use observation::HousingMotion;
 pub use observation::{BallContacts, MOST_HOUSINGS, Sample};
 pub(crate) use shaft_shapes::ShaftShape;
 pub use speed_profile::{Rotation, SpeedPoint, SpeedProfile};
