@@ -107,12 +107,10 @@ impl AxisInput {
     }
 }
 
-/// An axis while it is read.
+/// An axis while it is read; its table is the present one.
 pub(super) struct AxisReader<'a, 'p> {
-    /// Path of its table.
-    pub path: String,
-    /// Path of the key that names the number.
-    pub named: String,
+    /// The key that names the number.
+    pub named: &'static str,
     /// What is given.
     pub input: &'a AxisInput,
     /// The number.
@@ -130,12 +128,11 @@ impl AxisReader<'_, '_> {
             (None, Some(kind)) => Axis::Drawn(self.drawn(kind)?),
             (None, None) => self.spaced()?,
         };
-        let shown = self.shown()?;
-        Some((values, shown))
-    }
-
-    fn at(&self, name: &str) -> String {
-        format!("{}.{name}", self.path)
+        // in the unit of the first value given
+        let listed = self.input.values.as_ref().and_then(|values| values.first());
+        let others = self.input.given();
+        let others = others.into_iter().find_map(|(_, value)| value.as_ref());
+        Some((values, self.key.variable(&listed.or(others)?.0)))
     }
 
     /// Refuses keys that do not go with the way in which the values are given.
@@ -151,33 +148,31 @@ impl AxisReader<'_, '_> {
         }
         for name in strangers {
             let message = format!("{called} does not go with `{name}`");
-            let issue = Issue::new(self.at(name), message).help("remove it");
-            self.problems.refuse(issue.against(self.at(way)));
+            let issue = Issue::new(format!(".{name}"), message).help("remove it");
+            self.problems.refuse(issue.against(format!(".{way}")));
         }
     }
 
     /// A value of the key in SI units.
     fn number(&mut self, name: &str) -> Option<f64> {
-        let value = self.key.read(&self.at(name), self.problems)?;
+        let path = self.problems.path(&format!(".{name}"));
+        let value = self.key.read(&path, self.problems)?;
         Some(self.key.si(&value))
     }
 
     /// Values that must be given.
     fn needed<const N: usize>(&mut self, names: [&str; N]) -> Option<[f64; N]> {
         let (way, called, _) = self.input.way();
-        let mut values = [None; N];
-        for (value, name) in values.iter_mut().zip(names) {
-            if self.input.given().contains(&(name, &None)) {
-                let issue = Issue::new(self.at(name), format!("{called} needs `{name}`"));
-                self.problems.refuse(issue.against(self.at(way)));
-            } else {
-                *value = self.number(name);
+        let values = names.map(|name| {
+            if !self.input.given().contains(&(name, &None)) {
+                return self.number(name);
             }
-        }
-        values
-            .iter()
-            .all(Option::is_some)
-            .then(|| values.map(Option::unwrap_or_default))
+            let issue = Issue::new(format!(".{name}"), format!("{called} needs `{name}`"));
+            self.problems.refuse(issue.against(format!(".{way}")));
+            None
+        });
+        let all = values.iter().all(Option::is_some);
+        all.then(|| values.map(Option::unwrap_or_default))
     }
 
     /// Refuses a whole number, which has no values between two.
@@ -187,8 +182,8 @@ impl AxisReader<'_, '_> {
         }
         let path = &self.key.path;
         let message = format!("`{path}` is a whole number: list its `values`");
-        let issue = Issue::new(&self.named, message).against(self.at(way));
-        self.problems.refuse(issue);
+        let issue = Issue::new(self.named, message);
+        self.problems.refuse(issue.against(format!(".{way}")));
         None
     }
 
@@ -204,8 +199,9 @@ impl AxisReader<'_, '_> {
         let logarithmic = self.input.spacing == Some(Spacing::Logarithmic);
         if logarithmic && !(from > 0.0 && to > 0.0) {
             let message = "values of equal ratios cannot come from zero or below";
-            let issue = Issue::new(self.at("spacing"), message).help("let both ends be above zero");
-            self.problems.refuse(issue);
+            let issue = Issue::new(".spacing", message);
+            self.problems
+                .refuse(issue.help("let both ends be above zero"));
             return None;
         }
         Some(Axis::Spaced {
@@ -233,12 +229,11 @@ impl AxisReader<'_, '_> {
                 }
             }
         };
-        let refused = |error| {
-            let issue = Issue::new(self.at("distribution"), format!("{error}"));
-            self.problems
-                .refuse(issue.help("numbers in SI units; change its bounds"));
-        };
-        distribution.checked().map_err(refused).ok()
+        let checked = distribution.checked().map_err(|error| {
+            let issue = Issue::new(".distribution", error.to_string());
+            issue.help("numbers in SI units; change its bounds")
+        });
+        self.problems.take(checked)
     }
 
     fn normal(&mut self) -> Option<Distribution> {
@@ -265,16 +260,8 @@ impl AxisReader<'_, '_> {
              be",
             self.key.path
         );
-        self.problems.refuse(Issue::new(&self.path, message));
+        self.problems.refuse(Issue::new(".", message));
         None
-    }
-
-    /// What varies, shown in the unit of the first value given.
-    fn shown(&self) -> Option<Variable> {
-        let listed = self.input.values.as_ref().and_then(|values| values.first());
-        let others = self.input.given();
-        let others = others.into_iter().find_map(|(_, value)| value.as_ref());
-        Some(self.key.variable(&listed.or(others)?.0))
     }
 }
 
@@ -284,10 +271,6 @@ impl AxisReader<'_, '_> {
 pub(super) struct Scalar(pub Value);
 
 impl JsonSchema for Scalar {
-    fn inline_schema() -> bool {
-        true
-    }
-
     fn schema_name() -> Cow<'static, str> {
         "scalar".into()
     }

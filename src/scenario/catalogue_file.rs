@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::document::file_text;
 use crate::bearing::catalogue::{CatalogueEntry, read as read_text};
 
 /// Most bytes of a file.
@@ -12,11 +13,6 @@ const LARGEST: u64 = 16 << 20;
 /// # Errors
 /// Everything that is wrong with it.
 pub(crate) fn read(path: &Path) -> Result<Vec<CatalogueEntry>, Vec<String>> {
-    let unreadable = |error: std::io::Error| vec![format!("it cannot be read: {error}")];
-    let known = std::fs::metadata(path).map_err(unreadable)?;
-    if !known.is_file() || known.len() > LARGEST {
-        let most = LARGEST >> 20;
-        return Err(vec![format!("it is not a file of at most {most} MB")]);
-    }
-    read_text(&std::fs::read_to_string(path).map_err(unreadable)?)
+    let text = file_text(path, LARGEST).map_err(|problem| vec![problem])?;
+    read_text(&text)
 }

@@ -48,8 +48,8 @@ impl Document {
             };
             return Self::parse(&text, STDIN_NAME, format);
         }
-        let extension = path.extension().map(|end| end.to_ascii_lowercase());
-        match extension.as_ref().and_then(|end| end.to_str()) {
+        let extension = path.extension().and_then(|end| end.to_str());
+        match extension.map(str::to_ascii_lowercase).as_deref() {
             Some("toml") => Self::open_as(path, Format::Toml),
             Some("json") => Self::open_as(path, Format::Json),
             _ => Err(unreadable(path, "a scenario file ends in .toml or .json")),
@@ -107,12 +107,20 @@ impl Document {
         let mut problems = self.problems();
         problems.add(issue);
         let (issues, _) = problems.finish();
-        self.error(issues)
+        ScenarioError::new(&self.name, &self.text, issues)
     }
 
-    /// Everything that is wrong with it.
-    pub fn error(&self, issues: Vec<Issue>) -> ScenarioError {
-        ScenarioError::new(&self.name, &self.text, issues)
+    /// What was made of it and the warnings, or everything that is wrong with it.
+    pub fn finish<T>(
+        &self,
+        made: Option<T>,
+        problems: Problems<'_>,
+    ) -> Result<(T, Vec<String>), ScenarioError> {
+        let (issues, warnings) = problems.finish();
+        match made {
+            Some(made) if issues.is_empty() => Ok((made, warnings)),
+            _ => Err(ScenarioError::new(&self.name, &self.text, issues)),
+        }
     }
 }
 
@@ -133,6 +141,19 @@ fn text_of(path: &Path) -> Result<String, ScenarioError> {
         let message = format!("the file is not UTF-8 text: byte {byte} is wrong");
         unreadable(path, &message)
     })
+}
+
+/// The text of a file that a scenario names, of at most so many bytes.
+///
+/// # Errors
+/// What is wrong with it.
+pub(super) fn file_text(path: &Path, most: u64) -> Result<String, String> {
+    let unreadable = |error: io::Error| format!("it cannot be read: {error}");
+    let known = std::fs::metadata(path).map_err(unreadable)?;
+    if !known.is_file() || known.len() > most {
+        return Err(format!("it is not a file of at most {} MB", most >> 20));
+    }
+    std::fs::read_to_string(path).map_err(unreadable)
 }
 
 /// The bytes of a file, as many as it may have and one more.

@@ -53,10 +53,6 @@ impl KeyPaths {
 }
 
 impl JsonSchema for KeyPaths {
-    fn inline_schema() -> bool {
-        true
-    }
-
     fn schema_name() -> Cow<'static, str> {
         "key_paths".into()
     }
@@ -74,7 +70,7 @@ impl JsonSchema for KeyPaths {
 /// Every key of a number outside some tables; lists have as many entries as `given` has.
 pub(super) fn number_keys(given: &Value, left_out: &[&str]) -> Vec<Key> {
     let mut keys = all_keys(given, left_out);
-    keys.retain(|key| !key.is_word());
+    keys.retain(|key| key.words().is_empty());
     keys
 }
 
@@ -105,7 +101,7 @@ fn collect(
         let inner = format!("{}[{index}]", key.path);
         collect(&schema["items"], Some(item), &inner, left_out, keys);
     }
-    if key.is_number() || key.is_word() {
+    if key.is_number() || !key.words().is_empty() {
         keys.push(key);
     }
 }
@@ -211,15 +207,13 @@ impl Key {
     /// What keeps this key from having it.
     pub fn typed(&self, text: &str, name: &str) -> Result<Value, Issue> {
         let text = text.trim();
-        let content = if !self.is_plain() {
-            Content::Text(text.to_owned())
-        } else if let Ok(integer) = text.parse() {
-            Content::Integer(integer)
-        } else if let Ok(number) = text.parse() {
-            Content::Number(number)
-        } else {
+        if self.is_plain() && text.parse::<f64>().is_err() {
             let message = format!("`{}` must be a number, not \"{text}\"", reader::last(name));
             return Err(Issue::new(name, message));
+        }
+        let content = match self.is_plain() {
+            true => Content::of_number(text),
+            false => Content::Text(text.to_owned()),
         };
         let node = Node {
             span: 0..0,
@@ -231,16 +225,9 @@ impl Key {
         value.ok_or_else(|| issue.unwrap_or_else(|| Issue::new(name, "it cannot be read")))
     }
 
-    /// The words that it can be.
+    /// The words that it can be; none of a number.
     pub fn words(&self) -> Vec<&'static str> {
         reader::choices(self.schema)
-    }
-
-    /// Whether it is a word out of several.
-    fn is_word(&self) -> bool {
-        let variants = self.schema["oneOf"].as_array();
-        let listed = variants.is_some_and(|all| all.iter().all(|one| one["const"].is_string()));
-        listed || self.schema["enum"].is_array()
     }
 
     /// Whether it is a number without a dimension.
@@ -265,10 +252,7 @@ impl Key {
 
     /// Whether it can have a value, SI units.
     pub fn contains(&self, si: f64) -> bool {
-        match self.dimension() {
-            Some(_) => Range::of_quantity(self.schema).contains(si),
-            None => Range::of_number(self.schema).contains(si),
-        }
+        Range::of(self.schema).contains(si)
     }
 
     /// SI value and unit of a quantity.
@@ -286,7 +270,7 @@ impl Key {
     /// The value that this key has for a number in SI units.
     pub fn written(&self, si: f64) -> Value {
         match self.dimension() {
-            Some(dimension) => format!("{si} {}", dimension.units()[0].symbol).into(),
+            Some(dimension) => format!("{si} {}", dimension.si_symbol()).into(),
             None if self.is_whole() => Value::from(si as i64),
             None => Number::from_f64(si).map_or(Value::Null, Value::Number),
         }
@@ -297,9 +281,7 @@ impl Key {
         // a scale with another zero has no size of its own
         let shown = self.parsed(value).map(|(_, unit)| unit);
         let shown = shown.filter(|unit| unit.si(0.0) == 0.0);
-        let own = self
-            .dimension()
-            .map_or("", |dimension| dimension.units()[0].symbol);
+        let own = self.dimension().map_or("", Dimension::si_symbol);
         Variable {
             key: self.path.clone(),
             unit: own,
@@ -354,17 +336,17 @@ impl OpenNumber {
             message: format!("{} that its motion depends on", issue.message),
             ..issue
         })?;
-        let refused = |message| Err(Issue::new(path, message));
         if key.is_whole() {
-            return refused(format!(
-                "`{path}` is a whole number: it does not change little by little"
-            ));
+            let message =
+                format!("`{path}` is a whole number: it does not change little by little");
+            return Err(Issue::new(path, message));
         }
         if scenario.contact_choice.is_some() {
-            return refused(format!(
+            let message = format!(
                 "contact = \"auto\" may choose another law at another value of `{path}`: set the law \
                  that it chose here"
-            ));
+            );
+            return Err(Issue::new(path, message));
         }
         Ok(Self {
             base: without(&scenario.echo, &["study", "output"]),

@@ -5,6 +5,7 @@ use std::path::Path;
 use nalgebra::DMatrix;
 use serde::Deserialize;
 
+use super::document::file_text;
 use crate::rotor::{Mesh, Plane};
 
 /// Most bytes of a file.
@@ -31,12 +32,7 @@ struct MatricesFile {
 /// # Errors
 /// What is wrong with it.
 pub(crate) fn read(path: &Path) -> Result<Mesh, String> {
-    let unreadable = |error: std::io::Error| format!("it cannot be read: {error}");
-    let known = std::fs::metadata(path).map_err(unreadable)?;
-    if !known.is_file() || known.len() > LARGEST {
-        return Err(format!("it is not a file of at most {} MB", LARGEST >> 20));
-    }
-    let text = std::fs::read_to_string(path).map_err(unreadable)?;
+    let text = file_text(path, LARGEST)?;
     let file: MatricesFile = serde_json::from_str(&text).map_err(|error| {
         format!("{error}; it must be JSON with `nodes` in m and the matrices `M`, `K` and `G`")
     })?;
@@ -53,35 +49,19 @@ impl MatricesFile {
             return Err("the positions of its nodes do not rise".to_owned());
         }
         let size = self.mass.len();
-        let per_node = match size {
-            _ if size == 4 * count => 4,
-            _ if size == 6 * count => 6,
-            _ => {
-                return Err(format!(
-                    "M has {size} rows; {count} nodes have {} or {}",
-                    4 * count,
-                    6 * count
-                ));
-            }
+        let Some(per_node) = [4, 6].into_iter().find(|each| each * count == size) else {
+            let [plane, space] = [4, 6].map(|each| each * count);
+            return Err(format!(
+                "M has {size} rows; {count} nodes have {plane} or {space}"
+            ));
         };
-        let matrix = |name: &str, rows: &[Vec<f64>]| matrix(name, rows, size);
-        let [mass, stiffness, gyroscopic] = [
-            matrix("M", &self.mass)?,
-            matrix("K", &self.stiffness)?,
-            matrix("G", &self.gyroscopic)?,
-        ];
-        for (name, entries) in [("M", &mass), ("K", &stiffness)] {
-            same(
-                &format!("{name} is not symmetric"),
-                entries,
-                &entries.transpose(),
-            )?;
-        }
-        same(
-            "G is not skew-symmetric",
-            &gyroscopic,
-            &-gyroscopic.transpose(),
-        )?;
+        let mass = matrix("M", &self.mass, size)?;
+        let stiffness = matrix("K", &self.stiffness, size)?;
+        let gyroscopic = matrix("G", &self.gyroscopic, size)?;
+        same("M is not symmetric", &mass, &mass.transpose())?;
+        same("K is not symmetric", &stiffness, &stiffness.transpose())?;
+        let turned = -gyroscopic.transpose();
+        same("G is not skew-symmetric", &gyroscopic, &turned)?;
         let planes = Planes::new(count, per_node);
         Ok(Mesh {
             nodes: self.nodes.clone(),
@@ -98,24 +78,22 @@ fn matrix(name: &str, rows: &[Vec<f64>], size: usize) -> Result<DMatrix<f64>, St
     if rows.len() != size {
         return Err(format!("{name} has {} rows, M {size}", rows.len()));
     }
-    for (index, row) in rows.iter().enumerate() {
-        if row.len() != size {
-            return Err(format!(
-                "row {} of {name} has {} entries, {name} {size} rows",
-                index + 1,
-                row.len()
-            ));
+    for (number, row) in (1..).zip(rows) {
+        let count = row.len();
+        if count != size {
+            let problem = format!("has {count} entries, {name} {size} rows");
+            return Err(format!("row {number} of {name} {problem}"));
         }
         if row.iter().any(|entry| !entry.is_finite()) {
-            return Err(format!(
-                "row {} of {name} has an entry that is no number",
-                index + 1
-            ));
+            let problem = "has an entry that is no number";
+            return Err(format!("row {number} of {name} {problem}"));
         }
     }
-    Ok(DMatrix::from_fn(size, size, |row, column| {
-        rows[row][column]
-    }))
+    Ok(DMatrix::from_row_iterator(
+        size,
+        size,
+        rows.iter().flatten().copied(),
+    ))
 }
 
 fn same(what: &str, first: &DMatrix<f64>, second: &DMatrix<f64>) -> Result<(), String> {
@@ -154,11 +132,8 @@ impl Planes {
     /// The matrix of one plane, where both are alike.
     fn of_both(&self, name: &str, entries: &DMatrix<f64>) -> Result<DMatrix<f64>, String> {
         let [first, second] = [0, 1].map(|plane| self.block(entries, plane, plane));
-        same(
-            &format!("{name} is that of no round shaft"),
-            &first,
-            &second,
-        )?;
+        let problem = format!("{name} is that of no round shaft");
+        same(&problem, &first, &second)?;
         Ok(first)
     }
 

@@ -157,33 +157,25 @@ fn check(document: &Document) -> Result<Scenario, ScenarioError> {
         return Err(document.refused(issue));
     }
     let mut problems = document.problems();
-    let built = build(&mut problems);
-    let echo = built.as_ref().map(|(input, _)| echo(input));
-    let study = match (&built, &echo) {
-        (Some((input, _)), Some(echo)) if problems.is_clean() => {
-            let study = input.study.as_ref();
-            study.and_then(|study| study.build(echo, &mut problems))
-        }
-        _ => None,
-    };
-    let (issues, warnings) = problems.finish();
-    match (built, echo) {
-        (Some((input, questions)), Some(echo)) if issues.is_empty() => {
-            let housing_columns = ScenarioInput::columns_with_housings(&questions.question.rotor);
-            Ok(Scenario {
-                title: input.title.unwrap_or_else(|| document.stem()),
-                question: questions.question,
-                model: questions.model,
-                contact_choice: questions.contact_choice,
-                oils: questions.oils,
-                study,
-                output: input.output.showing(housing_columns),
-                echo,
-                warnings,
-            })
-        }
-        _ => Err(document.error(issues)),
-    }
+    let made = build(&mut problems).map(|(input, questions)| {
+        let echo = echo(&input);
+        let study = input.study.as_ref().filter(|_| problems.is_clean());
+        let study = study.and_then(|study| study.build(&echo, &mut problems));
+        (input, questions, echo, study)
+    });
+    let ((input, questions, echo, study), warnings) = document.finish(made, problems)?;
+    let housing_columns = ScenarioInput::columns_with_housings(&questions.question.rotor);
+    Ok(Scenario {
+        title: input.title.unwrap_or_else(|| document.stem()),
+        question: questions.question,
+        model: questions.model,
+        contact_choice: questions.contact_choice,
+        oils: questions.oils,
+        study,
+        output: input.output.showing(housing_columns),
+        echo,
+        warnings,
+    })
 }
 
 /// The tables of a scenario and what they ask.
@@ -198,8 +190,8 @@ fn build(problems: &mut Problems<'_>) -> Option<(ScenarioInput, Questions)> {
 /// Refuses what a terminal or a figure would take for a command.
 fn check_title(title: Option<&str>, problems: &mut Problems<'_>) {
     if title.is_some_and(|title| title.contains(char::is_control)) {
-        let issue = Issue::new("title", "a title is one line without control characters");
-        problems.refuse(issue);
+        let message = "a title is one line without control characters";
+        problems.refuse(Issue::new("title", message));
     }
 }
 

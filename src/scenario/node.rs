@@ -7,7 +7,7 @@ use jsonc_parser::common::Ranged;
 use jsonc_parser::{CollectOptions, ParseOptions, parse_to_ast};
 use serde_json::Value;
 use toml::Spanned;
-use toml::de::{DeString, DeTable, DeValue};
+use toml::de::{DeTable, DeValue};
 
 use super::problems::Issue;
 
@@ -83,16 +83,22 @@ impl From<&Node> for Value {
             Content::Date | Content::Null => Self::Null,
             Content::List(items) => items.iter().map(Self::from).collect(),
             Content::Table(entries) => {
-                let entries = entries.iter();
-                entries
-                    .map(|entry| (entry.key.clone(), Self::from(&entry.node)))
-                    .collect()
+                let entry = |entry: &Entry| (entry.key.clone(), Self::from(&entry.node));
+                entries.iter().map(entry).collect()
             }
         }
     }
 }
 
 impl Content {
+    /// The whole number, or else the number, that a text is.
+    pub fn of_number(text: &str) -> Self {
+        match text.parse() {
+            Ok(integer) => Self::Integer(integer),
+            Err(_) => Self::Number(text.parse().unwrap_or(f64::NAN)),
+        }
+    }
+
     /// What the value is called in messages.
     pub fn kind(&self) -> &'static str {
         match self {
@@ -172,10 +178,9 @@ pub(super) fn read_json(text: &str) -> Result<Node, Vec<Issue>> {
     };
     let mut duplicates = Vec::new();
     let root = json_node(&value, &mut duplicates);
-    if duplicates.is_empty() {
-        Ok(root)
-    } else {
-        Err(duplicates)
+    match duplicates.is_empty() {
+        true => Ok(root),
+        false => Err(duplicates),
     }
 }
 
@@ -190,7 +195,7 @@ fn clamp(place: usize, text: &str) -> usize {
 fn json_node(value: &ast::Value<'_>, duplicates: &mut Vec<Issue>) -> Node {
     let content = match value {
         ast::Value::StringLit(text) => Content::Text(text.value.to_string()),
-        ast::Value::NumberLit(number) => number_content(number.value),
+        ast::Value::NumberLit(number) => Content::of_number(number.value),
         ast::Value::BooleanLit(switch) => Content::Switch(switch.value),
         ast::Value::NullKeyword(_) => Content::Null,
         ast::Value::Array(array) => {
@@ -202,13 +207,6 @@ fn json_node(value: &ast::Value<'_>, duplicates: &mut Vec<Issue>) -> Node {
     Node {
         span: value.range().start..value.range().end,
         content,
-    }
-}
-
-fn number_content(text: &str) -> Content {
-    match text.parse() {
-        Ok(integer) => Content::Integer(integer),
-        Err(_) => Content::Number(text.parse().unwrap_or(f64::NAN)),
     }
 }
 
@@ -250,21 +248,25 @@ pub(super) fn read_toml(text: &str) -> Result<Node, Vec<Issue>> {
 }
 
 fn toml_table(table: &DeTable<'_>) -> Content {
-    Content::Table(table.iter().map(entry).collect())
-}
-
-fn entry((key, value): (&Spanned<DeString<'_>>, &Spanned<DeValue<'_>>)) -> Entry {
-    Entry {
+    let entries = table.iter().map(|(key, value)| Entry {
         key: key.get_ref().to_string(),
         key_span: key.span(),
         node: toml_node(value),
-    }
+    });
+    Content::Table(entries.collect())
 }
 
 fn toml_node(value: &Spanned<DeValue<'_>>) -> Node {
     let content = match value.get_ref() {
         DeValue::String(text) => Content::Text(text.to_string()),
-        DeValue::Integer(integer) => integer_content(integer.as_str(), integer.radix()),
+        DeValue::Integer(integer) => {
+            let digits = integer.as_str();
+            match i64::from_str_radix(digits, integer.radix()) {
+                Ok(integer) => Content::Integer(integer),
+                // beyond 64 bits it is kept as the nearest number: the range check refuses it
+                Err(_) => Content::Number(digits.parse().unwrap_or(f64::INFINITY)),
+            }
+        }
         DeValue::Float(float) => Content::Number(float.as_str().parse().unwrap_or(f64::NAN)),
         DeValue::Boolean(switch) => Content::Switch(*switch),
         DeValue::Datetime(_) => Content::Date,
@@ -274,13 +276,5 @@ fn toml_node(value: &Spanned<DeValue<'_>>) -> Node {
     Node {
         span: value.span(),
         content,
-    }
-}
-
-/// An integer beyond 64 bits is kept as the nearest number: the range check refuses it.
-fn integer_content(digits: &str, radix: u32) -> Content {
-    match i64::from_str_radix(digits, radix) {
-        Ok(integer) => Content::Integer(integer),
-        Err(_) => Content::Number(digits.parse().unwrap_or(f64::INFINITY)),
     }
 }

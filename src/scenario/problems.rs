@@ -12,9 +12,12 @@ use super::node::Node;
 
 /// Everything found so far, with the keys that later checks must not be believed about.
 pub(super) struct Problems<'a> {
-    root: &'a Node,
-    folder: &'a Path,
-    subject: &'static str,
+    /// The whole tree.
+    pub root: &'a Node,
+    /// The folder that the files named in the scenario are relative to.
+    pub folder: &'a Path,
+    /// What messages call the file as a whole.
+    pub subject: &'static str,
     table: String,
     issues: Vec<Issue>,
     faulty: Vec<String>,
@@ -38,16 +41,6 @@ impl<'a> Problems<'a> {
     /// The same about another kind of file.
     pub fn about(self, subject: &'static str) -> Self {
         Self { subject, ..self }
-    }
-
-    /// What messages call the file as a whole.
-    pub fn subject(&self) -> &'static str {
-        self.subject
-    }
-
-    /// The folder that the files named in the scenario are relative to.
-    pub fn folder(&self) -> &'a Path {
-        self.folder
     }
 
     /// Adds a problem of one key; what it stands for is not trusted from here on.
@@ -81,6 +74,35 @@ impl<'a> Problems<'a> {
         checked
     }
 
+    /// Checks what a key of the present table holds: `Some(None)` where it is not given, `None` where it has no result.
+    pub fn given<I, T>(
+        &mut self,
+        key: &str,
+        input: &Option<I>,
+        build: impl FnOnce(&I, &mut Self) -> Option<T>,
+    ) -> Option<Option<T>> {
+        match input {
+            Some(input) => self
+                .inside(key, |problems| build(input, problems))
+                .map(Some),
+            None => Some(None),
+        }
+    }
+
+    /// Checks every entry of a list of the present table; there is no result where one entry has none.
+    pub fn each<I, T>(
+        &mut self,
+        key: &str,
+        inputs: &[I],
+        mut build: impl FnMut(&I, &mut Self) -> Option<T>,
+    ) -> Option<Vec<T>> {
+        let build = |(index, input)| {
+            self.inside(format!("{key}[{index}]"), |problems| build(input, problems))
+        };
+        let built: Vec<_> = inputs.iter().enumerate().map(build).collect();
+        built.into_iter().collect()
+    }
+
     /// The whole path of a key of the present table, which begins with a point, or of any other.
     pub fn path(&self, path: &str) -> String {
         match path.strip_prefix('.') {
@@ -91,26 +113,28 @@ impl<'a> Problems<'a> {
     }
 
     /// Adds a problem of a checked value, unless a key that it rests on has one already.
-    pub fn refuse(&mut self, problem: impl Into<Contradiction>) {
-        let Contradiction { mut issue, others } = problem.into();
-        issue.path = self.path(&issue.path);
-        let others: Vec<_> = others.iter().map(|path| self.path(path)).collect();
-        let mut paths = std::iter::once(&issue.path).chain(&others);
-        if paths.any(|path| self.distrusts(path)) {
-            return;
+    pub fn refuse(&mut self, mut issue: Issue) {
+        let paths = std::iter::once(&mut issue.path);
+        for path in paths.chain(issue.related.iter_mut().map(|(path, _)| path)) {
+            *path = self.path(path);
+            if self.distrusts(path) {
+                return;
+            }
         }
         issue.span = self.root.locate(&issue.path);
-        let given = others.iter().filter_map(|path| self.root.find(path));
-        let places = given.map(|node| node.span.clone());
-        issue.related = places
-            .filter(|place| Some(place) != issue.span.as_ref())
-            .collect();
+        for (path, place) in &mut issue.related {
+            *place = self.node(path).map(|node| node.span.clone());
+        }
+        let own = issue.span.as_ref();
+        issue
+            .related
+            .retain(|(_, place)| place.is_some() && place.as_ref() != own);
         self.issues.push(issue);
     }
 
-    /// The whole tree.
-    pub fn root(&self) -> &'a Node {
-        self.root
+    /// The value, unless there is a problem instead, which is refused.
+    pub fn take<T>(&mut self, checked: Result<T, Issue>) -> Option<T> {
+        checked.map_err(|issue| self.refuse(issue)).ok()
     }
 
     /// The value of a path as it was written.
@@ -144,8 +168,9 @@ pub struct Issue {
     pub message: String,
     /// Bytes of the text to underline, where one place is to blame.
     pub span: Option<Range<usize>>,
-    /// Further places that take part in a contradiction.
-    pub related: Vec<Range<usize>>,
+    /// Further keys that take part in a contradiction: they are shown too, and nothing is said where one of them is
+    /// wrong itself.
+    pub related: Vec<(String, Option<Range<usize>>)>,
     /// What to do about it.
     pub help: Option<String>,
 }
@@ -201,39 +226,17 @@ impl Issue {
     }
 
     /// The same as a contradiction to another key.
-    pub(super) fn against(self, path: impl Into<String>) -> Contradiction {
-        Contradiction::from(self).against(path)
+    pub(super) fn against(self, path: impl Into<String>) -> Self {
+        self.against_all([path])
     }
 
     /// The same as a contradiction to some keys.
     pub(super) fn against_all(
-        self,
+        mut self,
         paths: impl IntoIterator<Item = impl Into<String>>,
-    ) -> Contradiction {
-        paths.into_iter().fold(self.into(), Contradiction::against)
-    }
-}
-
-/// A problem of one key together with others: these are shown too, and nothing is said where one of them is
-/// wrong itself.
-pub(super) struct Contradiction {
-    /// The problem; its path is the key to change.
-    pub issue: Issue,
-    /// Paths of the others.
-    pub others: Vec<String>,
-}
-
-impl From<Issue> for Contradiction {
-    fn from(issue: Issue) -> Self {
-        let others = Vec::new();
-        Self { issue, others }
-    }
-}
-
-impl Contradiction {
-    /// The same to one more key.
-    pub fn against(mut self, path: impl Into<String>) -> Self {
-        self.others.push(path.into());
+    ) -> Self {
+        let paths = paths.into_iter().map(|path| (path.into(), None));
+        self.related.extend(paths);
         self
     }
 }
@@ -314,7 +317,14 @@ impl ScenarioError {
     fn group<'a>(&'a self, issue: &'a Issue) -> Group<'a> {
         let title = Level::ERROR.primary_title(&issue.message);
         let group = match &issue.span {
-            Some(span) => title.element(self.snippet(span, &issue.related)),
+            Some(span) => {
+                let others = issue.related.iter().filter_map(|(_, place)| place.clone());
+                let snippet = Snippet::source(&self.text)
+                    .path(&self.name)
+                    .annotation(AnnotationKind::Primary.span(span.clone()))
+                    .annotations(others.map(|other| AnnotationKind::Context.span(other)));
+                title.element(snippet)
+            }
             None => title.element(Origin::path(&self.name)),
         };
         match &issue.help {
@@ -323,27 +333,18 @@ impl ScenarioError {
         }
     }
 
-    fn snippet<'a>(
-        &'a self,
-        span: &Range<usize>,
-        related: &[Range<usize>],
-    ) -> Snippet<'a, annotate_snippets::Annotation<'a>> {
-        let others = related
-            .iter()
-            .map(|other| AnnotationKind::Context.span(other.clone()));
-        Snippet::source(&self.text)
-            .path(&self.name)
-            .annotation(AnnotationKind::Primary.span(span.clone()))
-            .annotations(others)
-    }
-
-    /// The same for programs: for each problem its key, message, line, column and help.
+    /// The same for programs: for each problem its key, message, line, column and help; line and column count from 1,
+    /// the column in characters.
     pub fn issues_json(&self) -> Value {
         let newlines = self.text.match_indices('\n').map(|(place, _)| place + 1);
         let lines: Vec<_> = std::iter::once(0).chain(newlines).collect();
         let issues = self.issues.iter().map(|issue| {
-            let place = issue.span.as_ref();
-            let place = place.map(|span| self.line_column(span.start, &lines));
+            let place = issue.span.as_ref().map(|span| {
+                let line = lines.partition_point(|start| *start <= span.start);
+                let end = span.start.min(self.text.len());
+                let before = &self.text.as_bytes()[lines[line - 1]..end];
+                (line, String::from_utf8_lossy(before).chars().count() + 1)
+            });
             json!({
                 "key": issue.path,
                 "message": issue.message,
@@ -353,13 +354,5 @@ impl ScenarioError {
             })
         });
         Value::Array(issues.collect())
-    }
-
-    /// Line and column of a byte, both from 1, the column in characters; `lines` holds the byte
-    /// that each line starts at.
-    fn line_column(&self, byte: usize, lines: &[usize]) -> (usize, usize) {
-        let line = lines.partition_point(|start| *start <= byte);
-        let before = &self.text.as_bytes()[lines[line - 1]..byte.min(self.text.len())];
-        (line, String::from_utf8_lossy(before).chars().count() + 1)
     }
 }

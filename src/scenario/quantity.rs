@@ -50,10 +50,12 @@ pub(super) fn parse(text: &str, dimension: Dimension) -> Result<Parsed, Quantity
     }
     let spelling = normalise(rest);
     let Some(unit) = dimension.unit(&spelling) else {
-        let mut all = Dimension::ALL.iter();
-        let owner = all.find(|(each, ..)| each.unit(&spelling).is_some());
-        let unknown = || QuantityError::UnknownUnit(rest.trim().to_owned());
-        return Err(owner.map_or_else(unknown, |owner| QuantityError::WrongDimension(owner.0)));
+        let mut all = Dimension::ALL.iter().map(|(dimension, ..)| *dimension);
+        let owner = all.find(|dimension| dimension.unit(&spelling).is_some());
+        return Err(match owner {
+            Some(owner) => QuantityError::WrongDimension(owner),
+            None => QuantityError::UnknownUnit(rest.trim().to_owned()),
+        });
     };
     let si = unit.si(number);
     match si.is_finite() {
@@ -64,31 +66,18 @@ pub(super) fn parse(text: &str, dimension: Dimension) -> Result<Parsed, Quantity
 
 /// Splits after the longest prefix of the form `[+-] digits [. digits] [e [+-] digits]`.
 fn split_number(text: &str) -> (&str, &str) {
-    let bytes = text.as_bytes();
-    let digits = |from: usize| {
-        bytes[from..]
-            .iter()
-            .take_while(|b| b.is_ascii_digit())
-            .count()
-    };
-    let at = |place: usize, set: &[u8]| bytes.get(place).is_some_and(|b| set.contains(b));
-
-    let mut end = usize::from(at(0, b"+-"));
-    end += digits(end);
-    if at(end, b".") {
-        end += 1 + digits(end + 1);
+    fn unsigned(text: &str) -> &str {
+        text.strip_prefix(['+', '-']).unwrap_or(text)
     }
-    if at(end, b"eE") {
-        let mantissa = end;
-        let first = end + 1 + usize::from(at(end + 1, b"+-"));
-        let exponent = digits(first.min(bytes.len()));
-        end = if exponent > 0 {
-            first + exponent
-        } else {
-            mantissa
-        };
+    fn after_digits(text: &str) -> &str {
+        text.trim_start_matches(|c: char| c.is_ascii_digit())
     }
-    let (number, rest) = text.split_at(end);
+    let whole = after_digits(unsigned(text));
+    let mantissa = whole.strip_prefix('.').map_or(whole, after_digits);
+    let exponent = mantissa.strip_prefix(['e', 'E']).map(unsigned);
+    let exponent = exponent.filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
+    let rest = exponent.map_or(mantissa, after_digits);
+    let (number, _) = text.split_at(text.len() - rest.len());
     (number, rest.trim_start())
 }
 
@@ -138,7 +127,7 @@ pub(super) fn si<D>(quantity: &Option<Quantity<D>>) -> Option<f64> {
 impl<D: Measure> Default for Quantity<D> {
     fn default() -> Self {
         Self {
-            text: format!("0 {}", D::DIMENSION.units()[0].symbol),
+            text: format!("0 {}", D::DIMENSION.si_symbol()),
             si: 0.0,
             dimension: PhantomData,
         }
@@ -165,26 +154,17 @@ impl<D> From<Quantity<D>> for String {
 }
 
 impl<D: Measure> JsonSchema for Quantity<D> {
-    fn inline_schema() -> bool {
-        true
-    }
-
     fn schema_name() -> Cow<'static, str> {
         D::DIMENSION.name().into()
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        let units: Vec<_> = D::DIMENSION
-            .units()
-            .iter()
-            .map(|unit| unit.symbol)
-            .collect();
         json_schema!({
             "type": "string",
             "pattern": r"^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*\D.*$",
             "examples": [D::EXAMPLE],
             "x-dimension": D::DIMENSION.name(),
-            "x-units": units,
+            "x-units": D::DIMENSION.symbols(),
             "x-minimum": -D::LARGEST,
             "x-maximum": D::LARGEST,
         })
@@ -326,6 +306,11 @@ impl Dimension {
         Self::ALL[self as usize].2
     }
 
+    /// The SI unit.
+    pub fn si_symbol(self) -> &'static str {
+        self.units()[0].symbol
+    }
+
     /// The name with its article.
     pub fn with_article(self) -> String {
         let name = self.name();
@@ -345,10 +330,9 @@ impl Dimension {
         self.units().iter().find(|unit| unit.symbol == spelling)
     }
 
-    /// The units as they are listed in messages.
-    pub fn unit_list(self) -> String {
-        let symbols: Vec<_> = self.units().iter().map(|unit| unit.symbol).collect();
-        symbols.join(", ")
+    /// The spellings of its units, that of the SI unit first.
+    pub fn symbols(self) -> Vec<&'static str> {
+        self.units().iter().map(|unit| unit.symbol).collect()
     }
 }
 

@@ -18,7 +18,7 @@ use super::quantity::{Dimension, QuantityError, parse};
 /// The whole tree as a struct that `schema` describes; its required values may be examples where
 /// [`Problems`] holds an issue about them.
 pub(super) fn read<T: DeserializeOwned>(schema: &Value, problems: &mut Problems<'_>) -> Option<T> {
-    let value = value(problems.root(), schema, "", problems)?;
+    let value = value(problems.root, schema, "", problems)?;
     serde_json::from_value(value)
         .map_err(|error| problems.add(Issue::new("", error.to_string())))
         .ok()
@@ -130,11 +130,11 @@ impl Reader<'_, '_> {
     }
 
     fn in_range(&mut self, number: f64, value: Number) -> Option<Value> {
-        let range = Range::of_number(self.schema);
+        let range = Range::of(self.schema);
         if range.contains(number) {
             return Some(Value::Number(value));
         }
-        let words = range.words(|limit| limit, "");
+        let words = range.words(|limit| limit);
         self.refuse(&format!("`{}` must be {words}, not {value}", self.key()))
     }
 
@@ -236,7 +236,7 @@ impl Reader<'_, '_> {
     /// What the table is called: `[shaft]`, or the file as a whole.
     fn table_name(&self) -> String {
         match self.path {
-            "" => self.problems.subject().to_owned(),
+            "" => self.problems.subject.to_owned(),
             path => format!("`{path}`"),
         }
     }
@@ -300,7 +300,8 @@ impl Reader<'_, '_> {
                 let path = join(self.path, &second.key);
                 let mut issue = Issue::new(path, message).help("keep one of them");
                 let others = given.iter().filter(|entry| entry.key != second.key);
-                issue.related = others.map(|entry| entry.key_span.clone()).collect();
+                let others = others.map(|entry| (entry.key.clone(), Some(entry.key_span.clone())));
+                issue.related = others.collect();
                 self.problems.add(issue.at(Some(second.key_span.clone())));
             }
             _ => {}
@@ -352,22 +353,17 @@ pub(in crate::scenario) struct Range {
 }
 
 impl Range {
-    /// Limits of a plain number.
-    pub fn of_number(schema: &Value) -> Self {
+    /// Limits of a plain number, or of a quantity in SI units.
+    pub fn of(schema: &Value) -> Self {
+        let keys = match schema["x-dimension"].is_null() {
+            true => ["minimum", "exclusiveMinimum", "maximum"],
+            false => ["x-minimum", "x-above", "x-maximum"],
+        };
+        let [minimum, above, maximum] = keys.map(|key| schema[key].as_f64());
         Self {
-            minimum: schema["minimum"].as_f64(),
-            above: schema["exclusiveMinimum"].as_f64(),
-            maximum: schema["maximum"].as_f64(),
-        }
-    }
-
-    /// Limits of a quantity, in SI units.
-    pub fn of_quantity(schema: &Value) -> Self {
-        let above = schema["x-above"].as_f64();
-        Self {
-            minimum: schema["x-minimum"].as_f64().filter(|_| above.is_none()),
+            minimum: minimum.filter(|_| above.is_none()),
             above,
-            maximum: schema["x-maximum"].as_f64(),
+            maximum,
         }
     }
 
@@ -378,24 +374,18 @@ impl Range {
             && self.maximum.is_none_or(|maximum| number <= maximum)
     }
 
-    /// The range in words, each limit converted for the reader, with the unit.
-    pub fn words(&self, convert: impl Fn(f64) -> f64, unit: &str) -> String {
-        let unit = if unit.is_empty() {
-            String::new()
-        } else {
-            format!(" {unit}")
-        };
-        let shown = |limit: f64| readable(convert(limit));
-        let lower = match (self.minimum, self.above) {
-            (Some(minimum), _) => Some(format!("at least {}", shown(minimum))),
-            (None, Some(above)) => Some(format!("above {}", shown(above))),
-            (None, None) => None,
-        };
-        let upper = self
-            .maximum
-            .map(|maximum| format!("at most {}", shown(maximum)));
-        let limits: Vec<_> = lower.into_iter().chain(upper).collect();
-        limits.join(" and ") + &unit
+    /// The range in words, each limit converted for the reader.
+    pub fn words(&self, convert: impl Fn(f64) -> f64) -> String {
+        let limits = [
+            ("at least", self.minimum),
+            ("above", self.above),
+            ("at most", self.maximum),
+        ];
+        let shown = limits.iter().filter_map(|(words, limit)| {
+            let limit = limit.map(&convert)?;
+            Some(format!("{words} {}", readable(limit)))
+        });
+        shown.collect::<Vec<_>>().join(" and ")
     }
 }
 
@@ -416,7 +406,8 @@ fn check(text: &str, schema: &Value, path: &str) -> Result<(), Issue> {
         return Ok(());
     };
     let (key, text) = (last(path), text.trim());
-    let units = format!("units of {}: {}", dimension.name(), dimension.unit_list());
+    let symbols = dimension.symbols();
+    let units = format!("units of {}: {}", dimension.name(), symbols.join(", "));
     let refuse = |message: String| Issue::new(path, format!("`{key}`{message}"));
     let parsed = match parse(text, dimension) {
         Ok(parsed) => parsed,
@@ -433,7 +424,6 @@ fn check(text: &str, schema: &Value, path: &str) -> Result<(), Issue> {
             return Err(refuse(format!(": `{text}` {remedy}")));
         }
         Err(QuantityError::UnknownUnit(unit)) => {
-            let symbols = dimension.units().iter().map(|unit| unit.symbol);
             let near = nearest(&unit, symbols).map(|near| format!("did you mean `{near}`? "));
             let issue = refuse(format!(": `{unit}` is not a unit of {}", dimension.name()));
             return Err(issue.help(near.unwrap_or_default() + &units));
@@ -443,12 +433,13 @@ fn check(text: &str, schema: &Value, path: &str) -> Result<(), Issue> {
             return Err(refuse(format!(" is {due}, but `{text}` is {found}")).help(units));
         }
     };
-    let range = Range::of_quantity(schema);
+    let range = Range::of(schema);
     if range.contains(parsed.si) {
         return Ok(());
     }
-    let words = range.words(|limit| parsed.unit.readable(limit), parsed.unit.symbol);
-    Err(refuse(format!(" must be {words}, not {text}")))
+    let words = range.words(|limit| parsed.unit.readable(limit));
+    let unit = parsed.unit.symbol;
+    Err(refuse(format!(" must be {words} {unit}, not {text}")))
 }
 
 fn needs_unit(schema: &Value, path: &str) -> Issue {

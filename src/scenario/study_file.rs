@@ -77,12 +77,11 @@ pub(super) fn check_study(document: &Document) -> Result<StudyFile, ScenarioErro
         return Err(document.refused(issue));
     }
     let mut problems = document.problems().about("the study");
-    let study = build(document, &mut problems)?;
-    let (issues, _) = problems.finish();
-    match study {
-        Some(study) if issues.is_empty() => Ok(study),
-        _ => Err(document.error(issues)),
-    }
+    let study = match read(&mut problems) {
+        Some(input) => input.of_base(document, &mut problems)?,
+        None => None,
+    };
+    document.finish(study, problems).map(|(study, _)| study)
 }
 
 /// Reads and checks the text of a study of a scenario that is there already, whatever `base` says; the files that
@@ -98,48 +97,46 @@ pub fn parse_study(
 ) -> Result<StudyFile, ScenarioError> {
     let document = Document::parse(text, "study", format)?;
     let mut problems = document.problems().about("the study");
-    let input: Option<StudyFileInput> = reader::read(study_schema(), &mut problems);
-    let study = input.and_then(|input| {
-        super::check_title(input.title.as_deref(), &mut problems);
+    let study = read(&mut problems).and_then(|input| {
         let title = input.title.as_ref().unwrap_or(&scenario.title).clone();
         input.study(scenario, title, folder.to_owned(), &mut problems)
     });
-    let (issues, _) = problems.finish();
-    match study {
-        Some(study) if issues.is_empty() => Ok(study),
-        _ => Err(document.error(issues)),
-    }
+    document.finish(study, problems).map(|(study, _)| study)
 }
 
-/// The study, as far as nothing contradicts it.
-///
-/// # Errors
-/// [`ScenarioError`] of the scenario that it starts from.
-fn build(
-    document: &Document,
-    problems: &mut Problems<'_>,
-) -> Result<Option<StudyFile>, ScenarioError> {
-    let input: Option<StudyFileInput> = reader::read(study_schema(), problems);
-    let Some(input) = input else { return Ok(None) };
+fn read(problems: &mut Problems<'_>) -> Option<StudyFileInput> {
+    let input: StudyFileInput = reader::read(study_schema(), problems)?;
     super::check_title(input.title.as_deref(), problems);
-    if problems.distrusts("base") {
-        return Ok(None);
-    }
-    let base = document.folder().join(&input.base);
-    if !base.exists() {
-        let message = format!("there is no scenario {}", base.display());
-        let named = &input.base;
-        let help = format!("`{named}` is looked for from the folder of the study");
-        problems.add(Issue::new("base", message).help(help));
-        return Ok(None);
-    }
-    let scenario = super::load(&base)?;
-    let title = input.title.clone().unwrap_or_else(|| document.stem());
-    let folder = base.parent().unwrap_or(Path::new("")).to_owned();
-    Ok(input.study(&scenario, title, folder, problems))
+    Some(input)
 }
 
 impl StudyFileInput {
+    /// The study of the scenario that it names, as far as nothing contradicts it.
+    ///
+    /// # Errors
+    /// [`ScenarioError`] of that scenario.
+    fn of_base(
+        &self,
+        document: &Document,
+        problems: &mut Problems<'_>,
+    ) -> Result<Option<StudyFile>, ScenarioError> {
+        if problems.distrusts("base") {
+            return Ok(None);
+        }
+        let base = document.folder().join(&self.base);
+        if !base.exists() {
+            let message = format!("there is no scenario {}", base.display());
+            let named = &self.base;
+            let help = format!("`{named}` is looked for from the folder of the study");
+            problems.add(Issue::new("base", message).help(help));
+            return Ok(None);
+        }
+        let scenario = super::load(&base)?;
+        let title = self.title.clone().unwrap_or_else(|| document.stem());
+        let folder = base.parent().unwrap_or(Path::new("")).to_owned();
+        Ok(self.study(&scenario, title, folder, problems))
+    }
+
     /// The study of a scenario whose files stand in `folder`.
     fn study(
         &self,
@@ -157,34 +154,25 @@ impl StudyFileInput {
         let base = self.base_scenario(scenario, &folder, problems)?;
         let known = number_keys(&base, &LEFT_OUT);
         let (mut axes, mut variables, mut keys) = (Vec::new(), Vec::new(), Vec::new());
-        for (index, axis) in self.axis.iter().enumerate() {
-            let path = format!("axis[{index}]");
-            let named = format!("{path}.key");
-            let key = match key::find(&known, axis.key.all(), &named) {
-                Ok(key) => key,
-                Err(issue) => {
-                    problems.refuse(issue);
-                    continue;
-                }
-            };
+        problems.each("axis", &self.axis, |input, problems| {
+            let key = problems.take(key::find(&known, input.key.all(), ".key"))?;
             if let Some(place) = keys.iter().find_map(|other| key.shared_with(other)) {
                 let message = format!("`{place}` changes along another axis already");
-                problems.refuse(Issue::new(&named, message).help("give every key one axis"));
-                continue;
+                problems.refuse(Issue::new(".key", message).help("give every key one axis"));
+                return None;
             }
             let reader = AxisReader {
-                path,
-                named,
-                input: axis,
+                named: ".key",
+                input,
                 key: &key,
                 problems,
             };
-            if let Some((axis, variable)) = reader.build() {
-                axes.push(axis);
-                variables.push(variable);
-                keys.push(key);
-            }
-        }
+            let (axis, variable) = reader.build()?;
+            axes.push(axis);
+            variables.push(variable);
+            keys.push(key);
+            Some(())
+        });
         let sampling = self.sampling(&axes, problems)?;
         let plan = Plan::new(axes, sampling, self.seed);
         self.check_count(&plan, problems);
@@ -217,11 +205,9 @@ impl StudyFileInput {
         let mut base = without(&scenario.echo, &["study"]);
         let known = all_keys(&base, &LEFT_OUT);
         for (index, set) in self.set.iter().enumerate() {
-            let path = format!("set[{index}]");
-            let key = key::find(&known, set.key.all(), &format!("{path}.key"))
-                .map_err(|issue| problems.refuse(issue))
-                .ok()?;
-            let value = key.read(&format!("{path}.value"), problems)?;
+            let found = key::find(&known, set.key.all(), &format!("set[{index}].key"));
+            let key = problems.take(found)?;
+            let value = key.read(&format!("set[{index}].value"), problems)?;
             key.put(&mut base, &value);
         }
         if let Err(issue) = questions(&base, folder) {
@@ -262,17 +248,13 @@ impl StudyFileInput {
         };
         if self.sampling == SamplingKind::Sobol && axes.len() > MOST_SOBOL_AXES {
             let message = format!("Sobol's sequence has at most {MOST_SOBOL_AXES} axes");
-            let issue = Issue::new("sampling", message).help("take \"latin_hypercube\"");
-            problems.refuse(issue);
+            problems.refuse(Issue::new("sampling", message).help("take \"latin_hypercube\""));
         }
-        match self.runs {
-            Some(runs) => Some(drawn(runs)),
-            None => {
-                let issue = Issue::new("sampling", "runs that are drawn need a number of them");
-                problems.refuse(issue.help("for instance: runs = 1000"));
-                None
-            }
-        }
+        let missing = || {
+            let issue = Issue::new("sampling", "runs that are drawn need a number of them");
+            issue.help("for instance: runs = 1000")
+        };
+        problems.take(self.runs.map(drawn).ok_or_else(missing))
     }
 
     fn grid(&self, axes: &[Axis], problems: &mut Problems<'_>) -> Option<Sampling> {
@@ -318,20 +300,19 @@ impl StudyFileInput {
 
     /// Refuses times that cycles decide.
     fn check_cycles(&self, problems: &mut Problems<'_>) {
-        let axes = self.axis.iter().map(|axis| &axis.key).enumerate();
-        let axes = axes.map(|(index, key)| (format!("axis[{index}].key"), key));
-        let sets = self.set.iter().map(|set| &set.key).enumerate();
-        let sets = sets.map(|(index, key)| (format!("set[{index}].key"), key));
         if self.cycles.is_none() {
             return;
         }
-        let named = axes.chain(sets).filter_map(|(path, keys)| {
-            let key = keys.all().iter().find(|key| TIMES.contains(&key.as_str()));
-            Some((path, key?))
-        });
-        for (path, key) in named {
-            let issue = Issue::new(path, format!("`cycles` decides `{key}`"));
-            problems.refuse(issue.help("remove one of them").against("cycles"));
+        let axes = self.axis.iter().map(|axis| &axis.key).enumerate();
+        let sets = self.set.iter().map(|set| &set.key).enumerate();
+        let all = axes.map(|each| ("axis", each));
+        for (table, (index, keys)) in all.chain(sets.map(|each| ("set", each))) {
+            let mut keys = keys.all().iter();
+            if let Some(key) = keys.find(|key| TIMES.contains(&key.as_str())) {
+                let path = format!("{table}[{index}].key");
+                let issue = Issue::new(path, format!("`cycles` decides `{key}`"));
+                problems.refuse(issue.help("remove one of them").against("cycles"));
+            }
         }
     }
 

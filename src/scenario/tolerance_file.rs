@@ -68,10 +68,7 @@ impl ToleranceFile {
                 problems.refuse(issue.help("keep one"));
             }
         }
-        let (issues, _) = problems.finish();
-        if !issues.is_empty() {
-            return Err(document.error(issues));
-        }
+        let (input, _) = document.finish(Some(input), problems)?;
         Ok(Self { input, document })
     }
 

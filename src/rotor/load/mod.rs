@@ -79,6 +79,7 @@ impl MainVibration {
 
 impl Load {
     /// A load that stays: forces along X, Y, Z in N and moments about X and Y in N m.
+    #[cfg(test)]
     pub fn constant(parts: Vector5, position: f64) -> Self {
         let kind = LoadKind::Constant(parts);
         Self { kind, position }

@@ -5,20 +5,17 @@ use std::f64::consts::FRAC_PI_2;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::cage_jitter::CageJitterInput;
-use super::defect::DefectInput;
 use super::fit::FitInput;
 use super::geometry::{GeometryInput, Printed, Sources};
-use super::housing::HousingInput;
-use super::linear::LinearInput;
+use super::imperfections::{BallSizesInput, CageJitterInput, DefectInput, WavinessInput};
 use super::oil::OilInput;
 use super::ratings::RatingsInput;
 use super::settings::{ContactChoice, ModelInput};
-use super::waviness::{BallSizesInput, WavinessInput};
+use super::support::{HousingInput, LinearInput};
 use crate::bearing::catalogue::{CATALOGUE, CatalogueEntry};
 use crate::bearing::{
     Bearing, BearingError, ClearanceClass, ContactDamping, Estimate, Facing, Geometry,
-    GeometryError, Housing, Imperfections, MountedBearing, Oil, Preload, catalogue,
+    GeometryError, Imperfections, MountedBearing, Oil, Preload, catalogue,
 };
 use crate::physics::{Material, RaceControl, SkfFriction};
 use crate::rotor::Freedoms;
@@ -199,10 +196,10 @@ impl BearingInput {
         let (fit, boundary) = input.build(&mounted.bearing, problems)?;
         let fitted = places.map(|mounted| {
             let fitted = mounted.with_fit(&fit, boundary);
-            fitted.map_err(|error| refuse_fit(&error, &mounted.bearing, problems))
+            problems.take(fitted.map_err(|error| wrong_fit(&error, &mounted.bearing)))
         });
         let fitted: Vec<_> = fitted.collect();
-        fitted.into_iter().collect::<Result<_, _>>().ok()
+        fitted.into_iter().collect()
     }
 
     /// The bearing at its nominal position.
@@ -213,27 +210,26 @@ impl BearingInput {
         catalogue: &[CatalogueEntry],
         problems: &mut Problems<'_>,
     ) -> Option<MountedBearing> {
-        let (printed, class) = self.printed(catalogue, problems)?;
-        let line = printed.as_ref().map(|printed| printed.line);
-        let skf_friction = printed
-            .as_ref()
-            .and_then(|printed| SkfFriction::of_designation(&printed.name));
+        let printed = self.printed(catalogue, problems)?;
+        let known = printed.as_ref();
+        let line = known.map(|printed| printed.line);
+        let skf_friction = known.and_then(|printed| SkfFriction::of_designation(&printed.name));
+        let class = known.and_then(|printed| printed.class);
         let input = self.geometry.clone().unwrap_or_default();
         let sources = Sources {
             input: &input,
             printed,
             clearance_class: self.clearance_class.or(class),
         };
-        let rating = si(&self.dynamic_rating);
         let ring_material = material(self.material.as_ref(), Material::BEARING_STEEL);
         let (geometry, estimate) = sources.build(freedoms, problems)?;
         let change = self.clearance_change.si();
         let bearing = Bearing {
-            geometry: sources.changed(&geometry, change, "clearance_change", problems)?,
+            geometry: sources.changed(&geometry, change, problems)?,
             ring_material,
             ball_material: material(self.ball_material.as_ref(), ring_material),
             contact_stiffness: si(&input.contact_stiffness),
-            dynamic_rating: rating.or(line.map(|line| line.dynamic_rating)),
+            dynamic_rating: si(&self.dynamic_rating).or(line.map(|line| line.dynamic_rating)),
             roughness: si(&self.roughness),
             limiting_speed: si(&self.limiting_speed),
             shoulder_angle: si(&self.shoulder_angle),
@@ -249,10 +245,25 @@ impl BearingInput {
             oil.check(problems);
         }
         if let Some(estimate) = estimate.filter(|estimate| !estimate.notes.is_empty()) {
-            warn_of_estimate(&estimate, problems);
+            problems.warn(format!(
+                "`{}`: {} balls of {:.3} mm are estimated from the ratings: {}",
+                problems.path("."),
+                estimate.internal.balls,
+                1e3 * estimate.internal.ball_diameter,
+                estimate.notes.join("; ")
+            ));
         }
-        check_contact(&bearing, problems);
+        if let Err(error) = bearing.load_deflection_constant() {
+            let key = match error {
+                BearingError::Contact { race: "inner", .. } => ".geometry.groove_factor_inner",
+                _ => ".geometry.groove_factor_outer",
+            };
+            problems.refuse(Issue::new(key, error.to_string()));
+        }
         self.check_law(model, problems);
+        if self.housing.is_some() {
+            self.check_alone(".housing", problems);
+        }
         let control = self.race_control.or(model.race_control);
         Some(MountedBearing {
             law: match (self.contact(model), bearing.contact_stiffness) {
@@ -267,19 +278,11 @@ impl BearingInput {
             contact_damping: ContactDamping::default(),
             first_ball: self.first_ball.si(),
             imperfections: self.imperfections(&bearing.geometry, model, problems)?,
-            housing: self.housing(freedoms, problems)?,
+            housing: problems.given("housing", &self.housing, |housing, problems| {
+                problems.take(housing.build(freedoms))
+            })?,
             bearing,
         })
-    }
-
-    /// The housing, `Some(None)` where there is none, `None` where it is not right.
-    fn housing(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Option<Option<Housing>> {
-        let Some(housing) = &self.housing else {
-            return Some(None);
-        };
-        self.check_alone(".housing", problems);
-        let build = |problems: &mut Problems<'_>| housing.build(freedoms, problems);
-        problems.inside("housing", build).map(Some)
     }
 
     /// What makes its surfaces differ from perfect ones, as far as it fits.
@@ -299,37 +302,24 @@ impl BearingInput {
                 self.check_imperfect(key, model, problems);
             }
         }
-        let defect = |(index, defect): (usize, &DefectInput)| {
-            problems.inside(format!("defect[{index}]"), |problems| {
-                defect.build(geometry, problems)
-            })
-        };
-        let defects: Vec<_> = self.defect.iter().enumerate().map(defect).collect();
-        let waves = |(index, waviness): (usize, &WavinessInput)| {
-            problems.inside(format!("waviness[{index}]"), |problems| {
-                waviness.build(geometry, problems)
-            })
-        };
-        let waves: Vec<_> = self.waviness.iter().enumerate().map(waves).collect();
-        let waves = waves.into_iter().collect::<Option<Vec<_>>>();
-        let oversizes = match &self.ball_sizes {
-            None => Some(Vec::new()),
-            Some(sizes) => {
-                problems.inside("ball_sizes", |problems| sizes.build(geometry, problems))
-            }
-        };
-        let cage_steps = match &self.cage_jitter {
-            None => Some(Vec::new()),
-            Some(jitter) => {
-                problems.inside("cage_jitter", |problems| jitter.build(geometry, problems))
-            }
-        };
+        let defects = problems.each("defect", &self.defect, |defect, problems| {
+            problems.take(defect.build(geometry))
+        });
+        let waves = problems.each("waviness", &self.waviness, |waviness, problems| {
+            waviness.build(geometry, problems)
+        });
+        let oversizes = problems.given("ball_sizes", &self.ball_sizes, |sizes, problems| {
+            sizes.build(geometry, problems)
+        });
+        let cage_steps = problems.given("cage_jitter", &self.cage_jitter, |jitter, problems| {
+            problems.take(jitter.build(geometry))
+        });
         Some(Imperfections {
-            defects: defects.into_iter().collect::<Option<_>>()?,
+            defects: defects?,
             waves: waves?.into_iter().flatten().collect(),
-            oversizes: oversizes?,
+            oversizes: oversizes?.unwrap_or_default(),
             cage_slip: self.cage_slip,
-            cage_steps: cage_steps?,
+            cage_steps: cage_steps?.unwrap_or_default(),
         })
     }
 
@@ -357,17 +347,13 @@ impl BearingInput {
     /// Refuses what the force law of the bearing does not know.
     fn check_law(&self, model: &ModelInput, problems: &mut Problems<'_>) {
         let contact = self.contact(model);
-        let jones = contact == ContactChoice::Jones;
         let law = [".contact", "model.contact"];
-        if self.race_control.is_some() && !jones && contact != ContactChoice::Auto {
-            let message =
-                "`race_control` needs contact = \"jones\": other laws know no ball inertia";
-            let issue = Issue::new(".race_control", message);
-            let issue = issue.help("remove it, or set contact = \"jones\"");
-            problems.refuse(issue.against_all(law));
+        if self.race_control.is_some() && !contact.knows_inertia() {
+            problems.refuse(no_race_control(".race_control").against_all(law));
         }
         let given = self.geometry.as_ref();
-        if jones && given.is_some_and(|input| input.contact_stiffness.is_some()) {
+        let stiffness = given.and_then(|input| input.contact_stiffness.as_ref());
+        if contact == ContactChoice::Jones && stiffness.is_some() {
             let message = "`contact_stiffness` is that of both races together, and \"jones\" \
                            loads them differently";
             let issue = Issue::new(".geometry.contact_stiffness", message)
@@ -408,21 +394,16 @@ impl BearingInput {
     fn places(&self, problems: &mut Problems<'_>) -> Option<Vec<(f64, Facing)>> {
         let centre = self.position.si();
         let facing = self.facing.unwrap_or_default();
-        match (self.arrangement, &self.spacing) {
-            (None, None) => Some(vec![(centre, facing)]),
+        let places = match (self.arrangement, &self.spacing) {
+            (None, None) => Ok(vec![(centre, facing)]),
             (None, Some(_)) => {
                 let message = "`spacing` needs an `arrangement`: one bearing has none";
-                let issue = Issue::new(".spacing", message)
-                    .help("for instance: arrangement = \"back-to-back\"");
-                problems.refuse(issue.against(".arrangement"));
-                None
+                Err(Issue::new(".spacing", message)
+                    .help("for instance: arrangement = \"back-to-back\""))
             }
             (Some(_), None) => {
-                let message = "a set of bearings needs a `spacing`";
-                let issue =
-                    Issue::new(".spacing", message).help("for instance: spacing = \"15 mm\"");
-                problems.refuse(issue.against(".arrangement"));
-                None
+                let issue = Issue::new(".spacing", "a set of bearings needs a `spacing`");
+                Err(issue.help("for instance: spacing = \"15 mm\""))
             }
             (Some(arrangement), Some(spacing)) => {
                 if self.facing.is_some() && arrangement != Arrangement::Tandem {
@@ -434,46 +415,44 @@ impl BearingInput {
                     );
                     problems.refuse(issue.against(".arrangement"));
                 }
-                Some(arrangement.places(centre, spacing.si(), facing).to_vec())
+                Ok(arrangement.places(centre, spacing.si(), facing).to_vec())
             }
-        }
+        };
+        problems.take(places.map_err(|issue| issue.against(".arrangement")))
     }
 
-    /// What a catalogue prints of the bearing and the class of clearance that its suffixes name, `(None, None)` where the
-    /// geometry stands alone; `None` where nothing tells what the bearing is.
+    /// What a catalogue prints of the bearing, `Some(None)` where the geometry stands alone; `None` where nothing tells what
+    /// the bearing is.
     fn printed(
         &self,
         catalogue: &[CatalogueEntry],
         problems: &mut Problems<'_>,
-    ) -> Option<(Option<Printed>, Option<ClearanceClass>)> {
-        match (&self.catalogue, &self.ratings) {
+    ) -> Option<Option<Printed>> {
+        let printed = match (&self.catalogue, &self.ratings) {
             (Some(_), Some(_)) => {
                 let message = "`catalogue` and `ratings` both say what the bearing is";
                 let issue = Issue::new(".ratings", message).help("keep one of them");
-                problems.refuse(issue.against(".catalogue"));
-                None
+                Err(issue.against(".catalogue"))
             }
-            (None, Some(ratings)) => {
-                let printed = Printed {
-                    line: ratings.line(),
-                    name: "the bearing of these ratings".to_owned(),
-                    key: ".ratings",
-                };
-                Some((Some(printed), None))
-            }
-            (None, None) if self.geometry.is_some() => Some((None, None)),
+            (None, Some(ratings)) => Ok(Some(Printed {
+                line: ratings.line(),
+                name: "the bearing of these ratings".to_owned(),
+                key: ".ratings",
+                class: None,
+            })),
+            (None, None) if self.geometry.is_some() => Ok(None),
             (None, None) => {
-                let path = problems.path(".");
                 let message = format!(
-                    "`{path}` needs `catalogue`, a table `[bearing.ratings]` or `[bearing.geometry]`"
+                    "`{}` needs `catalogue`, a table `[bearing.ratings]` or `[bearing.geometry]`",
+                    problems.path(".")
                 );
                 let issue =
                     Issue::new(".catalogue", message).help("for instance: catalogue = \"7205C\"");
-                problems.refuse(issue.against(".geometry").against(".ratings"));
-                None
+                Err(issue.against_all([".geometry", ".ratings"]))
             }
-            (Some(designation), None) => self.found(catalogue, designation, problems),
-        }
+            (Some(designation), None) => self.found(catalogue, designation, problems).map(Some),
+        };
+        problems.take(printed)
     }
 
     fn found(
@@ -481,15 +460,11 @@ impl BearingInput {
         catalogue: &[CatalogueEntry],
         designation: &str,
         problems: &mut Problems<'_>,
-    ) -> Option<(Option<Printed>, Option<ClearanceClass>)> {
-        let found = match catalogue::look_up(catalogue, designation) {
-            Ok(found) => found,
-            Err(unknown) => {
-                let message = format!("the catalogue has no bearing \"{designation}\"");
-                problems.refuse(Issue::new(".catalogue", message).help(unknown.help));
-                return None;
-            }
-        };
+    ) -> Result<Printed, Issue> {
+        let found = catalogue::look_up(catalogue, designation).map_err(|unknown| {
+            let message = format!("the catalogue has no bearing \"{designation}\"");
+            Issue::new(".catalogue", message).help(unknown.help)
+        })?;
         if let (Some(named), Some(given)) = (found.class, self.clearance_class)
             && named != given
         {
@@ -501,24 +476,30 @@ impl BearingInput {
             let issue = Issue::new(".clearance_class", message).help("keep one of them");
             problems.refuse(issue.against(".catalogue"));
         }
-        let printed = Printed {
+        Ok(Printed {
             line: found.entry.line,
             name: found.entry.designation.clone(),
             key: ".catalogue",
-        };
-        Some((Some(printed), found.class))
+            class: found.class,
+        })
     }
 }
 
-/// Refuses a fit that squeezes the balls too much, or whose preload cannot be reached.
-fn refuse_fit(error: &BearingError, bearing: &Bearing, problems: &mut Problems<'_>) {
+/// The problem of a race control where no law knows any.
+pub fn no_race_control(path: &str) -> Issue {
+    let message = "`race_control` needs contact = \"jones\": other laws know no ball inertia";
+    Issue::new(path, message).help("remove it, or set contact = \"jones\"")
+}
+
+/// The problem of a fit that squeezes the balls too much, or whose preload cannot be reached.
+fn wrong_fit(error: &BearingError, bearing: &Bearing) -> Issue {
     let BearingError::Geometry(GeometryError::ClearanceChange {
         change,
         smallest,
         largest,
     }) = error
     else {
-        return problems.refuse(Issue::new(".fit", error.to_string()));
+        return Issue::new(".fit", error.to_string());
     };
     let message = format!(
         "fits and temperatures change the diametral clearance by {:.1} um, and the bearing allows {:.1} … {:.1} um, from \
@@ -528,33 +509,10 @@ fn refuse_fit(error: &BearingError, bearing: &Bearing, problems: &mut Problems<'
         1e6 * smallest,
         1e6 * largest
     );
-    let help = match bearing.geometry.is_symmetric() {
+    Issue::new(".fit", message).help(match bearing.geometry.is_symmetric() {
         true => "give a wider `clearance_class`, for instance \"C3\", or less interference",
         false => "give less interference, or smaller differences of temperature",
-    };
-    problems.refuse(Issue::new(".fit", message).help(help));
-}
-
-/// Tells what is doubtful about an internal geometry that was estimated from ratings.
-fn warn_of_estimate(estimate: &Estimate, problems: &mut Problems<'_>) {
-    problems.warn(format!(
-        "`{}`: {} balls of {:.3} mm are estimated from the ratings: {}",
-        problems.path("."),
-        estimate.internal.balls,
-        1e3 * estimate.internal.ball_diameter,
-        estimate.notes.join("; ")
-    ));
-}
-
-/// Refuses dimensions whose balls and races do not form a Hertz contact.
-fn check_contact(bearing: &Bearing, problems: &mut Problems<'_>) {
-    if let Err(error) = bearing.load_deflection_constant() {
-        let key = match error {
-            BearingError::Contact { race: "inner", .. } => ".geometry.groove_factor_inner",
-            _ => ".geometry.groove_factor_outer",
-        };
-        problems.refuse(Issue::new(key, error.to_string()));
-    }
+    })
 }
 
 /// How the two bearings of a set stand to each other.

@@ -36,9 +36,14 @@ pub struct Components<T, R> {
     pub tilt_y: Option<Quantity<R>>,
 }
 
-impl<T, R> Components<T, R> {
+/// A value for each freedom, in an inline table.
+pub trait PerFreedom {
     /// The given values in SI units.
-    pub fn values(&self) -> [Option<f64>; FREEDOMS] {
+    fn values(&self) -> [Option<f64>; FREEDOMS];
+}
+
+impl<T, R> PerFreedom for Components<T, R> {
+    fn values(&self) -> [Option<f64>; FREEDOMS] {
         [
             si(&self.x),
             si(&self.y),
@@ -75,11 +80,8 @@ pub fn refuse_held_key(path: &str, freedoms: Freedoms, problems: &mut Problems<'
     };
     let message = format!("`{key}` has nothing to act on: freedoms = \"{name}\" holds it");
     let help = format!("remove it, or set freedoms = {wider}");
-    problems.refuse(
-        Issue::new(path, message)
-            .help(help)
-            .against("shaft.freedoms"),
-    );
+    let issue = Issue::new(path, message).help(help);
+    problems.refuse(issue.against("shaft.freedoms"));
 }
 
 /// Where the motion starts.
@@ -97,10 +99,9 @@ pub struct InitialInput {
 impl InitialInput {
     /// The state at the start.
     pub fn build(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> InitialState {
-        let held = freedoms.count();
         let mut given = |path: &str, values: Option<[Option<f64>; FREEDOMS]>| {
             let values = values.unwrap_or_default();
-            refuse_held(&values, path, held, freedoms, problems);
+            refuse_held(&values, path, freedoms.count(), freedoms, problems);
             values
         };
         let displacement = self.displacement.as_ref().map(Components::values);
@@ -133,28 +134,20 @@ impl StaticInput {
         loads: &[LoadInput],
         problems: &mut Problems<'_>,
     ) -> [Option<f64>; FREEDOMS] {
-        let Some(displacement) = &self.displacement else {
-            return [None; FREEDOMS];
-        };
-        let given = displacement.values();
+        let given = self.displacement.as_ref().map(Components::values);
+        let given = given.unwrap_or_default();
         for (index, load) in loads.iter().enumerate() {
-            let Some(constant) = &load.constant else {
-                continue;
-            };
-            let loaded = constant.values();
-            for (axis, key) in KEYS.into_iter().enumerate() {
-                if given[axis].is_some() && loaded[axis].is_some() {
-                    refuse_both(key, index, problems);
-                }
+            let loaded = load.constant.as_ref().map(Components::values);
+            let loaded = loaded.unwrap_or_default();
+            let keys = KEYS.iter().zip(given).zip(loaded);
+            for ((key, _), _) in keys.filter(|((_, given), loaded)| given.and(*loaded).is_some()) {
+                let message =
+                    format!("`{key}` has a load already: give its load or its displacement");
+                let issue = Issue::new(format!("static.displacement.{key}"), message);
+                let issue = issue.help("keep one of them");
+                problems.refuse(issue.against(format!("load[{index}].constant.{key}")));
             }
         }
         given
     }
-}
-
-/// Refuses a displacement of a freedom that has a load, too.
-fn refuse_both(key: &str, load: usize, problems: &mut Problems<'_>) {
-    let message = format!("`{key}` has a load already: give its load or its displacement");
-    let issue = Issue::new(format!("static.displacement.{key}"), message).help("keep one of them");
-    problems.refuse(issue.against(format!("load[{load}].constant.{key}")));
 }

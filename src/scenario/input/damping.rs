@@ -48,19 +48,14 @@ pub struct ContactInput {
     pub outer: Option<Quantity<ContactLoss>>,
 }
 
-impl ContactInput {
-    fn build(&self) -> ContactDamping {
-        ContactDamping {
-            inner: si(&self.inner).unwrap_or(0.0),
-            outer: si(&self.outer).unwrap_or(0.0),
-        }
-    }
-}
-
 /// The damping of the contacts; none where it is not given.
 pub fn contact(input: Option<&DampingInput>) -> ContactDamping {
     let input = input.and_then(|input| input.contact.as_ref());
-    input.map_or_else(ContactDamping::default, ContactInput::build)
+    let damping = input.map(|contact| ContactDamping {
+        inner: si(&contact.inner).unwrap_or(0.0),
+        outer: si(&contact.outer).unwrap_or(0.0),
+    });
+    damping.unwrap_or_default()
 }
 
 /// Damping coefficients of the freedoms; at least one.
@@ -114,12 +109,11 @@ pub fn build(
 
 impl Coefficients {
     fn build(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Model {
-        let tilt = si(&self.tilt);
         let given = [
             ("x", 1, si(&self.x)),
             ("y", 2, si(&self.y)),
             ("z", 3, si(&self.z)),
-            ("tilt", 5, tilt),
+            ("tilt", 5, si(&self.tilt)),
         ];
         for (key, needed, value) in given {
             let moves = needed <= freedoms.count();

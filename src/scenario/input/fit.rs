@@ -110,10 +110,8 @@ impl FitInput {
             &self.housing_temperature,
         ]
         .map(|temperature| si(temperature).map(|celsius| celsius - reference));
-        let (inner_ring, outer_ring) = (
-            inner.or(shaft).unwrap_or(0.0),
-            outer.or(housing).unwrap_or(0.0),
-        );
+        let inner_ring = inner.or(shaft).unwrap_or(0.0);
+        let outer_ring = outer.or(housing).unwrap_or(0.0);
         let mate =
             |input: &Option<MaterialInput>| material(input.as_ref(), Material::BEARING_STEEL);
         let fit = Fit {
@@ -139,18 +137,14 @@ impl FitInput {
             ("bore", &self.bore, known[0]),
             ("outside_diameter", &self.outside_diameter, known[1]),
         ];
-        let mut value = |(key, given, known): (&str, &Option<Quantity<Length>>, Option<f64>)| {
-            let value = si(given).or(known);
-            if value.is_none() {
+        let [bore, outside] = given.map(|(key, given, known)| {
+            let value = si(given).or(known).ok_or_else(|| {
                 let message = format!("`{}` needs `{key}`", problems.path(".fit"));
-                let issue = Issue::new(format!(".fit.{key}"), message);
-                problems.refuse(issue.help(
-                    "it is known of bearings that `catalogue` or [bearing.ratings] describes",
-                ));
-            }
-            value
-        };
-        let [bore, outside] = given.map(&mut value);
+                Issue::new(format!(".fit.{key}"), message)
+                    .help("it is known of bearings that `catalogue` or [bearing.ratings] describes")
+            });
+            problems.take(value)
+        });
         Some([bore?, outside?])
     }
 }

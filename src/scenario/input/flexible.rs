@@ -83,36 +83,20 @@ pub fn build(
     refuse_of_rigid(shaft, problems);
     refuse_without_mass(shaft, discs, problems);
     let base = material(shaft.material.as_ref(), STEEL);
-    let matrices = match &shaft.matrices {
-        None => None,
-        Some(file) => match matrices_file::read(&problems.folder().join(file)) {
-            Ok(mesh) => Some(mesh),
-            Err(problem) => {
-                let message = format!("`{file}` is no shaft: {problem}");
-                problems.refuse(Issue::new("shaft.matrices", message));
-                return None;
-            }
-        },
-    };
-    let sections: Option<Vec<BeamElement>> = shaft
-        .section
-        .iter()
-        .enumerate()
-        .map(|(index, section)| {
-            problems.inside(format!("shaft.section[{index}]"), |problems| {
-                let built = section.build(base, problems)?;
-                let material = Material {
-                    density: if shaft.massless {
-                        0.0
-                    } else {
-                        built.material.density
-                    },
-                    ..built.material
-                };
-                Some(BeamElement { material, ..built })
-            })
+    let matrices = shaft.matrices.as_ref().map(|file| {
+        matrices_file::read(&problems.folder.join(file)).map_err(|problem| {
+            let message = format!("`{file}` is no shaft: {problem}");
+            Issue::new("shaft.matrices", message)
         })
-        .collect();
+    });
+    let matrices = problems.take(matrices.transpose())?;
+    let sections = problems.each("shaft.section", &shaft.section, |section, problems| {
+        let mut section = section.build(base, problems)?;
+        if shaft.massless {
+            section.material.density = 0.0;
+        }
+        Some(section)
+    });
     let mut flexible = FlexibleShaft {
         sections: sections?,
         matrices,
@@ -120,13 +104,10 @@ pub fn build(
         internal_damping: si(&shaft.internal_damping).unwrap_or(0.0),
         ..FlexibleShaft::default()
     };
-    let discs = discs.iter().enumerate().map(|(index, disc)| {
-        problems.inside(format!("disc[{index}]"), |problems| {
-            disc.build(&flexible, problems)
-        })
+    let discs = problems.each("disc", discs, |disc, problems| {
+        disc.build(&flexible, problems)
     });
-    let discs: Vec<Option<Disc>> = discs.collect();
-    flexible.discs = discs.into_iter().collect::<Option<_>>()?;
+    flexible.discs = discs?;
     for (index, plane) in unbalances.iter().enumerate() {
         let path = format!("unbalance[{index}].position");
         if problems.node(&path).is_none() {
@@ -141,20 +122,15 @@ pub fn build(
             angle: plane.angle.si(),
         });
     }
-    flexible.observed = match &shaft.observed {
-        Some(position) => {
-            check_position(&flexible, "shaft.observed", position.si(), problems);
-            position.si()
-        }
-        None => heaviest(&flexible),
+    flexible.observed = if let Some(position) = &shaft.observed {
+        check_position(&flexible, "shaft.observed", position.si(), problems);
+        position.si()
+    } else {
+        let discs = flexible.discs.iter();
+        let heaviest = discs.max_by(|a, b| a.mass.total_cmp(&b.mass));
+        heaviest.map_or(flexible.middle(), |disc| disc.position)
     };
     Some(Some(flexible))
-}
-
-/// Position of the heaviest disc, or the middle of the shaft.
-fn heaviest(shaft: &FlexibleShaft) -> f64 {
-    let heaviest = shaft.discs.iter().max_by(|a, b| a.mass.total_cmp(&b.mass));
-    heaviest.map_or(shaft.middle(), |disc| disc.position)
 }
 
 /// Refuses a position off the shaft, or between the nodes of given matrices.
@@ -173,17 +149,15 @@ pub fn check_position(
             1e3 * left,
             1e3 * right
         );
-        let issue = Issue::new(path, message);
-        let left_end = "positions count from the left end of the first section";
-        let of_nodes = "positions count as those of the nodes in the file do";
-        let given = shaft.matrices.is_some();
-        problems.refuse(issue.help(if given { of_nodes } else { left_end }));
+        let help = match shaft.matrices {
+            Some(_) => "positions count as those of the nodes in the file do",
+            None => "positions count from the left end of the first section",
+        };
+        problems.refuse(Issue::new(path, message).help(help));
         return;
     }
-    let nearest = shaft
-        .matrices
-        .as_ref()
-        .map(|mesh| mesh.nodes[mesh.node_at(position)]);
+    let mesh = shaft.matrices.as_ref();
+    let nearest = mesh.map(|mesh| mesh.nodes[mesh.node_at(position)]);
     if let Some(nearest) = nearest.filter(|nearest| (nearest - position).abs() > slack) {
         let message = format!(
             "no node of the shaft's matrices lies at {:.3} mm: the nearest one is at {:.3} mm",
@@ -212,12 +186,10 @@ fn refuse_without_sections(shaft: &ShaftInput, discs: &[DiscInput], problems: &m
         problems.refuse(Issue::new(path, message).help(help));
     }
     if problems.node("shaft.mass").is_none() {
-        let issue = Issue::new(
-            "shaft",
-            "`shaft` needs a `mass`, or sections that it consists of",
-        )
-        .help("for instance: mass = \"5 kg\", or [[shaft.section]] with length and outer_diameter");
-        problems.refuse(issue);
+        let message = "`shaft` needs a `mass`, or sections that it consists of";
+        problems.refuse(Issue::new("shaft", message).help(
+            "for instance: mass = \"5 kg\", or [[shaft.section]] with length and outer_diameter",
+        ));
     }
 }
 
@@ -227,42 +199,21 @@ fn refuse_of_rigid(shaft: &ShaftInput, problems: &mut Problems<'_>) {
         let issue = Issue::new("shaft.freedoms", "a shaft that bends tilts, too");
         problems.refuse(issue.help("write \"all\", or \"radial\" to hold it along z"));
     }
+    let follows = "it follows from sections and discs";
+    let planes = "write [[unbalance]] with amount and position";
+    let tilts = "a shaft that bends tilts as it must";
     let keys = [
-        (
-            "mass",
-            shaft.mass.is_some(),
-            "it follows from sections and discs",
-        ),
+        ("mass", shaft.mass.is_some(), follows),
         (
             "inertia_transverse",
             shaft.inertia_transverse.is_some(),
-            "it follows from sections and discs",
+            follows,
         ),
-        (
-            "inertia_polar",
-            shaft.inertia_polar.is_some(),
-            "it follows from sections and discs",
-        ),
-        (
-            "eccentricity",
-            shaft.eccentricity.si() != 0.0,
-            "write [[unbalance]] with amount and position",
-        ),
-        (
-            "unbalance",
-            shaft.unbalance.is_some(),
-            "write [[unbalance]] with amount and position",
-        ),
-        (
-            "tilt_x",
-            shaft.tilt_x.is_some(),
-            "a shaft that bends tilts as it must",
-        ),
-        (
-            "tilt_y",
-            shaft.tilt_y.is_some(),
-            "a shaft that bends tilts as it must",
-        ),
+        ("inertia_polar", shaft.inertia_polar.is_some(), follows),
+        ("eccentricity", shaft.eccentricity.si() != 0.0, planes),
+        ("unbalance", shaft.unbalance.is_some(), planes),
+        ("tilt_x", shaft.tilt_x.is_some(), tilts),
+        ("tilt_y", shaft.tilt_y.is_some(), tilts),
     ];
     for (key, _, help) in keys.into_iter().filter(|(_, given, _)| *given) {
         let message = format!("`{key}` belongs to a rigid shaft, and this one bends");
@@ -285,11 +236,8 @@ fn refuse_without_mass(shaft: &ShaftInput, discs: &[DiscInput], problems: &mut P
         return;
     }
     if shaft.matrices.is_some() {
-        let issue = Issue::new(
-            "shaft.massless",
-            "the mass of `matrices` stands in their file",
-        );
-        let issue = issue.help("leave one of them out");
+        let message = "the mass of `matrices` stands in their file";
+        let issue = Issue::new("shaft.massless", message).help("leave one of them out");
         problems.refuse(issue.against("shaft.matrices"));
     }
     if discs.is_empty() {
@@ -329,11 +277,10 @@ impl SectionInput {
 impl DiscInput {
     fn build(&self, shaft: &FlexibleShaft, problems: &mut Problems<'_>) -> Option<Disc> {
         let position = self.position.si();
-        let path = problems.path(".position");
-        check_position(shaft, &path, position, problems);
+        check_position(shaft, ".position", position, problems);
         if let Some(mass) = &self.mass {
-            let (transverse, polar) = (si(&self.inertia_transverse), si(&self.inertia_polar));
-            let [transverse, polar] = [transverse, polar].map(Option::unwrap_or_default);
+            let transverse = si(&self.inertia_transverse).unwrap_or(0.0);
+            let polar = si(&self.inertia_polar).unwrap_or(0.0);
             if polar > 2.0 * transverse * (1.0 + 1e-9) {
                 let message = "no body has an `inertia_polar` above twice its `inertia_transverse`";
                 let issue = Issue::new(".inertia_polar", message);
@@ -349,11 +296,9 @@ impl DiscInput {
         }
         let outer = si(&self.outer_diameter)?;
         let Some(width) = si(&self.width) else {
-            let issue = Issue::new(
-                ".width",
-                "a disc of a given `outer_diameter` needs a `width`",
-            )
-            .help("for instance: width = \"70 mm\"; or give mass and moments of inertia");
+            let message = "a disc of a given `outer_diameter` needs a `width`";
+            let issue = Issue::new(".width", message)
+                .help("for instance: width = \"70 mm\"; or give mass and moments of inertia");
             problems.refuse(issue.against(".outer_diameter"));
             return None;
         };

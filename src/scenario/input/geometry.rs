@@ -61,6 +61,8 @@ pub struct Printed {
     pub name: String,
     /// The key that gives it, from the bearing.
     pub key: &'static str,
+    /// Class of the clearance that its suffixes name.
+    pub class: Option<ClearanceClass>,
 }
 
 /// Where the dimensions of one bearing come from.
@@ -88,47 +90,34 @@ impl Sources<'_> {
         let entry = estimate.as_ref().map(|estimate| &estimate.internal);
         let balls = input.balls.map(|balls| balls as usize);
         let balls = self.need("balls", balls.or(entry.map(|entry| entry.balls)), problems);
-        let ball_diameter = si(&input.ball_diameter).or(entry.map(|e| e.ball_diameter));
-        let ball_diameter = self.need("ball_diameter", ball_diameter, problems);
-        let pitch_diameter = si(&input.pitch_diameter).or(entry.map(|e| e.pitch_diameter));
-        let pitch_diameter = self.need("pitch_diameter", pitch_diameter, problems);
+        let diameter = si(&input.ball_diameter).or(entry.map(|e| e.ball_diameter));
+        let diameter = self.need("ball_diameter", diameter, problems);
+        let pitch = si(&input.pitch_diameter).or(entry.map(|e| e.pitch_diameter));
+        let pitch = self.need("pitch_diameter", pitch, problems);
         let free = self.free_position(problems);
         let any = self.grooves_cancel(freedoms).then_some(ANY_GROOVE_FACTOR);
-        let inner = input
-            .groove_factor_inner
-            .or(entry.map(|e| e.groove_factor_inner));
-        let inner = self.need("groove_factor_inner", inner.or(any), problems);
-        let outer = input
-            .groove_factor_outer
-            .or(entry.map(|e| e.groove_factor_outer));
-        let outer = self.need("groove_factor_outer", outer.or(any), problems);
-        let geometry = Geometry::new(
-            balls?,
-            ball_diameter?,
-            pitch_diameter?,
-            free?,
-            inner?,
-            outer?,
-        )
-        .map_err(|error| self.refuse(&error, problems))
-        .ok()?;
-        Some((geometry, estimate))
+        let known = entry.map(|e| [e.groove_factor_inner, e.groove_factor_outer]);
+        let [inner, outer] = known.map_or([any; 2], |known| known.map(Some));
+        let inner = input.groove_factor_inner.or(inner);
+        let inner = self.need("groove_factor_inner", inner, problems);
+        let outer = input.groove_factor_outer.or(outer);
+        let outer = self.need("groove_factor_outer", outer, problems);
+        let geometry = Geometry::new(balls?, diameter?, pitch?, free?, inner?, outer?);
+        let geometry = geometry.map_err(|error| self.wrong(&error));
+        Some((problems.take(geometry)?, estimate))
     }
 
-    /// The geometry with its clearance changed, for instance by `clearance_change`; `key` is what changes it.
+    /// The geometry with its clearance changed by `clearance_change`.
     pub fn changed(
         &self,
         geometry: &Geometry,
         change: f64,
-        key: &str,
         problems: &mut Problems<'_>,
     ) -> Option<Geometry> {
         let changed = geometry.with_clearance_change(change);
-        let refuse = |error: GeometryError| {
-            let message = self.message(&error).replace("clearance_change", key);
-            problems.refuse(Issue::new(format!(".{key}"), message));
-        };
-        changed.map_err(refuse).ok()
+        let changed =
+            changed.map_err(|error| Issue::new(".clearance_change", self.message(&error)));
+        problems.take(changed)
     }
 
     /// The internal geometry that belongs to the ratings and to what the table gives of it.
@@ -142,23 +131,18 @@ impl Sources<'_> {
             groove_factors: grooves.map(Into::into).or(printed.line.groove_factors),
             ..printed.line
         };
-        let refuse = |error| match error {
-            EstimateError::Geometry(error) => self.refuse(&error, problems),
-            error => {
-                let message = format!("{}: {error}", printed.name);
-                problems.refuse(Issue::new(printed.key, message));
-            }
-        };
-        line.estimate().map_err(refuse).ok()
+        problems.take(line.estimate().map_err(|error| match error {
+            EstimateError::Geometry(error) => self.wrong(&error),
+            error => Issue::new(printed.key, format!("{}: {error}", printed.name)),
+        }))
     }
 
     fn need<T>(&self, key: &str, value: Option<T>, problems: &mut Problems<'_>) -> Option<T> {
-        if value.is_none() {
-            let table = problems.path(".geometry");
+        let table = problems.path(".geometry");
+        problems.take(value.ok_or_else(|| {
             let message = format!("`{table}` needs `{key}` where no catalogue bearing gives it");
-            problems.refuse(Issue::new(at(key), message));
-        }
-        value
+            Issue::new(at(key), message)
+        }))
     }
 
     /// The class whose middle the clearance is: the one given, or else CN of a deep-groove bearing of the catalogue.
@@ -171,10 +155,10 @@ impl Sources<'_> {
 
     fn given_position(&self) -> Option<FreePosition> {
         let input = self.input;
-        si(&input.contact_angle)
-            .map(FreePosition::ContactAngle)
-            .or_else(|| si(&input.diametral_clearance).map(FreePosition::DiametralClearance))
-            .or_else(|| si(&input.radial_clearance).map(FreePosition::RadialClearance))
+        let angle = si(&input.contact_angle).map(FreePosition::ContactAngle);
+        let diametral = si(&input.diametral_clearance).map(FreePosition::DiametralClearance);
+        let radial = si(&input.radial_clearance).map(FreePosition::RadialClearance);
+        angle.or(diametral).or(radial)
     }
 
     /// Refuses a class of clearance that says nothing, or something else than the geometry.
@@ -240,7 +224,8 @@ impl Sources<'_> {
             && self.input.radial_clearance.is_some()
     }
 
-    fn refuse(&self, error: &GeometryError, problems: &mut Problems<'_>) {
+    /// The problem of dimensions that make no bearing.
+    fn wrong(&self, error: &GeometryError) -> Issue {
         let (key, others): (_, &[&str]) = match error {
             GeometryError::Balls { .. } => ("balls", &[]),
             GeometryError::Length { name, .. } if name.starts_with("pitch") => {
@@ -255,7 +240,7 @@ impl Sources<'_> {
             GeometryError::Overlap { .. } => ("balls", &["ball_diameter", "pitch_diameter"]),
         };
         let issue = Issue::new(at(key), self.message(error));
-        problems.refuse(issue.against_all(others.iter().map(|key| at(key))));
+        issue.against_all(others.iter().map(|key| at(key)))
     }
 
     /// The message of the error, with lengths in the units of a drawing.

@@ -5,20 +5,18 @@ use std::path::Path;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::components;
-use super::components::Components;
+use super::components::{self, Components, PerFreedom};
 use crate::bearing::Vector5;
 use crate::rotor;
 use crate::rotor::load::{
-    ChainDrive, Harmonic, Interpolation, Noise, NoiseBand, Pace, RandomShocks, Series, Shock,
-    ShockStatistics, Sprocket,
+    ChainDrive, Harmonic, Interpolation, Noise, NoiseBand, Pace, RandomShocks, Series, SeriesError,
+    Shock, ShockStatistics, Sprocket,
 };
 use crate::rotor::{FREEDOMS, Freedoms, LoadKind};
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{
     Acceleration, Angle, Force, Frequency, Length, Moment, Quantity, Time, si,
 };
-use crate::scenario::series_file::SeriesFileError;
 use crate::scenario::{Issue, series_file};
 
 /// Forces along the axes and moments about them.
@@ -74,17 +72,12 @@ pub fn build(
     around: Surroundings,
     problems: &mut Problems<'_>,
 ) -> Vec<rotor::Load> {
-    let build = |(index, load): (usize, &LoadInput)| {
-        problems.inside(format!("load[{index}]"), |problems| {
-            let position = load.position(around, problems);
-            let constant = load.constant(around.freedoms, problems);
-            let constant = constant.map(|parts| rotor::Load::constant(parts, position));
-            let kind = load.kind(around, problems);
-            let other = kind.map(|kind| rotor::Load { kind, position });
-            constant.into_iter().chain(other)
-        })
-    };
-    loads.iter().enumerate().flat_map(build).collect()
+    let built = problems.each("load", loads, |load, problems| {
+        let position = load.position(around, problems);
+        let kind = load.kind(around, problems);
+        Some(kind.map(|kind| rotor::Load { kind, position }))
+    });
+    built.into_iter().flatten().flatten().collect()
 }
 
 impl LoadInput {
@@ -95,8 +88,7 @@ impl LoadInput {
         };
         if self.base.is_some() {
             let message = "a `base` acceleration acts at the centre of mass, not at a `position`";
-            let issue = Issue::new(".position", message);
-            problems.refuse(issue.against(".base"));
+            problems.refuse(Issue::new(".position", message).against(".base"));
         }
         if around.freedoms != Freedoms::All && around.observed.is_none() {
             let path = problems.path(".position");
@@ -106,55 +98,44 @@ impl LoadInput {
         position.si()
     }
 
-    /// The constant load; none where it is of another kind, or zero.
-    fn constant(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Option<Vector5> {
-        let constant = self.constant.as_ref()?;
-        // An axial load acts on a held z too, moments on held tilts do not.
-        let first_held = freedoms.count().max(3);
-        let given = constant.values();
-        components::refuse_held(&given, ".constant", first_held, freedoms, problems);
-        let parts = given.map(|value| value.unwrap_or(0.0));
-        (parts != [0.0; FREEDOMS]).then_some(parts)
-    }
-
-    /// The varying load of whichever kind is given.
+    /// The load of whichever kind is given; none of a constant load of zero.
     fn kind(&self, around: Surroundings, problems: &mut Problems<'_>) -> Option<LoadKind> {
+        use LoadKind as Kind;
         let freedoms = around.freedoms;
-        if let Some(input) = &self.harmonic {
-            let harmonic = problems.inside("harmonic", |p| input.build(freedoms, p));
-            Some(LoadKind::Harmonic(harmonic))
-        } else if let Some(input) = &self.shock {
-            let shock = problems.inside("shock", |p| input.build(freedoms, p));
-            Some(LoadKind::Shock(shock))
-        } else if let Some(input) = &self.random_shocks {
-            let shocks = problems.inside("random_shocks", |p| input.build(around, p));
-            shocks.map(LoadKind::RandomShocks)
-        } else if let Some(input) = &self.sprocket {
-            Some(LoadKind::Sprocket(input.build()))
-        } else if let Some(input) = &self.noise {
-            let noise = problems.inside("noise", |p| input.build(freedoms, p));
-            noise.map(LoadKind::Noise)
-        } else if let Some(input) = &self.series {
-            let series = problems.inside("series", |p| input.build(around, p));
-            series.map(LoadKind::Series)
-        } else if let Some(input) = &self.base {
-            let base = problems.inside("base", |p| input.build(freedoms, p));
-            base.map(|base| LoadKind::Base(Box::new(base)))
-        } else {
-            None
-        }
-    }
-}
-
-/// A value for each freedom, in an inline table.
-pub trait PerFreedom {
-    /// The given values in SI units.
-    fn given(&self) -> [Option<f64>; FREEDOMS];
-}
-
-impl PerFreedom for Loads {
-    fn given(&self) -> [Option<f64>; FREEDOMS] {
-        self.values()
+        let kinds = [
+            problems.given("constant", &self.constant, |input, p| {
+                // An axial load acts on a held z too, moments on held tilts do not.
+                let first_held = freedoms.count().max(3);
+                let given = input.values();
+                components::refuse_held(&given, "", first_held, freedoms, p);
+                let parts = given.map(Option::unwrap_or_default);
+                (parts != [0.0; FREEDOMS]).then_some(Kind::Constant(parts))
+            }),
+            problems.given("harmonic", &self.harmonic, |input, p| {
+                Some(Kind::Harmonic(input.build(freedoms, p)))
+            }),
+            problems.given("shock", &self.shock, |input, p| {
+                Some(Kind::Shock(input.build(freedoms, p)))
+            }),
+            problems.given("random_shocks", &self.random_shocks, |input, p| {
+                input.build(around, p).map(Kind::RandomShocks)
+            }),
+            problems.given("sprocket", &self.sprocket, |input, _| {
+                Some(Kind::Sprocket(input.build()))
+            }),
+            problems.given("noise", &self.noise, |input, p| {
+                input.build(freedoms, p).map(Kind::Noise)
+            }),
+            problems.given("series", &self.series, |input, p| {
+                input.build(around, p).map(Kind::Series)
+            }),
+            problems.given("base", &self.base, |input, p| {
+                input
+                    .build(freedoms, p)
+                    .map(|base| Kind::Base(Box::new(base)))
+            }),
+        ];
+        kinds.into_iter().flatten().flatten().next()
     }
 }
 
@@ -165,9 +146,9 @@ fn moving(
     freedoms: Freedoms,
     problems: &mut Problems<'_>,
 ) -> Vector5 {
-    let given = given.given();
+    let given = given.values();
     components::refuse_held(&given, path, freedoms.count(), freedoms, problems);
-    given.map(|value| value.unwrap_or(0.0))
+    given.map(Option::unwrap_or_default)
 }
 
 /// Acceleration of the housing, of one of two kinds.
@@ -195,7 +176,7 @@ pub struct Accelerations {
 }
 
 impl PerFreedom for Accelerations {
-    fn given(&self) -> [Option<f64>; FREEDOMS] {
+    fn values(&self) -> [Option<f64>; FREEDOMS] {
         [si(&self.x), si(&self.y), si(&self.z), None, None]
     }
 }
@@ -203,13 +184,13 @@ impl PerFreedom for Accelerations {
 impl BaseInput {
     /// The acceleration of whichever kind is given.
     pub fn build(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Option<LoadKind> {
-        if let Some(input) = &self.harmonic {
-            let harmonic = problems.inside("harmonic", |p| input.build(freedoms, p));
-            return Some(LoadKind::Harmonic(harmonic));
-        }
-        let input = self.shock.as_ref()?;
-        let shock = problems.inside("shock", |p| input.build(freedoms, p));
-        Some(LoadKind::Shock(shock))
+        let harmonic = problems.given("harmonic", &self.harmonic, |input, p| {
+            Some(LoadKind::Harmonic(input.build(freedoms, p)))
+        });
+        let shock = problems.given("shock", &self.shock, |input, p| {
+            Some(LoadKind::Shock(input.build(freedoms, p)))
+        });
+        harmonic?.or(shock?)
     }
 }
 
@@ -275,18 +256,14 @@ impl NoiseInput {
     pub fn build(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Option<Noise> {
         let (low, high) = (self.low.si(), self.high.si());
         let rms = moving(&self.rms, ".rms", freedoms, problems);
-        for (key, _) in components::KEYS
-            .into_iter()
-            .zip(rms)
-            .filter(|(_, rms)| *rms < 0.0)
-        {
+        let keys = components::KEYS.iter().zip(rms);
+        for (key, _) in keys.filter(|(_, rms)| *rms < 0.0) {
             let message = format!("`{key}` must be positive: it is a root mean square");
             problems.refuse(Issue::new(format!(".rms.{key}"), message));
         }
         if high <= low {
             let message = format!("`high` must be above the `low` of {low} Hz");
-            let issue = Issue::new(".high", message);
-            problems.refuse(issue.against(".low"));
+            problems.refuse(Issue::new(".high", message).against(".low"));
             return None;
         }
         Some(Noise::new(&NoiseBand {
@@ -327,7 +304,7 @@ pub struct RandomShocksInput {
 }
 
 /// Seed where none is given.
-fn first_seed() -> u32 {
+pub fn first_seed() -> u32 {
     1
 }
 
@@ -339,8 +316,7 @@ impl RandomShocksInput {
             let message = format!(
                 "about {expected:.1e} shocks are too many: at most {MOST_SHOCKS:e} in a run"
             );
-            let issue = Issue::new(".rate", message);
-            problems.refuse(issue.against("time.duration"));
+            problems.refuse(Issue::new(".rate", message).against("time.duration"));
             return None;
         }
         let statistics = ShockStatistics {
@@ -371,42 +347,38 @@ pub struct SeriesInput {
 impl SeriesInput {
     /// The series, where its file is right.
     pub fn build(&self, around: Surroundings, problems: &mut Problems<'_>) -> Option<Series> {
-        match self.read(problems.folder()) {
-            Ok((series, axes)) => {
-                let held = axes.iter().find(|axis| **axis >= around.freedoms.count());
-                if let Some(axis) = held {
-                    let message = format!(
-                        "`{}` has a column for `{}`, which `freedoms` holds",
-                        self.file,
-                        components::KEYS[*axis]
-                    );
-                    let issue = Issue::new(".file", message);
-                    problems.refuse(issue.against("shaft.freedoms"));
-                }
-                if series.end() < around.duration {
-                    problems.warn(format!(
-                        "`{}` ends at {} s; its last row is held to the end of the run",
-                        self.file,
-                        series.end()
-                    ));
-                }
-                Some(series)
-            }
-            Err(error) => {
-                let message = format!("`{}` is no load series: {error}", self.file);
-                let issue = Issue::new(".file", message);
-                problems.refuse(issue);
-                None
-            }
+        let read = self.read(problems.folder).map_err(|error| {
+            let message = format!("`{}` is no load series: {error}", self.file);
+            Issue::new(".file", message)
+        });
+        let (series, axes) = problems.take(read)?;
+        if let Some(axis) = axes.iter().find(|axis| **axis >= around.freedoms.count()) {
+            let message = format!(
+                "`{}` has a column for `{}`, which `freedoms` holds",
+                self.file,
+                components::KEYS[*axis]
+            );
+            problems.refuse(Issue::new(".file", message).against("shaft.freedoms"));
         }
+        if series.end() < around.duration {
+            problems.warn(format!(
+                "`{}` ends at {} s; its last row is held to the end of the run",
+                self.file,
+                series.end()
+            ));
+        }
+        Some(series)
     }
 
     /// The series and the freedoms that it loads.
-    fn read(&self, folder: &Path) -> Result<(Series, Vec<usize>), SeriesFileError> {
+    fn read(&self, folder: &Path) -> Result<(Series, Vec<usize>), String> {
         let (times, columns) = series_file::read(&folder.join(&self.file))?;
         let axes = columns.iter().map(|column| column.axis).collect();
-        let series = Series::new(times, columns, self.interpolation)?;
-        Ok((series, axes))
+        let series = Series::new(times, columns, self.interpolation);
+        Ok((
+            series.map_err(|error: SeriesError| error.to_string())?,
+            axes,
+        ))
     }
 }
 
@@ -437,8 +409,7 @@ impl<A: PerFreedom> ShockInput<A> {
             let message = format!(
                 "`every` must be at least the `duration` of {duration} s: shocks do not overlap"
             );
-            let issue = Issue::new(".every", message);
-            problems.refuse(issue.against(".duration"));
+            problems.refuse(Issue::new(".every", message).against(".duration"));
         }
         Shock {
             peak: moving(&self.peak, ".peak", freedoms, problems),

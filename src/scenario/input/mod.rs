@@ -2,17 +2,13 @@
 //! descriptions that editors show, and what each table becomes in the model.
 
 mod bearing;
-mod cage_jitter;
 mod components;
 mod damping;
-mod defect;
 mod fit;
 mod flexible;
 mod geometry;
-mod housing;
-mod linear;
+mod imperfections;
 mod load;
-mod machine;
 mod oil;
 mod output;
 mod ratings;
@@ -22,8 +18,8 @@ mod shaft;
 mod spectrum;
 mod speed;
 mod study;
+mod support;
 mod unbalance;
-mod waviness;
 
 pub use output::{Output, TableFormat};
 pub use ratings::RatingsInput;

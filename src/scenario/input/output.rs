@@ -127,9 +127,8 @@ impl Output {
 
     /// Of how many samples one is written, of a number of samples.
     pub fn written_of(&self, samples: f64) -> NonZeroU64 {
-        let least = (samples / MOST_ROWS).ceil() as u64;
-        self.every
-            .unwrap_or(NonZeroU64::new(least).unwrap_or(NonZeroU64::MIN))
+        let least = NonZeroU64::new((samples / MOST_ROWS).ceil() as u64);
+        self.every.or(least).unwrap_or(NonZeroU64::MIN)
     }
 
     /// Refuses formats that this build cannot write, and what is asked for twice.
@@ -137,9 +136,9 @@ impl Output {
         for (index, format) in self.formats.iter().enumerate() {
             let path = format!("output.formats[{index}]");
             if !format.is_built() {
-                let issue = Issue::new(path, "this `jeffcott` is built without Parquet")
-                    .help("take \"csv\" or \"mat\", or build it with `--features parquet`");
-                problems.refuse(issue);
+                let issue = Issue::new(path, "this `jeffcott` is built without Parquet");
+                let help = "take \"csv\" or \"mat\", or build it with `--features parquet`";
+                problems.refuse(issue.help(help));
             } else if self.formats[..index].contains(format) {
                 problems.refuse(twice(path, format.extension()));
             }
@@ -161,12 +160,12 @@ impl Output {
         problems: &mut Problems<'_>,
     ) -> Option<Sampling> {
         let (key, speed) = (turning.key, turning.highest);
+        let per_revolution = self.samples_per_revolution;
         let sampling = match &self.sample_rate {
             Some(rate) => Sampling::Rate(rate.si()),
-            None if speed > 0.0 => Sampling::PerRevolution(
-                self.samples_per_revolution
-                    .unwrap_or(SAMPLES_PER_REVOLUTION),
-            ),
+            None if speed > 0.0 => {
+                Sampling::PerRevolution(per_revolution.unwrap_or(SAMPLES_PER_REVOLUTION))
+            }
             None => {
                 self.refuse_angle_grid(key, problems);
                 return None;
@@ -192,11 +191,9 @@ impl Output {
             problems.refuse(issue.against("time.settle"));
         }
         if self.maps == Some(true) && !changes {
-            let issue = Issue::new(
-                "output.maps",
-                "the speed does not change: there is nothing to map",
-            )
-            .help("remove it; `jeffcott campbell` follows natural frequencies over the speed");
+            let message = "the speed does not change: there is nothing to map";
+            let issue = Issue::new("output.maps", message)
+                .help("remove it; `jeffcott campbell` follows natural frequencies over the speed");
             problems.refuse(issue.against("speed.constant"));
         }
         let motion = steady && self.motion.unwrap_or(self.takes_spectra(true));
@@ -213,29 +210,26 @@ impl Output {
     /// Refuses a trace of balls where no bearing knows any.
     pub(super) fn check_balls(&self, known: bool, problems: &mut Problems<'_>) {
         if self.balls && !known {
-            let issue = Issue::new(
-                "output.balls",
-                "a linear bearing knows no balls that could be traced",
-            )
-            .help("remove it, or set contact = \"hertz\" or \"jones\" in `[model]`");
+            let message = "a linear bearing knows no balls that could be traced";
+            let issue = Issue::new("output.balls", message)
+                .help("remove it, or set contact = \"hertz\" or \"jones\" in `[model]`");
             problems.refuse(issue.against("model.contact"));
         }
     }
 
     fn refuse_angle_grid(&self, speed: &str, problems: &mut Problems<'_>) {
-        let (path, message) = match self.samples_per_revolution {
-            Some(_) => (
-                "output.samples_per_revolution",
-                "a standing shaft makes no revolutions to sample",
-            ),
-            None if speed == "speed.drive" => (
-                speed,
-                "a drive from rest without `no_load_speed` needs a `sample_rate` in `[output]`",
-            ),
-            None => (
-                speed,
-                "a standing shaft needs a `sample_rate` in `[output]`",
-            ),
+        let given = self.samples_per_revolution.is_some();
+        let path = if given {
+            "output.samples_per_revolution"
+        } else {
+            speed
+        };
+        let message = match speed {
+            _ if given => "a standing shaft makes no revolutions to sample",
+            "speed.drive" => {
+                "a drive from rest without `no_load_speed` needs a `sample_rate` in `[output]`"
+            }
+            _ => "a standing shaft needs a `sample_rate` in `[output]`",
         };
         let issue = Issue::new(path, message).help("for instance: sample_rate = \"20 kHz\"");
         let others = [speed, "output.sample_rate"];
@@ -253,7 +247,7 @@ impl Output {
                 format!("{count:.3e} samples are too many: at most {MOST_SAMPLES:e} in a run");
             let issue =
                 Issue::new("time.duration", message).help("shorten it or sample less often");
-            problems.refuse(issue.against(key).against(speed));
+            problems.refuse(issue.against_all([key, speed]));
         }
         let rows = count / self.written_of(count).get() as f64;
         if self.trace && rows > MOST_MAT_ROWS && self.formats.contains(&TableFormat::Mat) {
@@ -293,11 +287,9 @@ fn check_window(
     );
     // Rounded up to the microsecond, so that the advice holds.
     let shortest = ((time.settle.si() + needed) * 1e6).ceil() / 1e6;
-    let issue = Issue::new("time.duration", message).help(format!(
-        "make it {shortest} s or longer, or set `spectrum = false` in `[output]`"
-    ));
-    let others = ["time.settle", key, "output.sample_rate"];
-    problems.refuse(issue.against_all(others));
+    let help = format!("make it {shortest} s or longer, or set `spectrum = false` in `[output]`");
+    let issue = Issue::new("time.duration", message).help(help);
+    problems.refuse(issue.against_all(["time.settle", key, "output.sample_rate"]));
 }
 
 /// Format of the tables of a run.

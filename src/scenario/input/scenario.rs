@@ -3,14 +3,13 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::bearing::{BearingInput, warn_where_unheld};
+use super::bearing::{BearingInput, no_race_control, warn_where_unheld};
 use super::components::{InitialInput, StaticInput};
 use super::damping::{self, DampingInput};
 use super::flexible::{self, DiscInput, check_position};
 use super::load::{self, LoadInput, Surroundings};
-use super::machine::MachineInput;
 use super::output::{Output, Turning};
-use super::settings::{ContactChoice, IntegratorInput, ModelInput, TimeInput};
+use super::settings::{ContactChoice, IntegratorInput, MachineInput, ModelInput, TimeInput};
 use super::shaft::{ShaftInput, TorsionInput};
 use super::spectrum::{self, Recorded, SpectrumInput};
 use super::speed::SpeedInput;
@@ -152,21 +151,19 @@ impl ScenarioInput {
     /// Refuses more of a kind than any machine has, before room is made for them.
     fn check_counts(&self, problems: &mut Problems<'_>) -> Option<()> {
         let bearings = self.bearing.iter().map(BearingInput::count).sum();
-        let counts: [_; 4] = [
+        let counts = [
             ("bearing", bearings, MOST_BEARINGS),
             ("load", self.load.len(), MOST_LOADS),
             ("spectrum", self.spectrum.len(), MOST_SPECTRA),
             ("unbalance", self.unbalance.len(), MOST_LOADS),
         ];
-        let mut all_right = true;
-        for (key, count, most) in counts {
-            if count > most {
-                all_right = false;
-                let message = format!("{count} `[[{key}]]` tables; at most {most}");
-                problems.refuse(Issue::new(key, message));
-            }
+        let mut few_enough = true;
+        for (key, count, most) in counts.into_iter().filter(|(_, count, most)| count > most) {
+            few_enough = false;
+            let message = format!("{count} `[[{key}]]` tables; at most {most}");
+            problems.refuse(Issue::new(key, message));
         }
-        all_right.then_some(())
+        few_enough.then_some(())
     }
 
     /// The rotor with the law of its contacts chosen, where the scene leaves it open.
@@ -195,19 +192,16 @@ impl ScenarioInput {
     /// Refuses what belongs to a choice where there is none, and what leaves none.
     fn check_auto(&self, any_open: bool, problems: &mut Problems<'_>) {
         if self.model.model_error.is_some() && !any_open {
-            let issue = Issue::new(
-                "model.model_error",
-                "`model_error` needs contact = \"auto\": any other law is taken as it is",
-            )
-            .help("remove it, or set contact = \"auto\"");
+            let message = "`model_error` needs contact = \"auto\": any other law is taken as it is";
+            let issue = Issue::new("model.model_error", message)
+                .help("remove it, or set contact = \"auto\"");
             problems.refuse(issue.against("model.contact"));
         }
         if self.model.film && self.model.contact == ContactChoice::Auto {
-            let issue = Issue::new(
-                "model.film",
-                "contact = \"auto\" decides on oil films itself, wherever [bearing.oil] is given",
-            )
-            .help("remove it, or set film = true in `[[bearing]]`");
+            let message =
+                "contact = \"auto\" decides on oil films itself, wherever [bearing.oil] is given";
+            let issue = Issue::new("model.film", message)
+                .help("remove it, or set film = true in `[[bearing]]`");
             problems.refuse(issue.against("model.contact"));
         }
     }
@@ -345,20 +339,16 @@ impl ScenarioInput {
         spectra: &[SpectrumRequest],
         problems: &mut Problems<'_>,
     ) {
-        let housings: Vec<bool> = rotor
-            .bearings
-            .iter()
-            .map(|bearing| bearing.housing.is_some())
-            .collect();
         let axes = rotor.shaft.freedoms.count().min(AXIAL + 1);
-        if housings.iter().skip(MOST_HOUSINGS).any(|housed| *housed) {
+        let housed = |bearing: &MountedBearing| bearing.housing.is_some();
+        if rotor.bearings.iter().skip(MOST_HOUSINGS).any(housed) {
             let message = format!("only the first {MOST_HOUSINGS} bearings can stand in housings");
             let issue = Issue::new("bearing", message);
             problems.refuse(issue.help("write bearings with a housing first"));
         }
         let missing = |channel: &Channel| match channel {
             Channel::Housing { bearing, axis, .. } => {
-                housings.get(*bearing) != Some(&true) || *axis >= axes
+                !rotor.bearings.get(*bearing).is_some_and(housed) || *axis >= axes
             }
             _ => false,
         };
@@ -368,14 +358,11 @@ impl ScenarioInput {
             let path = format!("spectrum[{index}].channels");
             request.channels.iter().map(move |one| (path.clone(), one))
         });
-        for (path, channel) in shown
-            .chain(analysed)
-            .filter(|(_, channel)| missing(channel))
-        {
+        let all = shown.chain(analysed);
+        for (path, channel) in all.filter(|(_, channel)| missing(channel)) {
             let message = format!("there is no `{channel}`: no such housing moves that way");
-            let issue = Issue::new(path, message);
-            problems
-                .refuse(issue.help("give the bearing a table [bearing.housing], or leave it out"));
+            let help = "give the bearing a table [bearing.housing], or leave it out";
+            problems.refuse(Issue::new(path, message).help(help));
         }
     }
 
@@ -383,13 +370,11 @@ impl ScenarioInput {
     pub fn columns_with_housings(rotor: &RotorDefinition) -> Option<Vec<Channel>> {
         let axes = rotor.shaft.freedoms.count().min(AXIAL + 1);
         let housed = rotor.bearings.iter().enumerate();
-        let mut housed = housed
-            .filter(|(_, bearing)| bearing.housing.is_some())
-            .peekable();
-        housed.peek()?;
+        let housed = housed.filter(|(_, bearing)| bearing.housing.is_some());
         let housings = housed.flat_map(|(bearing, _)| Channel::of_housing(bearing, axes));
+        let housings: Vec<_> = housings.collect();
         let plain = Channel::of_trace().filter(|channel| *channel != Channel::Time);
-        Some(plain.chain(housings).collect())
+        (!housings.is_empty()).then(|| plain.chain(housings).collect())
     }
 
     fn drive(&self) -> Option<Drive> {
@@ -405,15 +390,14 @@ impl ScenarioInput {
         problems: &mut Problems<'_>,
     ) -> Option<Vec<MountedBearing>> {
         let catalogue = self.catalogue(problems)?;
-        let mount = |(index, bearing): (usize, &BearingInput)| {
-            problems.inside(format!("bearing[{index}]"), |problems| {
-                bearing.build(&self.model, freedoms, &catalogue, problems)
-            })
-        };
-        let of_balls = self.bearing.iter().enumerate();
-        let of_balls = of_balls.filter(|(_, bearing)| bearing.linear.is_none());
-        let sets: Vec<_> = of_balls.map(mount).collect();
-        let sets: Option<Vec<_>> = sets.into_iter().collect();
+        let sets = problems.each(
+            "bearing",
+            &self.bearing,
+            |bearing, problems| match bearing.linear {
+                None => bearing.build(&self.model, freedoms, &catalogue, problems),
+                Some(_) => Some(Vec::new()),
+            },
+        );
         let contact_damping = damping::contact(self.damping.as_ref());
         let damped = |bearing| MountedBearing {
             contact_damping,
@@ -427,16 +411,14 @@ impl ScenarioInput {
         let Some(file) = &self.catalogue_file else {
             return Some(Vec::new());
         };
-        match catalogue_file::read(&problems.folder().join(file)) {
-            Ok(entries) => Some(entries),
-            Err(found) => {
-                for problem in found {
-                    let message = format!("`{file}` is no catalogue: {problem}");
-                    problems.refuse(Issue::new("catalogue_file", message));
-                }
-                None
+        let read = catalogue_file::read(&problems.folder.join(file));
+        let refuse = |found: Vec<String>| {
+            for problem in found {
+                let message = format!("`{file}` is no catalogue: {problem}");
+                problems.refuse(Issue::new("catalogue_file", message));
             }
-        }
+        };
+        read.map_err(refuse).ok()
     }
 
     /// Warns where the centre of mass or a load stands far outside the bearings: most often a unit mistaken.
@@ -444,17 +426,16 @@ impl ScenarioInput {
         let positions = bearings.iter().map(|bearing| bearing.position);
         let first = positions.clone().fold(f64::INFINITY, f64::min);
         let last = positions.fold(f64::NEG_INFINITY, f64::max);
-        let diameters = bearings
-            .iter()
-            .map(|bearing| bearing.bearing.geometry.pitch_diameter());
+        let diameters = bearings.iter();
+        let diameters = diameters.map(|bearing| bearing.bearing.geometry.pitch_diameter());
         let reach = FAR * diameters.fold(last - first, f64::max);
         let load = |(index, load): (usize, &LoadInput)| {
             let position = load.position.as_ref()?.si();
             Some((format!("the load at `load[{index}].position`"), position))
         };
         let loads = self.load.iter().enumerate().filter_map(load);
-        for (what, position) in std::iter::once(("the centre of mass".to_owned(), 0.0)).chain(loads)
-        {
+        let centre = std::iter::once(("the centre of mass".to_owned(), 0.0));
+        for (what, position) in centre.chain(loads) {
             let outside = (first - position).max(position - last);
             if outside > reach {
                 problems.warn(format!(
@@ -469,17 +450,10 @@ impl ScenarioInput {
 
     /// Refuses a race control that no bearing's law knows.
     fn check_race_control(&self, problems: &mut Problems<'_>) {
-        let jones = |bearing: &BearingInput| {
-            matches!(
-                bearing.contact(&self.model),
-                ContactChoice::Jones | ContactChoice::Auto
-            )
-        };
-        if self.model.race_control.is_some() && !self.bearing.iter().any(jones) {
-            let message =
-                "`race_control` needs contact = \"jones\": other laws know no ball inertia";
-            let issue = Issue::new("model.race_control", message)
-                .help("remove it, or set contact = \"jones\"");
+        let mut contacts = self.bearing.iter().map(|each| each.contact(&self.model));
+        let control = self.model.race_control;
+        if control.is_some() && !contacts.any(ContactChoice::knows_inertia) {
+            let issue = no_race_control("model.race_control");
             problems.refuse(issue.against("model.contact"));
         }
     }

@@ -1,15 +1,16 @@
-//! `[model]`, `[integrator]` and `[time]`.
+//! `[model]`, `[integrator]`, `[time]` and `[machine]`.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::bearing::ContactLaw;
 use crate::integrate::{Method, Settings};
-use crate::physics::RaceControl;
+use crate::physics::{MachineGroup, MachineSupport, RaceControl};
 use crate::rotor::CageMotion;
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Quantity, Time};
+use crate::simulate::Machine;
 
 /// Which physics to simulate.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
@@ -54,6 +55,11 @@ pub enum ContactChoice {
 }
 
 impl ContactChoice {
+    /// Whether the law may know the inertia of the balls.
+    pub fn knows_inertia(self) -> bool {
+        matches!(self, Self::Jones | Self::Auto)
+    }
+
     /// The force law; the race control plays a part in Jones's only.
     pub fn law(self, control: Option<RaceControl>) -> ContactLaw {
         match self {
@@ -128,12 +134,37 @@ impl TimeInput {
     /// Refuses a settle time that leaves nothing.
     pub fn check(&self, problems: &mut Problems<'_>) {
         if self.window() <= 0.0 {
-            let message = format!(
-                "`settle` must be shorter than the `duration` of {} s",
-                self.duration.si()
-            );
-            let issue = Issue::new("time.settle", message);
-            problems.refuse(issue.against("time.duration"));
+            let duration = self.duration.si();
+            let message = format!("`settle` must be shorter than the `duration` of {duration} s");
+            problems.refuse(Issue::new("time.settle", message).against("time.duration"));
+        }
+    }
+}
+
+/// The machine that the shaft is part of. Where it is given, `run` says in which evaluation zone of ISO 20816-3 the
+/// vibration lies.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MachineInput {
+    /// Group of ISO 20816-3. 1: rated power above 300 kW, or an electrical machine with a shaft height of 315 mm or more; 2:
+    /// rated power of 15 kW to 300 kW, or an electrical machine with a shaft height of 160 mm to 315 mm.
+    #[schemars(range(min = 1, max = 2), extend("examples" = [2]))]
+    pub group: u8,
+    /// Its support: "rigid" where the lowest natural frequency of machine and support lies at least a quarter above the
+    /// frequency of rotation, else "flexible".
+    #[schemars(extend("examples" = ["rigid"]))]
+    pub support: MachineSupport,
+}
+
+impl MachineInput {
+    /// As the run judges it.
+    pub fn build(&self) -> Machine {
+        Machine {
+            group: match self.group {
+                1 => MachineGroup::Large,
+                _ => MachineGroup::Medium,
+            },
+            support: self.support,
         }
     }
 }

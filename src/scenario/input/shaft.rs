@@ -105,8 +105,7 @@ impl ShaftInput {
     /// Which freedoms move.
     fn freedoms(&self) -> Freedoms {
         let inertia = self.inertia_transverse.is_some() && self.inertia_polar.is_some();
-        let tilts = inertia || self.bends();
-        self.freedoms.unwrap_or(match tilts {
+        self.freedoms.unwrap_or(match inertia || self.bends() {
             true => Freedoms::All,
             false => Freedoms::Radial,
         })
@@ -137,10 +136,7 @@ impl ShaftInput {
             unbalance: PlaneUnbalance::default(),
             freedoms: self.freedoms(),
             gravity: self.gravity,
-            held_tilt: [
-                si(&self.tilt_x).unwrap_or(0.0),
-                si(&self.tilt_y).unwrap_or(0.0),
-            ],
+            held_tilt: [&self.tilt_x, &self.tilt_y].map(|tilt| si(tilt).unwrap_or(0.0)),
         }
     }
 
@@ -149,9 +145,8 @@ impl ShaftInput {
         for (key, tilt) in [("tilt_x", &self.tilt_x), ("tilt_y", &self.tilt_y)] {
             if tilt.is_some() && freedoms == Freedoms::All {
                 let message = format!("`{key}` holds a tilt that freedoms = \"all\" lets move");
-                let issue = Issue::new(format!("shaft.{key}"), message).help(format!(
-                    "to start there: [initial] displacement = {{ {key} = … }}"
-                ));
+                let help = format!("to start there: [initial] displacement = {{ {key} = … }}");
+                let issue = Issue::new(format!("shaft.{key}"), message).help(help);
                 problems.refuse(issue.against("shaft.freedoms"));
             }
         }
@@ -165,17 +160,16 @@ impl ShaftInput {
         problems: &mut Problems<'_>,
     ) {
         let given = [
-            ("inertia_transverse", &self.inertia_transverse),
-            ("inertia_polar", &self.inertia_polar),
+            ("inertia_transverse", si(&self.inertia_transverse)),
+            ("inertia_polar", si(&self.inertia_polar)),
         ];
         for (key, inertia) in given {
             let path = format!("shaft.{key}");
             let turned = turns && key == "inertia_polar";
-            if turned && !inertia.as_ref().is_some_and(|inertia| inertia.si() > 0.0) {
+            if turned && inertia.is_none_or(|inertia| inertia <= 0.0) {
                 let message = "`shaft` needs an `inertia_polar` above zero where a drive turns it";
-                let issue =
-                    Issue::new(path, message).help("for instance: inertia_polar = \"0.01 kg m^2\"");
-                problems.refuse(issue.against("speed.drive"));
+                let help = "for instance: inertia_polar = \"0.01 kg m^2\"";
+                problems.refuse(Issue::new(path, message).help(help).against("speed.drive"));
                 continue;
             }
             if freedoms != Freedoms::All && inertia.is_some() && !turned {
@@ -194,8 +188,8 @@ impl ShaftInput {
                 problems.refuse(issue.against("shaft.freedoms"));
             }
         }
-        if let (Some(transverse), Some(polar)) = (&self.inertia_transverse, &self.inertia_polar)
-            && polar.si() > 2.0 * transverse.si()
+        if let [(_, Some(transverse)), (_, Some(polar))] = given
+            && polar > 2.0 * transverse
         {
             let message = "no body has an `inertia_polar` above twice its `inertia_transverse`";
             let issue = Issue::new("shaft.inertia_polar", message);
@@ -253,10 +247,9 @@ impl TorsionInput {
 
     /// `I_p = π d⁴/32` of a solid round segment.
     fn polar_second_moment(&self) -> f64 {
-        let round = |diameter: &Quantity<Length>| PI * diameter.si().powi(4) / 32.0;
-        let given = si(&self.polar_second_moment);
-        given
-            .or_else(|| self.diameter.as_ref().map(round))
+        let round = si(&self.diameter).map(|diameter| PI * diameter.powi(4) / 32.0);
+        si(&self.polar_second_moment)
+            .or(round)
             .unwrap_or(f64::INFINITY)
     }
 }

@@ -13,10 +13,7 @@ use crate::analysis::{
 use crate::rotor::{FREEDOMS, Freedoms, MOST_HOUSINGS};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
-use crate::scenario::quantity::{Frequency, Quantity, Time, significant};
-
-/// Share of a segment that the next one holds, where none is given: as in SciPy and Matlab.
-const OVERLAP: f64 = 0.5;
+use crate::scenario::quantity::{Frequency, Quantity, Time, si, significant};
 
 /// A spectrum of its own, in `spectrum_<name>.csv` and `.svg`; its settings stand in `summary.json`. It is taken
 /// of what comes after `settle`.
@@ -87,8 +84,9 @@ fn hann() -> Window {
     Window::Hann
 }
 
+/// As in SciPy and Matlab.
 fn overlap() -> f64 {
-    OVERLAP
+    0.5
 }
 
 /// The spectra that are asked for, as far as nothing contradicts them.
@@ -119,7 +117,7 @@ impl SpectrumInput {
         let channels = self.channels(recorded.freedoms, problems);
         self.check_scaling(problems);
         self.check_segment(recorded, problems);
-        let band = self.band(recorded, problems);
+        let band = problems.take(self.band(recorded)).flatten();
         Some(SpectrumRequest {
             name,
             kind: match self.kind {
@@ -147,15 +145,15 @@ impl SpectrumInput {
     }
 
     fn segment(&self) -> Segment {
-        let seconds = self.segment.as_ref();
-        let seconds = seconds.map(|segment| Segment::Seconds(segment.si()));
-        let revolutions = self.segment_revolutions.map(Segment::Revolutions);
-        let samples = self.segment_samples;
-        let samples = samples.map(|count| Segment::Samples(count as usize));
-        seconds
-            .or(revolutions)
-            .or(samples)
-            .unwrap_or(Segment::Whole)
+        if let Some(seconds) = si(&self.segment) {
+            Segment::Seconds(seconds)
+        } else if let Some(revolutions) = self.segment_revolutions {
+            Segment::Revolutions(revolutions)
+        } else if let Some(count) = self.segment_samples {
+            Segment::Samples(count as usize)
+        } else {
+            Segment::Whole
+        }
     }
 
     /// As given, or made of what tells spectra apart.
@@ -194,10 +192,6 @@ const GROUPS: [(&str, OfFreedom); 4] = [
 pub struct ChannelName(String);
 
 impl JsonSchema for ChannelName {
-    fn inline_schema() -> bool {
-        true
-    }
-
     fn schema_name() -> Cow<'static, str> {
         "channel".into()
     }
@@ -245,10 +239,13 @@ impl SpectrumInput {
                 }
             }
         }
-        match self.kind {
-            KindChoice::Plain | KindChoice::Envelope => {}
-            KindChoice::Whirl => refuse_single(&channels, problems),
-            KindChoice::Cross => refuse_lone(&channels, problems),
+        if self.kind == KindChoice::Whirl {
+            refuse_single(&channels, problems);
+        } else if self.kind == KindChoice::Cross && channels.len() < 2 {
+            let message = "a cross spectrum takes two channels or more: the first is the reference";
+            let issue = Issue::new(".channels", message)
+                .help("for instance: channels = [\"force_x\", \"x\"]");
+            problems.refuse(issue.against(".kind"));
         }
         channels
     }
@@ -265,11 +262,9 @@ impl SpectrumInput {
 
 /// Refuses the motion of a freedom that is held; its force is as good as any.
 fn refuse_held(path: &str, channel: Channel, freedoms: Freedoms, problems: &mut Problems<'_>) {
-    let is_force = matches!(channel, Channel::Force(_));
-    let is_held = channel
-        .freedom()
-        .is_some_and(|freedom| freedom >= freedoms.count());
-    if is_held && !is_force {
+    let freedom = channel.freedom();
+    let is_held = freedom.is_some_and(|freedom| freedom >= freedoms.count());
+    if is_held && !matches!(channel, Channel::Force(_)) {
         let message = format!("`{channel}` does not move: the shaft's `freedoms` hold it");
         let issue =
             Issue::new(path, message).help("leave it out, or set more freedoms in `[shaft]`");
@@ -299,16 +294,6 @@ fn refuse_single(channels: &[Channel], problems: &mut Problems<'_>) {
     }
 }
 
-/// Refuses a cross spectrum of one channel.
-fn refuse_lone(channels: &[Channel], problems: &mut Problems<'_>) {
-    if channels.len() < 2 {
-        let message = "a cross spectrum takes two channels or more: the first is the reference";
-        let issue =
-            Issue::new(".channels", message).help("for instance: channels = [\"force_x\", \"x\"]");
-        problems.refuse(issue.against(".kind"));
-    }
-}
-
 /// Longest name.
 const LONGEST_NAME: usize = 64;
 /// Fewest samples of a segment.
@@ -328,10 +313,7 @@ pub struct Recorded<'a> {
 
 impl SpectrumInput {
     fn check_name(&self, name: &str, earlier: &[SpectrumRequest], problems: &mut Problems<'_>) {
-        let path = match self.name {
-            Some(_) => ".name",
-            None => ".",
-        };
+        let path = self.name.as_ref().map_or(".", |_| ".name");
         let plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
         if name.is_empty() || name.len() > LONGEST_NAME || !name.chars().all(plain) {
             let message = format!(
@@ -343,8 +325,7 @@ impl SpectrumInput {
         let same = |request: &SpectrumRequest| request.name.eq_ignore_ascii_case(name);
         if earlier.iter().any(same) {
             let message = format!("there are two spectra of the name \"{name}\"");
-            let issue = Issue::new(path, message).help("give each a `name` of its own");
-            problems.refuse(issue);
+            problems.refuse(Issue::new(path, message).help("give each a `name` of its own"));
         }
     }
 
@@ -358,29 +339,23 @@ impl SpectrumInput {
     }
 
     /// The band of an envelope, inside of what the samples hold.
-    fn band(&self, recorded: &Recorded<'_>, problems: &mut Problems<'_>) -> Option<[f64; 2]> {
-        let inner = ".band";
-        let is_envelope = self.kind == KindChoice::Envelope;
-        let issue = match (self.band.as_deref(), is_envelope) {
-            (None, _) => return None,
-            (Some(_), false) => {
-                let message = "`band` needs kind = \"envelope\": no other spectrum has one";
-                Issue::new(inner, message).help("remove it")
-            }
-            (Some([low, high]), true) => {
+    fn band(&self, recorded: &Recorded<'_>) -> Result<Option<[f64; 2]>, Issue> {
+        let (message, help) = match (self.band.as_deref(), self.kind) {
+            (None, _) => return Ok(None),
+            (Some([low, high]), KindChoice::Envelope) => {
                 let band = [low.si(), high.si()];
-                match wrong_band(band, recorded.rate) {
-                    None => return Some(band),
-                    Some(issue) => issue,
-                }
+                return check_band(band, recorded.rate).map(|()| Some(band));
             }
-            (Some(_), true) => {
+            (Some(_), KindChoice::Envelope) => {
                 let message = "`band` must be a lowest and a highest frequency";
-                Issue::new(inner, message).help(fitting_band(recorded.rate))
+                (message, fitting_band(recorded.rate))
+            }
+            (Some(_), _) => {
+                let message = "`band` needs kind = \"envelope\": no other spectrum has one";
+                (message, "remove it".to_owned())
             }
         };
-        problems.refuse(issue.against(inner));
-        None
+        Err(Issue::new(".band", message).help(help))
     }
 
     fn check_segment(&self, recorded: &Recorded<'_>, problems: &mut Problems<'_>) {
@@ -443,23 +418,19 @@ impl SpectrumInput {
     }
 }
 
-/// What is wrong with a band in Hz of `rate` samples a second.
-fn wrong_band([low, high]: [f64; 2], rate: f64) -> Option<Issue> {
-    if high <= low {
+/// Refuses a band in Hz that `rate` samples a second do not hold.
+fn check_band([low, high]: [f64; 2], rate: f64) -> Result<(), Issue> {
+    let (message, remedy) = if high <= low {
         let message = format!("`band` must rise: {high} Hz is not above {low} Hz");
-        return Some(Issue::new(".band", message).help(fitting_band(rate)));
-    }
-    (high > 0.5 * rate).then(|| {
-        let message = format!(
-            "`band` reaches {high} Hz, above {} Hz, half the sampling rate",
-            significant(0.5 * rate)
-        );
-        let help = format!(
-            "{}, or sample more often, in `[output]`",
-            fitting_band(rate)
-        );
-        Issue::new(".band", message).help(help)
-    })
+        (message, "")
+    } else if high > 0.5 * rate {
+        let half = significant(0.5 * rate);
+        let message = format!("`band` reaches {high} Hz, above {half} Hz, half the sampling rate");
+        (message, ", or sample more often, in `[output]`")
+    } else {
+        return Ok(());
+    };
+    Err(Issue::new(".band", message).help(fitting_band(rate) + remedy))
 }
 
 /// How a band is written that `rate` samples a second hold.

@@ -70,79 +70,67 @@ impl SpeedInput {
         let (start, points) = if let Some(from) = &self.from {
             (from.si(), vec![ramp?])
         } else if let Some(profile) = &self.profile {
-            points(profile, problems)?
+            problems.take(points(profile))?
         } else if let Some(drive) = &self.drive {
             (drive.start.si(), Vec::new())
         } else {
-            let constant = self.constant.as_ref();
-            (constant.map_or(0.0, Quantity::si), Vec::new())
+            (si(&self.constant).unwrap_or(0.0), Vec::new())
         };
-        let refused = |error| problems.refuse(Issue::new(self.path(), format!("{error}")));
-        SpeedProfile::new(start, &points).map_err(refused).ok()
+        let profile = SpeedProfile::new(start, &points);
+        problems.take(profile.map_err(|error| Issue::new(self.path(), error.to_string())))
     }
 
     /// The end of a run-up or coast-down; its three keys go together.
     fn ramp(&self, problems: &mut Problems<'_>) -> Option<SpeedPoint> {
-        let given = [
+        let keys = [
             ("from", self.from.is_some()),
             ("to", self.to.is_some()),
             ("over", self.over.is_some()),
         ];
-        let named = |there: bool| {
-            let names = given.iter().filter(move |(_, given)| *given == there);
-            names
-                .map(|(name, _)| format!("`{name}`"))
-                .collect::<Vec<_>>()
+        let named = |given: bool| {
+            let keys = keys.iter().filter(move |(_, there)| *there == given);
+            keys.map(|(key, _)| format!("`{key}`")).collect::<Vec<_>>()
         };
-        let (present, missing) = (named(true), named(false));
-        if let (Some(first), false) = (given.iter().find(|(_, given)| *given), missing.is_empty()) {
-            let message = format!(
-                "{} needs {} as well",
-                present.join(" with "),
-                missing.join(" and ")
+        let (given, missing) = (named(true), named(false).join(" and "));
+        if let Some(first) = given.first().filter(|_| !missing.is_empty()) {
+            let message = format!("{} needs {missing} as well", given.join(" with "));
+            let issue = Issue::new(format!("speed.{}", first.trim_matches('`')), message);
+            problems.refuse(
+                issue.help("a run-up is from = \"0 rpm\", to = \"3000 rpm\", over = \"2 s\""),
             );
-            let issue = Issue::new(format!("speed.{}", first.0), message)
-                .help("a run-up is from = \"0 rpm\", to = \"3000 rpm\", over = \"2 s\"");
-            problems.refuse(issue);
         }
         Some(SpeedPoint {
-            time: self.over.as_ref()?.si(),
-            speed: self.to.as_ref()?.si(),
+            time: si(&self.over)?,
+            speed: si(&self.to)?,
         })
     }
 }
 
 /// The speed at the start and the points after it; the times must rise from zero.
-fn points(profile: &[PointInput], problems: &mut Problems<'_>) -> Option<(f64, Vec<SpeedPoint>)> {
+fn points(profile: &[PointInput]) -> Result<(f64, Vec<SpeedPoint>), Issue> {
     let [first, _, ..] = profile else {
-        let message = format!(
-            "`profile` must have at least two points, not {}",
-            profile.len()
-        );
-        let issue = Issue::new("speed.profile", message)
-            .help("for a single speed: constant = \"3000 rpm\"");
-        problems.refuse(issue);
-        return None;
+        let count = profile.len();
+        let message = format!("`profile` must have at least two points, not {count}");
+        let issue = Issue::new("speed.profile", message);
+        return Err(issue.help("for a single speed: constant = \"3000 rpm\""));
     };
     if first.at.si() != 0.0 {
         let message = "the first point of `profile` must stand at 0 s";
-        problems.refuse(Issue::new("speed.profile[0].at", message));
-        return None;
+        return Err(Issue::new("speed.profile[0].at", message));
     }
     for (index, pair) in profile.windows(2).enumerate() {
         let (before, time) = (pair[0].at.si(), pair[1].at.si());
         if time <= before {
             let message = format!("`at` must rise from point to point: {before} s stands before");
             let issue = Issue::new(format!("speed.profile[{}].at", index + 1), message);
-            problems.refuse(issue.against(format!("speed.profile[{index}].at")));
-            return None;
+            return Err(issue.against(format!("speed.profile[{index}].at")));
         }
     }
     let point = |point: &PointInput| SpeedPoint {
         time: point.at.si(),
         speed: point.speed.si(),
     };
-    Some((first.speed.si(), profile[1..].iter().map(point).collect()))
+    Ok((first.speed.si(), profile[1..].iter().map(point).collect()))
 }
 
 /// A motor that turns the shaft against a load and the friction of the bearings. `shaft.inertia_polar`

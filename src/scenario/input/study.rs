@@ -53,9 +53,8 @@ impl StudyInput {
     pub fn build(&self, scenario: &Value, problems: &mut Problems<'_>) -> Option<Study> {
         let base = without(scenario, &LEFT_OUT);
         let known = number_keys(&base, &LEFT_OUT);
-        let key = key::find(&known, self.vary.all(), "study.vary")
-            .map_err(|issue| problems.refuse(self.unknown(issue)))
-            .ok()?;
+        let found = key::find(&known, self.vary.all(), "study.vary");
+        let key = problems.take(found.map_err(|issue| self.unknown(issue)))?;
         let input = AxisInput {
             values: self.values.clone(),
             from: self.from.clone(),
@@ -63,23 +62,25 @@ impl StudyInput {
             count: self.count.map(u64::from),
             ..AxisInput::default()
         };
-        let reader = AxisReader {
-            path: "study".to_owned(),
-            named: "study.vary".to_owned(),
-            input: &input,
-            key: &key,
-            problems,
-        };
-        let (axis, variable) = reader.build()?;
-        let mut points = Vec::new();
-        for index in 0..axis.length() {
-            let value = axis.value(index);
-            let questions = questions_at(&base, &key, value, problems.folder());
-            let refused = |issue: Issue| {
-                let path = self.place(index, axis.length());
-                problems.refuse(Issue { path, ..issue });
+        let (axis, variable) = problems.inside("study", |problems| {
+            let reader = AxisReader {
+                named: ".vary",
+                input: &input,
+                key: &key,
+                problems,
             };
-            let question = questions.map_err(refused).ok()?.question;
+            reader.build()
+        })?;
+        let count = axis.length();
+        let mut points = Vec::new();
+        for index in 0..count {
+            let value = axis.value(index);
+            let questions = questions_at(&base, &key, value, problems.folder);
+            let questions = questions.map_err(|issue| Issue {
+                path: self.place(index, count),
+                ..issue
+            });
+            let question = problems.take(questions)?.question;
             points.push(StudyPoint { value, question });
         }
         Some(Study {

@@ -93,7 +93,7 @@ fn amount(text: &str, balanced: &Balanced) -> Result<f64, Issue> {
         Err(_) => {
             let units = format!(
                 "units of unbalance: {}; or a balance quality grade, as in \"G 6.3\"",
-                Dimension::Unbalance.unit_list()
+                Dimension::Unbalance.symbols().join(", ")
             );
             let message = "`unbalance` must be a number with its unit, as in \"20 g mm\"";
             Err(Issue::new(path, message).help(units))

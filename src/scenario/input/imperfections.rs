@@ -1,14 +1,103 @@
-//! `[[bearing.waviness]]` and `[bearing.ball_sizes]`.
+//! What makes a bearing differ from a perfect one: `[[bearing.defect]]`, `[[bearing.waviness]]`, `[bearing.ball_sizes]` and
+//! `[bearing.cage_jitter]`.
+
+use std::f64::consts::TAU;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::defect::{SurfaceInput, surface};
-use crate::bearing::{Geometry, Surface, Wave};
+use super::load::first_seed;
+use crate::bearing::{
+    Defect, DefectProfile, Geometry, ImperfectionError, Imperfections, Surface, Wave,
+};
 use crate::rotor::load::SplitMix64;
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
-use crate::scenario::quantity::{Angle, Length, Quantity};
+use crate::scenario::quantity::{Angle, Length, Quantity, si};
+
+/// Where an imperfection is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum SurfaceInput {
+    /// The outer race.
+    Outer,
+    /// The inner race.
+    Inner,
+    /// A ball.
+    Ball,
+}
+
+/// A slot across a race, or a dent of a ball. The ball sinks as deep as the edges let it, or to the floor.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DefectInput {
+    /// Where it is: "outer", "inner" or "ball".
+    pub on: SurfaceInput,
+    /// Number of the ball that it is on, from 1: ball 1 starts at `first_ball`.
+    #[schemars(range(min = 1, max = 200))]
+    pub ball: Option<u32>,
+    /// Angle of its middle: on the outer race from +X towards +Y, on the inner race from the mark of the unbalance, which
+    /// points along +X at the start; on a ball from where it meets the outer race at the start. Default: "0 rad".
+    #[serde(default)]
+    #[schemars(extend("examples" = ["-90 deg"]))]
+    pub angle: Quantity<Angle>,
+    /// Length along the race, for instance "0.5334 mm".
+    #[schemars(extend("examples" = ["0.5334 mm"], "x-above" = 0.0))]
+    pub length: Quantity<Length>,
+    /// Depth of its floor, for instance "0.2794 mm". Few balls ever reach it.
+    #[schemars(extend("examples" = ["0.2794 mm"], "x-above" = 0.0))]
+    pub depth: Quantity<Length>,
+    /// How the drop of a ball follows: "edges", the exact one of sharp edges; "half_sine" and "rectangular" of the whole
+    /// depth are found in literature. Default: "edges".
+    #[serde(default)]
+    pub profile: DefectProfile,
+}
+
+impl DefectInput {
+    /// The defect, if it fits the bearing.
+    pub fn build(&self, geometry: &Geometry) -> Result<Defect, Issue> {
+        let missing = || {
+            Issue::new(".ball", "a defect of a ball needs its number")
+                .help("for instance: ball = 1, the one that starts at `first_ball`")
+                .against(".on")
+        };
+        let defect = Defect {
+            on: surface(self.on, self.ball)?.ok_or_else(missing)?,
+            angle: self.angle.si(),
+            length: self.length.si(),
+            depth: self.depth.si(),
+            profile: self.profile,
+        };
+        defect.check(geometry).map_err(|error| {
+            let key = match error {
+                ImperfectionError::Ball { .. } => ".ball",
+                ImperfectionError::Length { name: "depth", .. } => ".depth",
+                ImperfectionError::NotFinite { .. } => ".angle",
+                _ => ".length",
+            };
+            Issue::new(key, error.to_string())
+        })?;
+        Ok(defect)
+    }
+}
+
+/// The surface that is meant, `None` where all balls are; a race has no number.
+pub fn surface(on: SurfaceInput, ball: Option<u32>) -> Result<Option<Surface>, Issue> {
+    let race = match on {
+        SurfaceInput::Outer => Surface::Outer,
+        SurfaceInput::Inner => Surface::Inner,
+        SurfaceInput::Ball => return Ok(ball.map(|ball| Surface::Ball(ball as usize - 1))),
+    };
+    if ball.is_some() {
+        let issue = Issue::new(
+            ".ball",
+            "`ball` is the number of a ball, and this is on a race",
+        );
+        let issue = issue.help("remove it, or set on = \"ball\"");
+        return Err(issue.against(".on"));
+    }
+    Ok(Some(race))
+}
 
 /// Waves around a race or the balls: one order, or a spectrum of them with random phases.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -65,10 +154,6 @@ fn two() -> u32 {
     2
 }
 
-fn first_seed() -> u32 {
-    1
-}
-
 impl WavinessInput {
     /// The waves with their surfaces, as far as nothing contradicts them.
     pub fn build(
@@ -76,7 +161,7 @@ impl WavinessInput {
         geometry: &Geometry,
         problems: &mut Problems<'_>,
     ) -> Option<Vec<(Surface, Wave)>> {
-        let surfaces = match surface(self.on, self.ball, problems)? {
+        let surfaces = match problems.take(surface(self.on, self.ball))? {
             Some(Surface::Ball(number)) if number >= geometry.balls() => {
                 let message = format!(
                     "there is no ball {}: the balls count from 1 to {}",
@@ -91,30 +176,26 @@ impl WavinessInput {
         };
         match (&self.spectrum, self.order) {
             (Some(spectrum), _) => {
-                for (key, given) in [
-                    (".amplitude", self.amplitude.is_some()),
-                    (".phase", self.phase.is_some()),
-                ] {
-                    if given {
-                        let message = "a `spectrum` has amplitudes and phases of its own";
-                        let issue = Issue::new(key, message).help("remove it");
-                        problems.refuse(issue.against(".spectrum"));
-                    }
+                let amplitude = self.amplitude.as_ref().map(|_| ".amplitude");
+                let phase = self.phase.as_ref().map(|_| ".phase");
+                for key in amplitude.into_iter().chain(phase) {
+                    let message = "a `spectrum` has amplitudes and phases of its own";
+                    let issue = Issue::new(key, message).help("remove it");
+                    problems.refuse(issue.against(".spectrum"));
                 }
                 let all = surfaces.into_iter();
                 Some(all.flat_map(|on| spectrum.waves(on)).collect())
             }
             (None, Some(order)) => {
-                let Some(amplitude) = &self.amplitude else {
-                    let issue = Issue::new(".amplitude", "a wave needs an `amplitude`")
-                        .help("for instance: amplitude = \"0.1 um\"");
-                    problems.refuse(issue.against(".order"));
-                    return None;
+                let missing = || {
+                    Issue::new(".amplitude", "a wave needs an `amplitude`")
+                        .help("for instance: amplitude = \"0.1 um\"")
+                        .against(".order")
                 };
                 let wave = Wave {
                     order,
-                    amplitude: amplitude.si(),
-                    phase: self.phase.as_ref().map_or(0.0, Quantity::si),
+                    amplitude: problems.take(si(&self.amplitude).ok_or_else(missing))?,
+                    phase: si(&self.phase).unwrap_or(0.0),
                 };
                 Some(surfaces.into_iter().map(|on| (on, wave)).collect())
             }
@@ -137,7 +218,7 @@ impl WaveSpectrumInput {
             let wave = Wave {
                 order,
                 amplitude: amplitude * f64::from(order).powf(-exponent),
-                phase: std::f64::consts::TAU * phases.uniform(order.into()),
+                phase: TAU * phases.uniform(order.into()),
             };
             (on, wave)
         })
@@ -217,10 +298,53 @@ impl BallSizesInput {
             }
             return Some(oversizes.iter().map(Quantity::si).collect());
         }
-        let given = self.variation.as_ref().map(Quantity::si);
-        let variation = given.or(self.grade.map(BallGrade::variation))?;
+        let variation = si(&self.variation).or(self.grade.map(BallGrade::variation))?;
         let chance = SplitMix64::new(self.seed.unwrap_or(1).into());
         let oversize = |ball| variation * (chance.uniform(ball) - 0.5);
         Some((0..balls as u64).map(oversize).collect())
+    }
+}
+
+/// Ball passes after which the steps come again.
+const STEPS: u64 = 16_384;
+/// Uniform numbers whose sum, less its mean, stands for a normal number of deviation 1 and at most half as many in size.
+const SUMMED: u64 = 12;
+
+/// A cage that wanders at random: with every ball pass it gains or loses an angle.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CageJitterInput {
+    /// Standard deviation of the angle gained with one ball pass, for instance "0.2 deg"; at most a twelfth of the spacing of
+    /// the balls.
+    #[schemars(extend("examples" = ["0.2 deg"], "x-minimum" = 0.0))]
+    pub amplitude: Quantity<Angle>,
+    /// Seed of the angles, a whole number. Default: 1.
+    #[schemars(range(min = 0, max = 4_294_967_295_u32))]
+    pub seed: Option<u32>,
+}
+
+impl CageJitterInput {
+    /// Angles that the cage gains, rad.
+    pub fn build(&self, geometry: &Geometry) -> Result<Vec<f64>, Issue> {
+        let amplitude = self.amplitude.si();
+        let spacing = TAU / geometry.balls() as f64;
+        let largest = 2.0 * Imperfections::LARGEST_STEP * spacing / SUMMED as f64;
+        if amplitude > largest {
+            let message = format!(
+                "the cage would wander by {:.3} deg with a ball pass, and might turn backwards",
+                amplitude.to_degrees()
+            );
+            let help = format!("at most {:.3} deg with these balls", largest.to_degrees());
+            return Err(Issue::new(".amplitude", message).help(help));
+        }
+        if amplitude == 0.0 {
+            return Ok(Vec::new());
+        }
+        let chance = SplitMix64::new(self.seed.unwrap_or(1).into());
+        let normal = |pass: u64| {
+            let numbers = (0..SUMMED).map(|number| chance.uniform(SUMMED * pass + number));
+            numbers.sum::<f64>() - 0.5 * SUMMED as f64
+        };
+        Ok((0..STEPS).map(|pass| amplitude * normal(pass)).collect())
     }
 }

@@ -1,13 +1,15 @@
-//! `[bearing.housing]`.
+//! What a bearing stands on, `[bearing.housing]`, or what stands in its place, `[bearing.linear]`.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::components::{Components, PerFreedom};
 use crate::bearing::Housing;
-use crate::rotor::Freedoms;
+use crate::rotor::{Freedoms, LinearBearing};
 use crate::scenario::Issue;
-use crate::scenario::problems::Problems;
-use crate::scenario::quantity::{Damping, Mass, Measure, Quantity, Stiffness, si};
+use crate::scenario::quantity::{
+    Damping, Mass, Measure, Quantity, Stiffness, TiltDamping, TiltStiffness, si,
+};
 
 /// The housing that a bearing stands in: a mass on springs and dampers to the ground, where sensors sit. It moves along x and
 /// y, and along z where the shaft does; its displacement counts from where its own weight has put it. Base accelerations
@@ -52,7 +54,7 @@ impl<T> Axes<T> {
 
 impl HousingInput {
     /// The housing, unless it is free along an axis that it moves along.
-    pub fn build(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Option<Housing> {
+    pub fn build(&self, freedoms: Freedoms) -> Result<Housing, Issue> {
         let stiffness = self.stiffness.values();
         let moving = freedoms.count().min(3);
         let free = stiffness[..moving].iter().position(|value| *value <= 0.0);
@@ -61,14 +63,36 @@ impl HousingInput {
             let message =
                 format!("the housing moves along {axis} and nothing holds it to the ground");
             let help = format!("give stiffness.{axis}, for instance \"200 N/um\"");
-            problems.refuse(Issue::new(".stiffness", message).help(help));
-            return None;
+            return Err(Issue::new(".stiffness", message).help(help));
         }
-        let damping = self.damping.as_ref().map_or([0.0; 3], Axes::values);
-        Some(Housing {
+        Ok(Housing {
             mass: self.mass.si(),
             stiffness,
-            damping,
+            damping: self.damping.as_ref().map_or([0.0; 3], Axes::values),
         })
+    }
+}
+
+/// Springs and dampers to the ground in place of balls, for comparison with books and other programs. What is left out is
+/// zero.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LinearInput {
+    /// Stiffness, for instance { x = "1e6 N/m", y = "1e6 N/m" }.
+    #[schemars(extend("examples" = [{ "x": "1 N/um", "y": "1 N/um" }]))]
+    pub stiffness: Components<Stiffness, TiltStiffness>,
+    /// Damping, for instance { x = "100 N s/m", y = "100 N s/m" }. Default: none.
+    pub damping: Option<Components<Damping, TiltDamping>>,
+}
+
+impl LinearInput {
+    /// The bearing at a position in m.
+    pub fn build(&self, position: f64) -> LinearBearing {
+        let damping = self.damping.as_ref().map(Components::values);
+        LinearBearing {
+            position,
+            stiffness: self.stiffness.values().map(Option::unwrap_or_default),
+            damping: damping.unwrap_or_default().map(Option::unwrap_or_default),
+        }
     }
 }
