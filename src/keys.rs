@@ -1,15 +1,19 @@
 //! How results name and shape what `#[derive(Serialize)]` alone cannot: quantities with their units,
 //! stiffness matrices, things by their names.
 
+use std::collections::BTreeMap;
 use std::fmt::Display;
 
 use nalgebra::Complex;
-use serde::{Serialize, Serializer, ser::SerializeMap};
+use serde::{Serialize, Serializer};
 
 /// Number of freedoms of the inner ring: x, y, z, θx, θy.
 const FREEDOMS: usize = 5;
 /// A stiffness matrix.
 type Matrix5 = nalgebra::SMatrix<f64, FREEDOMS, FREEDOMS>;
+
+/// What comes of writing a value.
+type Serialized<S> = Result<<S as Serializer>::Ok, <S as Serializer>::Error>;
 
 /// Displacements and tilts with their units.
 pub(crate) const DISPLACEMENT: [&str; FREEDOMS] = ["x_m", "y_m", "z_m", "tilt_x_rad", "tilt_y_rad"];
@@ -36,37 +40,28 @@ pub(crate) const AXES: [&str; FREEDOMS] = ["x", "y", "z", "tilt_x", "tilt_y"];
 pub(crate) fn displacement<S: Serializer>(
     values: &[f64; FREEDOMS],
     serializer: S,
-) -> Result<S::Ok, S::Error> {
+) -> Serialized<S> {
     serializer.collect_map(DISPLACEMENT.iter().zip(values))
 }
 
 /// `{"force_x_N": …, …}`.
-pub(crate) fn force<S: Serializer>(
-    values: &[f64; FREEDOMS],
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
+pub(crate) fn force<S: Serializer>(values: &[f64; FREEDOMS], serializer: S) -> Serialized<S> {
     serializer.collect_map(FORCE.iter().zip(values))
 }
 
 /// `{"x": …, "y": …, …}`: one value each of the first freedoms.
-pub(crate) fn by_axis<T: Serialize, S: Serializer>(
-    values: &[T],
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
+pub(crate) fn by_axis<T: Serialize, S: Serializer>(values: &[T], serializer: S) -> Serialized<S> {
     serializer.collect_map(AXES.iter().zip(values))
 }
 
 /// Names of the freedoms that are marked: `["x", "y"]`.
-pub(crate) fn marked<S: Serializer>(
-    marks: &[bool; FREEDOMS],
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
+pub(crate) fn marked<S: Serializer>(marks: &[bool; FREEDOMS], serializer: S) -> Serialized<S> {
     let names = AXES.iter().zip(marks).filter(|(_, mark)| **mark);
     serializer.collect_seq(names.map(|(name, _)| name))
 }
 
 /// A stiffness matrix with the names of its rows and columns, and its diagonal by name.
-pub(crate) fn stiffness<S: Serializer>(matrix: &Matrix5, serializer: S) -> Result<S::Ok, S::Error> {
+pub(crate) fn stiffness<S: Serializer>(matrix: &Matrix5, serializer: S) -> Serialized<S> {
     rows(
         &std::array::from_fn(|row| std::array::from_fn(|column| matrix[(row, column)])),
         serializer,
@@ -77,7 +72,7 @@ pub(crate) fn stiffness<S: Serializer>(matrix: &Matrix5, serializer: S) -> Resul
 pub(crate) fn rows<S: Serializer>(
     rows: &[[f64; FREEDOMS]; FREEDOMS],
     serializer: S,
-) -> Result<S::Ok, S::Error> {
+) -> Serialized<S> {
     #[derive(Serialize)]
     struct Named<'a> {
         meaning: &'a str,
@@ -99,16 +94,13 @@ pub(crate) fn rows<S: Serializer>(
 }
 
 /// The diagonal of a stiffness matrix: `{"K_x_N_m": …, …}`.
-pub(crate) fn diagonal<S: Serializer>(matrix: &Matrix5, serializer: S) -> Result<S::Ok, S::Error> {
+pub(crate) fn diagonal<S: Serializer>(matrix: &Matrix5, serializer: S) -> Serialized<S> {
     let value = |(axis, name)| (name, matrix[(axis, axis)]);
     serializer.collect_map(DIAGONAL.iter().enumerate().map(value))
 }
 
 /// Complex numbers with their magnitudes.
-pub(crate) fn complex<S: Serializer>(
-    values: &[Complex<f64>],
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
+pub(crate) fn complex<S: Serializer>(values: &[Complex<f64>], serializer: S) -> Serialized<S> {
     #[derive(Serialize)]
     struct Number {
         re: f64,
@@ -123,64 +115,57 @@ pub(crate) fn complex<S: Serializer>(
 }
 
 /// Magnitudes of complex numbers.
-pub(crate) fn magnitudes<S: Serializer>(values: &[f64], serializer: S) -> Result<S::Ok, S::Error> {
-    #[derive(Serialize)]
-    struct Number {
-        magnitude: f64,
-    }
-    serializer.collect_seq(values.iter().map(|&magnitude| Number { magnitude }))
+pub(crate) fn magnitudes<S: Serializer>(values: &[f64], serializer: S) -> Serialized<S> {
+    serializer.collect_seq(
+        values
+            .iter()
+            .map(|value| BTreeMap::from([("magnitude", value)])),
+    )
 }
 
 /// What it is called.
-pub(crate) fn name<S: Serializer>(value: &impl Display, serializer: S) -> Result<S::Ok, S::Error> {
+pub(crate) fn name<S: Serializer>(value: &impl Display, serializer: S) -> Serialized<S> {
     serializer.collect_str(value)
 }
 
 /// What it is called, if there is one.
-pub(crate) fn optional_name<S: Serializer>(
-    value: &Option<impl Display>,
+pub(crate) fn optional_name<T: Display, S: Serializer>(
+    value: &Option<T>,
     serializer: S,
-) -> Result<S::Ok, S::Error> {
-    value
-        .as_ref()
-        .map(ToString::to_string)
-        .serialize(serializer)
+) -> Serialized<S> {
+    let name = value.as_ref().map(ToString::to_string);
+    name.serialize(serializer)
 }
 
 /// Pairs of a name and what bears it.
 pub(crate) fn by_name<K: Display, T: Serialize, S: Serializer>(
     pairs: &[(K, T)],
     serializer: S,
-) -> Result<S::Ok, S::Error> {
+) -> Serialized<S> {
     serializer.collect_map(pairs.iter().map(|(name, value)| (name.to_string(), value)))
 }
 
 /// How many there are.
-pub(crate) fn count<T, S: Serializer>(values: &[T], serializer: S) -> Result<S::Ok, S::Error> {
+pub(crate) fn count<T, S: Serializer>(values: &[T], serializer: S) -> Serialized<S> {
     serializer.serialize_u64(values.len() as u64)
 }
 
 /// An index as a number from 1 on.
-pub(crate) fn from_one<S: Serializer>(index: &usize, serializer: S) -> Result<S::Ok, S::Error> {
+pub(crate) fn from_one<S: Serializer>(index: &usize, serializer: S) -> Serialized<S> {
     serializer.serialize_u64(*index as u64 + 1)
 }
 
 /// First and last time, s.
-pub(crate) fn span<S: Serializer>(
-    span: &Option<[f64; 2]>,
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
-    let mut map = serializer.serialize_map(Some(2))?;
-    map.serialize_entry("first_s", &span.map(|[first, _]| first))?;
-    map.serialize_entry("last_s", &span.map(|[_, last]| last))?;
-    map.end()
+pub(crate) fn span<S: Serializer>(span: &Option<[f64; 2]>, serializer: S) -> Serialized<S> {
+    let [first, last] = span.map_or([None; 2], |span| span.map(Some));
+    serializer.collect_map([("first_s", first), ("last_s", last)])
 }
 
 /// A result, or a `note` that says why there is none.
 pub(crate) fn or_note<T: Serialize, E: Display, S: Serializer>(
     result: &Result<T, E>,
     serializer: S,
-) -> Result<S::Ok, S::Error> {
+) -> Serialized<S> {
     match result {
         Ok(value) => value.serialize(serializer),
         Err(reason) => serializer.collect_map([("note", reason.to_string())]),
