@@ -62,13 +62,19 @@ impl MatricesFile {
         same("K is not symmetric", &stiffness, &stiffness.transpose())?;
         let turned = -gyroscopic.transpose();
         same("G is not skew-symmetric", &gyroscopic, &turned)?;
-        let planes = Planes::new(count, per_node);
+        let tilt = per_node - 2 - usize::from(per_node == 6);
+        let planes = [[(0, 1.0), (tilt + 1, 1.0)], [(1, 1.0), (tilt, -1.0)]].map(|pair| {
+            let of_node = |node| pair.map(|(own, sign)| (per_node * node + own, sign));
+            (0..count).flat_map(of_node).collect::<Coordinates>()
+        });
+        // of the gyroscopic matrix the rotary inertia about the axis
+        let across = block(&gyroscopic, &planes[0], &planes[1]);
         Ok(Mesh {
             nodes: self.nodes.clone(),
             plane: Plane {
-                mass: planes.of_both("M", &mass)?,
-                stiffness: planes.of_both("K", &stiffness)?,
-                polar: planes.across(&gyroscopic),
+                mass: of_both("M", &mass, &planes)?,
+                stiffness: of_both("K", &stiffness, &planes)?,
+                polar: 0.5 * (&across + across.transpose()),
             },
         })
     }
@@ -104,42 +110,23 @@ fn same(what: &str, first: &DMatrix<f64>, second: &DMatrix<f64>) -> Result<(), S
     Ok(())
 }
 
-/// Which coordinates of the file are deflections and slopes of the planes of x and y, with their signs.
-struct Planes([Vec<(usize, f64)>; 2]);
+/// Which coordinates of the file are deflections and slopes of a plane, with their signs.
+type Coordinates = Vec<(usize, f64)>;
 
-impl Planes {
-    fn new(nodes: usize, per_node: usize) -> Self {
-        let tilt = per_node - 2 - usize::from(per_node == 6);
-        let plane = |pair: [(usize, f64); 2]| {
-            let nodes = 0..nodes;
-            nodes
-                .flat_map(|node| pair.map(|(own, sign)| (per_node * node + own, sign)))
-                .collect()
-        };
-        Self([
-            plane([(0, 1.0), (tilt + 1, 1.0)]),
-            plane([(1, 1.0), (tilt, -1.0)]),
-        ])
-    }
+fn block(entries: &DMatrix<f64>, rows: &Coordinates, columns: &Coordinates) -> DMatrix<f64> {
+    DMatrix::from_fn(rows.len(), columns.len(), |row, column| {
+        rows[row].1 * columns[column].1 * entries[(rows[row].0, columns[column].0)]
+    })
+}
 
-    fn block(&self, entries: &DMatrix<f64>, rows: usize, columns: usize) -> DMatrix<f64> {
-        let (rows, columns) = (&self.0[rows], &self.0[columns]);
-        DMatrix::from_fn(rows.len(), columns.len(), |row, column| {
-            rows[row].1 * columns[column].1 * entries[(rows[row].0, columns[column].0)]
-        })
-    }
-
-    /// The matrix of one plane, where both are alike.
-    fn of_both(&self, name: &str, entries: &DMatrix<f64>) -> Result<DMatrix<f64>, String> {
-        let [first, second] = [0, 1].map(|plane| self.block(entries, plane, plane));
-        let problem = format!("{name} is that of no round shaft");
-        same(&problem, &first, &second)?;
-        Ok(first)
-    }
-
-    /// The rotary inertia about the axis in the gyroscopic matrix.
-    fn across(&self, gyroscopic: &DMatrix<f64>) -> DMatrix<f64> {
-        let block = self.block(gyroscopic, 0, 1);
-        0.5 * (&block + block.transpose())
-    }
+/// The matrix of one plane, where both, those of x and y, are alike.
+fn of_both(
+    name: &str,
+    entries: &DMatrix<f64>,
+    planes: &[Coordinates; 2],
+) -> Result<DMatrix<f64>, String> {
+    let [first, second] = planes.each_ref().map(|plane| block(entries, plane, plane));
+    let problem = format!("{name} is that of no round shaft");
+    same(&problem, &first, &second)?;
+    Ok(first)
 }
