@@ -87,23 +87,21 @@ impl AxisInput {
     }
 
     /// The key that says how the values are given, what messages call it, and the keys that go with it.
-    fn way(&self) -> (&'static str, &'static str, &'static [&'static str]) {
+    fn form(&self) -> (&'static str, &'static str, &'static [&'static str]) {
         use DistributionKind as Kind;
-        match (&self.values, self.distribution) {
-            (Some(_), _) => ("values", "`values`", &[]),
-            (None, None) => ("count", "`count`", &["from", "to"]),
-            (None, Some(Kind::Uniform)) => {
-                ("distribution", "a uniform distribution", &["from", "to"])
-            }
+        let (called, own): (_, &[_]) = match (&self.values, self.distribution) {
+            (Some(_), _) => return ("values", "`values`", &[]),
+            (None, None) => return ("count", "`count`", &["from", "to"]),
+            (None, Some(Kind::Uniform)) => ("a uniform distribution", &["from", "to"]),
             (None, Some(Kind::Normal)) => {
                 let own = &["mean", "deviation", "lowest", "highest"];
-                ("distribution", "a normal distribution", own)
+                ("a normal distribution", own)
             }
             (None, Some(Kind::Triangular)) => {
-                let own = &["lowest", "mode", "highest"];
-                ("distribution", "a triangular distribution", own)
+                ("a triangular distribution", &["lowest", "mode", "highest"])
             }
-        }
+        };
+        ("distribution", called, own)
     }
 }
 
@@ -122,7 +120,7 @@ pub(super) struct AxisReader<'a, 'p> {
 impl AxisReader<'_, '_> {
     /// The axis with what varies, if nothing contradicts it.
     pub fn build(mut self) -> Option<(Axis, Variable)> {
-        self.refuse_strangers();
+        self.refuse_unrelated();
         let values = match (&self.input.values, self.input.distribution) {
             (Some(values), _) => self.listed(values.len())?,
             (None, Some(kind)) => Axis::Drawn(self.drawn(kind)?),
@@ -135,21 +133,21 @@ impl AxisReader<'_, '_> {
         Some((values, self.key.variable(&listed.or(others)?.0)))
     }
 
-    /// Refuses keys that do not go with the way in which the values are given.
-    fn refuse_strangers(&mut self) {
-        let (way, called, own) = self.input.way();
+    /// Refuses keys that do not go with the form in which the values are given.
+    fn refuse_unrelated(&mut self) {
+        let (form, called, own) = self.input.form();
         let values = self.input.given();
-        let mut strangers: Vec<_> = (values.iter())
+        let mut unrelated: Vec<_> = (values.iter())
             .filter(|(name, value)| value.is_some() && !own.contains(name))
             .map(|(name, _)| *name)
             .collect();
         if self.input.spacing.is_some() && self.input.count.is_none() {
-            strangers.push("spacing");
+            unrelated.push("spacing");
         }
-        for name in strangers {
+        for name in unrelated {
             let message = format!("{called} does not go with `{name}`");
             let issue = Issue::new(format!(".{name}"), message).help("remove it");
-            self.problems.refuse(issue.against(format!(".{way}")));
+            self.problems.refuse(issue.against(format!(".{form}")));
         }
     }
 
@@ -162,13 +160,13 @@ impl AxisReader<'_, '_> {
 
     /// Values that must be given.
     fn needed<const N: usize>(&mut self, names: [&str; N]) -> Option<[f64; N]> {
-        let (way, called, _) = self.input.way();
+        let (form, called, _) = self.input.form();
         let values = names.map(|name| {
             if !self.input.given().contains(&(name, &None)) {
                 return self.number(name);
             }
             let issue = Issue::new(format!(".{name}"), format!("{called} needs `{name}`"));
-            self.problems.refuse(issue.against(format!(".{way}")));
+            self.problems.refuse(issue.against(format!(".{form}")));
             None
         });
         let all = values.iter().all(Option::is_some);
@@ -176,14 +174,14 @@ impl AxisReader<'_, '_> {
     }
 
     /// Refuses a whole number, which has no values between two.
-    fn refuse_whole(&mut self, way: &str) -> Option<()> {
+    fn refuse_whole(&mut self, form: &str) -> Option<()> {
         if !self.key.is_whole() {
             return Some(());
         }
         let path = &self.key.path;
         let message = format!("`{path}` is a whole number: list its `values`");
         let issue = Issue::new(self.named, message);
-        self.problems.refuse(issue.against(format!(".{way}")));
+        self.problems.refuse(issue.against(format!(".{form}")));
         None
     }
 

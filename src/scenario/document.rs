@@ -106,8 +106,7 @@ impl Document {
     pub fn refused(&self, issue: Issue) -> ScenarioError {
         let mut problems = self.problems();
         problems.add(issue);
-        let (issues, _) = problems.finish();
-        ScenarioError::new(&self.name, &self.text, issues)
+        ScenarioError::new(&self.name, &self.text, problems.issues)
     }
 
     /// What was made of it and the warnings, or everything that is wrong with it.
@@ -116,9 +115,9 @@ impl Document {
         made: Option<T>,
         problems: Problems<'_>,
     ) -> Result<(T, Vec<String>), ScenarioError> {
-        let (issues, warnings) = problems.finish();
+        let issues = problems.issues;
         match made {
-            Some(made) if issues.is_empty() => Ok((made, warnings)),
+            Some(made) if issues.is_empty() => Ok((made, problems.warnings)),
             _ => Err(ScenarioError::new(&self.name, &self.text, issues)),
         }
     }

@@ -23,8 +23,8 @@ use crate::study::accuracy::NamedMethod;
 pub(super) struct Key {
     /// Its path as somebody wrote it, for instance `bearing[0].preload` or `bearing[*].preload`.
     pub path: String,
-    /// Where its value stands.
-    places: Vec<String>,
+    /// Where its value is, or the values of several keys.
+    paths: Vec<String>,
     schema: &'static Value,
 }
 
@@ -119,11 +119,9 @@ pub(super) fn join(table: &str, key: &str) -> String {
 pub(super) fn find(known: &[Key], paths: &[String], place: &str) -> Result<Key, Issue> {
     let mut found: Option<Key> = None;
     for path in paths {
-        let mut matching = known
-            .iter()
-            .filter(|key| matches(path, &key.path))
-            .peekable();
-        if matching.peek().is_none() {
+        let matching = known.iter().filter(|key| matches(path, &key.path));
+        let matching: Vec<_> = matching.collect();
+        if matching.is_empty() {
             let paths = known.iter().map(|key| key.path.as_str());
             let issue = Issue::new(place, format!("the scenario has no number `{path}`"));
             return Err(issue.help_nearest(path, paths, "for instance: \"speed.constant\""));
@@ -131,7 +129,7 @@ pub(super) fn find(known: &[Key], paths: &[String], place: &str) -> Result<Key, 
         for key in matching {
             let all = found.get_or_insert_with(|| Key {
                 path: paths.join(" and "),
-                places: Vec::new(),
+                paths: Vec::new(),
                 schema: key.schema,
             });
             if all.measure() != key.measure() {
@@ -139,7 +137,7 @@ pub(super) fn find(known: &[Key], paths: &[String], place: &str) -> Result<Key, 
                 let issue = Issue::new(place, message);
                 return Err(issue.help("keys that change together measure the same"));
             }
-            all.places.push(key.path.clone());
+            all.paths.push(key.path.clone());
         }
     }
     found.ok_or_else(|| Issue::new(place, "it names no key"))
@@ -171,22 +169,22 @@ impl Key {
     fn at(path: &str, schema: &'static Value) -> Self {
         Self {
             path: path.to_owned(),
-            places: vec![path.to_owned()],
+            paths: vec![path.to_owned()],
             schema,
         }
     }
 
-    /// Puts a value where it stands in a scenario.
-    pub fn put(&self, scenario: &mut Value, value: &Value) {
-        for place in &self.places {
-            put(scenario, place, value);
+    /// Sets its value in a scenario.
+    pub fn set(&self, scenario: &mut Value, value: &Value) {
+        for path in &self.paths {
+            set_value(scenario, path, value);
         }
     }
 
-    /// A place that another key has, too.
+    /// A path that another key has, too.
     pub fn shared_with(&self, other: &Self) -> Option<&str> {
-        let mut places = self.places.iter();
-        let shared = places.find(|place| other.places.contains(place));
+        let mut paths = self.paths.iter();
+        let shared = paths.find(|path| other.paths.contains(path));
         shared.map(String::as_str)
     }
 
@@ -213,7 +211,7 @@ impl Key {
         }
         let content = match self.is_plain() {
             true => Content::of_number(text),
-            false => Content::Text(text.to_owned()),
+            false => Content::Plain(text.into()),
         };
         let node = Node {
             span: 0..0,
@@ -221,7 +219,7 @@ impl Key {
         };
         let mut problems = Problems::new(&node, "".as_ref());
         let value = reader::value(&node, self.schema, name, &mut problems);
-        let issue = problems.finish().0.into_iter().next();
+        let issue = problems.issues.into_iter().next();
         value.ok_or_else(|| issue.unwrap_or_else(|| Issue::new(name, "it cannot be read")))
     }
 
@@ -291,8 +289,8 @@ impl Key {
     }
 }
 
-/// Puts a value into a tree, making the tables on its way.
-pub(super) fn put(tree: &mut Value, path: &str, value: &Value) {
+/// Sets the value of a path, making the tables that lead there.
+pub(super) fn set_value(tree: &mut Value, path: &str, value: &Value) {
     let mut place = tree;
     for step in path.split(['.', '[']) {
         let index = step.strip_suffix(']').and_then(|index| index.parse().ok());
@@ -460,9 +458,9 @@ mod tests {
             find(&known, &paths, "key")
         };
         let both = found(&["bearing[*].preload", "load[0].constant.z"]).unwrap();
-        assert_eq!(both.places.len(), 3);
+        assert_eq!(both.paths.len(), 3);
         let mut scenario = given.clone();
-        both.put(&mut scenario, &"5 N".into());
+        both.set(&mut scenario, &"5 N".into());
         assert_eq!(scenario["bearing"][1]["preload"], "5 N");
         assert_eq!(scenario["load"][0]["constant"]["z"], "5 N");
         let refused = found(&["bearing[*].preload", "bearing[*].position"]).unwrap_err();

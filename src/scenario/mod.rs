@@ -134,10 +134,9 @@ pub(crate) fn ratings<'a>(
     let root = Node::from(&Value::Object(given.map(value).collect()));
     let mut problems = Problems::new(&root, Path::new("")).about("the line");
     let input: Option<RatingsInput> = reader::read(schema, &mut problems);
-    let (issues, _) = problems.finish();
     match input {
-        Some(input) if issues.is_empty() => Ok(input.line()),
-        _ => Err(issues),
+        Some(input) if problems.issues.is_empty() => Ok(input.line()),
+        _ => Err(problems.issues),
     }
 }
 
@@ -159,12 +158,14 @@ fn check(document: &Document) -> Result<Scenario, ScenarioError> {
     let mut problems = document.problems();
     let made = build(&mut problems).map(|(input, questions)| {
         let echo = echo(&input);
-        let study = input.study.as_ref().filter(|_| problems.is_clean());
+        let study = input.study.as_ref().filter(|_| problems.issues.is_empty());
         let study = study.and_then(|study| study.build(&echo, &mut problems));
         (input, questions, echo, study)
     });
     let ((input, questions, echo, study), warnings) = document.finish(made, problems)?;
-    let housing_columns = ScenarioInput::columns_with_housings(&questions.question.rotor);
+    let mut output = input.output;
+    let with_housings = || ScenarioInput::columns_with_housings(&questions.question.rotor);
+    output.channels = output.channels.or_else(with_housings);
     Ok(Scenario {
         title: input.title.unwrap_or_else(|| document.stem()),
         question: questions.question,
@@ -172,7 +173,7 @@ fn check(document: &Document) -> Result<Scenario, ScenarioError> {
         contact_choice: questions.contact_choice,
         oils: questions.oils,
         study,
-        output: input.output.showing(housing_columns),
+        output,
         echo,
         warnings,
     })
@@ -198,7 +199,7 @@ fn check_title(title: Option<&str>, problems: &mut Problems<'_>) {
 /// What a scenario asks with one number put in; the files that it names stand in `folder`.
 fn questions_at(base: &Value, key: &Key, si: f64, folder: &Path) -> Result<Questions, Issue> {
     let (mut scenario, value) = (base.clone(), key.written(si));
-    key.put(&mut scenario, &value);
+    key.set(&mut scenario, &value);
     questions(&scenario, folder).map_err(|issue| Issue {
         message: format!("with {} = {value}: {}", key.path, issue.message),
         ..issue
@@ -210,12 +211,11 @@ fn questions(scenario: &Value, folder: &Path) -> Result<Questions, Issue> {
     let root = Node::from(scenario);
     let mut problems = Problems::new(&root, folder);
     let built = build(&mut problems);
-    let (issues, _) = problems.finish();
-    match (built, issues.into_iter().next()) {
-        (Some((_, questions)), None) => Ok(questions),
-        (_, Some(issue)) => Err(issue),
-        (None, None) => Err(Issue::new("", "the scenario asks nothing")),
+    if let Some(issue) = problems.issues.into_iter().next() {
+        return Err(issue);
     }
+    let (_, questions) = built.ok_or_else(|| Issue::new("", "the scenario asks nothing"))?;
+    Ok(questions)
 }
 
 /// A scenario without some of its tables.

@@ -5,7 +5,7 @@ use std::ops::Range;
 use jsonc_parser::ast::{self, Object};
 use jsonc_parser::common::Ranged;
 use jsonc_parser::{CollectOptions, ParseOptions, parse_to_ast};
-use serde_json::Value;
+use serde_json::{Number, Value};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -23,12 +23,11 @@ pub(super) struct Node {
 /// A value of either format.
 #[derive(Debug)]
 pub(super) enum Content {
-    Text(String),
-    Integer(i64),
-    Number(f64),
-    Switch(bool),
+    /// A text, a number, a boolean or null.
+    Plain(Value),
+    /// An infinite number, or none.
+    NotFinite(f64),
     Date,
-    Null,
     List(Vec<Node>),
     Table(Vec<Entry>),
 }
@@ -48,13 +47,6 @@ impl From<&Value> for Node {
     /// The tree of a value that no text holds.
     fn from(value: &Value) -> Self {
         let content = match value {
-            Value::Null => Content::Null,
-            Value::Bool(switch) => Content::Switch(*switch),
-            Value::Number(number) => number.as_i64().map_or_else(
-                || Content::Number(number.as_f64().unwrap_or(f64::NAN)),
-                Content::Integer,
-            ),
-            Value::String(text) => Content::Text(text.clone()),
             Value::Array(items) => Content::List(items.iter().map(Self::from).collect()),
             Value::Object(entries) => {
                 let entry = |(key, value): (&String, &Value)| Entry {
@@ -64,6 +56,7 @@ impl From<&Value> for Node {
                 };
                 Content::Table(entries.iter().map(entry).collect())
             }
+            plain => Content::Plain(plain.clone()),
         };
         Self {
             span: 0..0,
@@ -73,14 +66,11 @@ impl From<&Value> for Node {
 }
 
 impl From<&Node> for Value {
-    /// The value without its places; a date, which no key takes, is null.
+    /// The value without its places; a date and a number that is not finite, which no key takes, are null.
     fn from(node: &Node) -> Self {
         match &node.content {
-            Content::Text(text) => text.as_str().into(),
-            Content::Integer(integer) => (*integer).into(),
-            Content::Number(number) => (*number).into(),
-            Content::Switch(switch) => (*switch).into(),
-            Content::Date | Content::Null => Self::Null,
+            Content::Plain(value) => value.clone(),
+            Content::Date | Content::NotFinite(_) => Self::Null,
             Content::List(items) => items.iter().map(Self::from).collect(),
             Content::Table(entries) => {
                 let entry = |entry: &Entry| (entry.key.clone(), Self::from(&entry.node));
@@ -93,20 +83,33 @@ impl From<&Node> for Value {
 impl Content {
     /// The whole number, or else the number, that a text is.
     pub fn of_number(text: &str) -> Self {
-        match text.parse() {
-            Ok(integer) => Self::Integer(integer),
-            Err(_) => Self::Number(text.parse().unwrap_or(f64::NAN)),
+        match text.parse::<i64>() {
+            Ok(integer) => Self::Plain(integer.into()),
+            Err(_) => Self::of_float(text.parse().unwrap_or(f64::NAN)),
+        }
+    }
+
+    fn of_float(number: f64) -> Self {
+        Number::from_f64(number).map_or(Self::NotFinite(number), |it| Self::Plain(it.into()))
+    }
+
+    /// The number, unless it is written as a whole one.
+    pub fn float(&self) -> Option<f64> {
+        match self {
+            Self::Plain(Value::Number(number)) if number.is_f64() => number.as_f64(),
+            Self::NotFinite(number) => Some(*number),
+            _ => None,
         }
     }
 
     /// What the value is called in messages.
     pub fn kind(&self) -> &'static str {
         match self {
-            Self::Text(_) => "a string",
-            Self::Integer(_) | Self::Number(_) => "a number",
-            Self::Switch(_) => "a boolean",
+            Self::Plain(Value::String(_)) => "a string",
+            Self::Plain(Value::Bool(_)) => "a boolean",
+            Self::Plain(Value::Number(_)) | Self::NotFinite(_) => "a number",
+            Self::Plain(_) => "null",
             Self::Date => "a date",
-            Self::Null => "null",
             Self::List(_) => "a list",
             Self::Table(_) => "a table",
         }
@@ -194,10 +197,10 @@ fn clamp(place: usize, text: &str) -> usize {
 
 fn json_node(value: &ast::Value<'_>, duplicates: &mut Vec<Issue>) -> Node {
     let content = match value {
-        ast::Value::StringLit(text) => Content::Text(text.value.to_string()),
+        ast::Value::StringLit(text) => Content::Plain(text.value.as_ref().into()),
         ast::Value::NumberLit(number) => Content::of_number(number.value),
-        ast::Value::BooleanLit(switch) => Content::Switch(switch.value),
-        ast::Value::NullKeyword(_) => Content::Null,
+        ast::Value::BooleanLit(switch) => Content::Plain(switch.value.into()),
+        ast::Value::NullKeyword(_) => Content::Plain(Value::Null),
         ast::Value::Array(array) => {
             let items = array.elements.iter();
             Content::List(items.map(|item| json_node(item, duplicates)).collect())
@@ -258,17 +261,17 @@ fn toml_table(table: &DeTable<'_>) -> Content {
 
 fn toml_node(value: &Spanned<DeValue<'_>>) -> Node {
     let content = match value.get_ref() {
-        DeValue::String(text) => Content::Text(text.to_string()),
+        DeValue::String(text) => Content::Plain(text.as_ref().into()),
         DeValue::Integer(integer) => {
             let digits = integer.as_str();
             match i64::from_str_radix(digits, integer.radix()) {
-                Ok(integer) => Content::Integer(integer),
+                Ok(integer) => Content::Plain(integer.into()),
                 // beyond 64 bits it is kept as the nearest number: the range check refuses it
-                Err(_) => Content::Number(digits.parse().unwrap_or(f64::INFINITY)),
+                Err(_) => Content::of_float(digits.parse().unwrap_or(f64::INFINITY)),
             }
         }
-        DeValue::Float(float) => Content::Number(float.as_str().parse().unwrap_or(f64::NAN)),
-        DeValue::Boolean(switch) => Content::Switch(*switch),
+        DeValue::Float(float) => Content::of_float(float.as_str().parse().unwrap_or(f64::NAN)),
+        DeValue::Boolean(switch) => Content::Plain((*switch).into()),
         DeValue::Datetime(_) => Content::Date,
         DeValue::Array(items) => Content::List(items.iter().map(toml_node).collect()),
         DeValue::Table(entries) => toml_table(entries),

@@ -1,6 +1,5 @@
 //! What is wrong with a scenario: collected while it is read and checked, shown with the lines that it stands on.
 
-use std::fmt;
 use std::ops::Range;
 use std::path::Path;
 
@@ -19,9 +18,11 @@ pub(super) struct Problems<'a> {
     /// What messages call the file as a whole.
     pub subject: &'static str,
     table: String,
-    issues: Vec<Issue>,
+    /// What is wrong so far.
+    pub issues: Vec<Issue>,
     faulty: Vec<String>,
-    warnings: Vec<String>,
+    /// What the user should know although the scenario can be run.
+    pub warnings: Vec<String>,
 }
 
 impl<'a> Problems<'a> {
@@ -142,24 +143,15 @@ impl<'a> Problems<'a> {
         self.root.find(path)
     }
 
-    /// Whether nothing is wrong so far.
-    pub fn is_clean(&self) -> bool {
-        self.issues.is_empty()
-    }
-
     /// Notes what the user should know although the scenario can be run.
     pub fn warn(&mut self, warning: impl Into<String>) {
         self.warnings.push(warning.into());
     }
-
-    /// The problems and the warnings.
-    pub fn finish(self) -> (Vec<Issue>, Vec<String>) {
-        (self.issues, self.warnings)
-    }
 }
 
-/// A problem of a scenario file, or of a value on the command line.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// A problem of a scenario file, or of a value on the command line; it is shown in one line with what to do about it.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{message}{}", help.as_ref().map_or_else(String::new, |help| format!("; {help}")))]
 #[non_exhaustive]
 pub struct Issue {
     /// Key path, for instance `bearing[0].geometry.balls`; empty for the file as a whole.
@@ -173,19 +165,6 @@ pub struct Issue {
     pub related: Vec<(String, Option<Range<usize>>)>,
     /// What to do about it.
     pub help: Option<String>,
-}
-
-impl std::error::Error for Issue {}
-
-impl fmt::Display for Issue {
-    /// What is wrong and what to do about it, in one line.
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(&self.message)?;
-        match &self.help {
-            Some(help) => write!(formatter, "; {help}"),
-            None => Ok(()),
-        }
-    }
 }
 
 impl Issue {
@@ -259,7 +238,8 @@ pub(super) fn nearest<'a>(
 const MOST_SHOWN: usize = 100;
 
 /// A scenario that cannot be run: everything that is wrong with it.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{}", self.render(false))]
 #[non_exhaustive]
 pub struct ScenarioError {
     /// File name as given.
@@ -268,14 +248,6 @@ pub struct ScenarioError {
     pub text: String,
     /// The problems in the order of the file, at least one.
     pub issues: Vec<Issue>,
-}
-
-impl std::error::Error for ScenarioError {}
-
-impl fmt::Display for ScenarioError {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(&self.render(false))
-    }
 }
 
 impl ScenarioError {
@@ -292,26 +264,19 @@ impl ScenarioError {
     /// Every problem with its line, the place underlined, and a closing count. Without colour
     /// the text has no control sequences.
     pub fn render(&self, color: bool) -> String {
-        let renderer = if color {
-            Renderer::styled()
-        } else {
-            Renderer::plain()
+        let renderer = match color {
+            true => Renderer::styled(),
+            false => Renderer::plain(),
         };
-        let mut rendered = String::new();
-        for issue in self.issues.iter().take(MOST_SHOWN) {
-            rendered.push_str(&renderer.render(&[self.group(issue)]));
-            rendered.push_str("\n\n");
-        }
-        let noun = if self.issues.len() == 1 {
-            "problem"
-        } else {
-            "problems"
-        };
-        let hidden = match self.issues.len().saturating_sub(MOST_SHOWN) {
+        let shown = self.issues.iter().take(MOST_SHOWN);
+        let shown = shown.map(|issue| renderer.render(&[self.group(issue)]) + "\n\n");
+        let count = self.issues.len();
+        let noun = if count == 1 { "problem" } else { "problems" };
+        let hidden = match count.saturating_sub(MOST_SHOWN) {
             0 => String::new(),
             count => format!(", {count} of them not shown"),
         };
-        rendered + &format!("{}: {} {noun}{hidden}\n", self.name, self.issues.len())
+        shown.collect::<String>() + &format!("{}: {count} {noun}{hidden}\n", self.name)
     }
 
     fn group<'a>(&'a self, issue: &'a Issue) -> Group<'a> {

@@ -75,30 +75,23 @@ impl Reader<'_, '_> {
             return match &node.content {
                 Content::List(items) if types.contains(&"array".into()) => self.list(items),
                 content if types.contains(&"number".into()) => self.scalar(content),
-                Content::Text(text) => Some(Value::String(text.clone())),
-                _ => self.refuse(&format!(
-                    "`{}` must be a string or a list of strings",
-                    self.key()
-                )),
+                Content::Plain(text @ Value::String(_)) => Some(text.clone()),
+                _ => self.refuse("must be a string or a list of strings"),
             };
         }
         match (self.schema["type"].as_str()?, &node.content) {
             ("object", Content::Table(entries)) => self.table(entries),
             ("array", Content::List(items)) => self.list(items),
-            ("string", Content::Text(text)) => Some(Value::String(text.clone())),
-            ("boolean", Content::Switch(switch)) => Some(Value::Bool(*switch)),
-            ("integer" | "number", Content::Integer(integer)) => {
-                self.in_range(*integer as f64, (*integer).into())
+            ("string", Content::Plain(value @ Value::String(_)))
+            | ("boolean", Content::Plain(value @ Value::Bool(_))) => Some(value.clone()),
+            ("number", Content::Plain(Value::Number(number))) => self.in_range(number.clone()),
+            ("number", Content::NotFinite(_)) => self.refuse("must be a finite number"),
+            ("integer", Content::Plain(Value::Number(number))) if is_whole(number) => {
+                let whole = number
+                    .as_i64()
+                    .or(number.as_f64().map(|number| number as i64));
+                self.in_range(whole?.into())
             }
-            ("integer", Content::Number(number))
-                if number.fract() == 0.0 && number.abs() < 1e15 =>
-            {
-                self.in_range(*number, (*number as i64).into())
-            }
-            ("number", Content::Number(number)) => match Number::from_f64(*number) {
-                Some(finite) => self.in_range(*number, finite),
-                None => self.refuse(&format!("`{}` must be a finite number", self.key())),
-            },
             (expected, content) => {
                 let issue = wrong_type(expected, content, self.path);
                 self.problems.add(issue.at(Some(node.span.clone())));
@@ -111,8 +104,9 @@ impl Reader<'_, '_> {
         last(self.path)
     }
 
-    /// Adds a problem of the key, which then has no value.
-    fn refuse(&mut self, message: &str) -> Option<Value> {
+    /// Adds what is wrong with the key, which then has no value.
+    fn refuse(&mut self, wrong: &str) -> Option<Value> {
+        let message = format!("`{}` {wrong}", self.key());
         self.problems.add(Issue::new(self.path, message));
         None
     }
@@ -120,33 +114,30 @@ impl Reader<'_, '_> {
     /// A quantity or a number, whose key is known only later.
     fn scalar(&mut self, content: &Content) -> Option<Value> {
         let value = match content {
-            Content::Text(text) => Some(Value::from(text.clone())),
-            Content::Integer(integer) => Some(Value::from(*integer)),
-            Content::Number(number) => Number::from_f64(*number).map(Value::Number),
+            Content::Plain(value @ (Value::String(_) | Value::Number(_))) => Some(value.clone()),
             _ => None,
         };
-        let message = "must be a finite number, or a number and a unit in quotes";
-        value.or_else(|| self.refuse(&format!("`{}` {message}", self.key())))
+        value.or_else(|| self.refuse("must be a finite number, or a number and a unit in quotes"))
     }
 
-    fn in_range(&mut self, number: f64, value: Number) -> Option<Value> {
+    fn in_range(&mut self, value: Number) -> Option<Value> {
         let range = Range::of(self.schema);
-        if range.contains(number) {
+        if value.as_f64().is_some_and(|number| range.contains(number)) {
             return Some(Value::Number(value));
         }
         let words = range.words(|limit| limit);
-        self.refuse(&format!("`{}` must be {words}, not {value}", self.key()))
+        self.refuse(&format!("must be {words}, not {value}"))
     }
 
     /// One of some words; the schema's `successors` has those that took the place of words that are gone.
     fn choice(&mut self, content: &Content, choices: &[&str]) -> Option<Value> {
         let written = match content {
-            Content::Text(text) if choices.contains(&text.as_str()) => {
-                return Some(Value::String(text.clone()));
-            }
-            Content::Text(text) => text.as_str(),
+            Content::Plain(Value::String(text)) => text.as_str(),
             _ => "",
         };
+        if choices.contains(&written) {
+            return Some(written.into());
+        }
         let words: Vec<_> = choices.iter().map(|word| format!("\"{word}\"")).collect();
         let message = format!("`{}` must be one of {}", self.key(), words.join(", "));
         let mut issue = Issue::new(self.path, message);
@@ -163,13 +154,10 @@ impl Reader<'_, '_> {
         let count = items.len() as u64;
         let limit = |name: &str| self.schema[name].as_u64();
         if limit("minItems").is_some_and(|least| count < least) {
-            return self.refuse(&format!("`{}` must have at least one entry", self.key()));
+            return self.refuse("must have at least one entry");
         }
         if let Some(most) = limit("maxItems").filter(|most| count > *most) {
-            return self.refuse(&format!(
-                "`{}` must have at most {most} entries",
-                self.key()
-            ));
+            return self.refuse(&format!("must have at most {most} entries"));
         }
         let read = |(index, item)| {
             let path = format!("{}[{index}]", self.path);
@@ -183,16 +171,15 @@ impl Reader<'_, '_> {
     /// The text of the quantity, if it is one of the right dimension and in its range.
     fn quantity(&mut self, content: &Content) -> Option<Value> {
         let checked = match content {
-            Content::Text(text) => {
+            Content::Plain(Value::String(text)) => {
                 check(text, self.schema, self.path).map(|()| Value::from(text.clone()))
             }
-            Content::Integer(_) | Content::Number(_) => Err(needs_unit(self.schema, self.path)),
+            Content::Plain(Value::Number(_)) | Content::NotFinite(_) => {
+                Err(needs_unit(self.schema, self.path))
+            }
             other => {
-                let message = format!(
-                    "`{}` must be a number and a unit in quotes, not {}",
-                    self.key(),
-                    other.kind()
-                );
+                let (key, kind) = (self.key(), other.kind());
+                let message = format!("`{key}` must be a number and a unit in quotes, not {kind}");
                 Err(Issue::new(self.path, message).help(as_in(self.schema)))
             }
         };
@@ -222,12 +209,9 @@ impl Reader<'_, '_> {
             }
         }
         if entries.is_empty() && self.schema["minProperties"].as_u64() == Some(1) {
-            let known = properties.keys().map(String::as_str);
-            let known = quoted(known, ", ");
-            self.refuse(&format!(
-                "{} needs at least one of {known}",
-                self.table_name()
-            ));
+            let known = quoted(properties.keys().map(String::as_str), ", ");
+            let message = format!("{} needs at least one of {known}", self.table_name());
+            self.problems.add(Issue::new(self.path, message));
         }
         let complete = self.fill_required(&given, &mut values);
         complete.then_some(Value::Object(values))
@@ -291,7 +275,8 @@ impl Reader<'_, '_> {
         match given[..] {
             [] if one_is_due && !group.iter().any(distrusted) => {
                 let group = quoted(group.iter().copied(), ", ");
-                self.refuse(&format!("{} needs one of {group}", self.table_name()));
+                let message = format!("{} needs one of {group}", self.table_name());
+                self.problems.add(Issue::new(self.path, message));
             }
             [_, second, ..] => {
                 let keys = given.iter().map(|entry| entry.key.as_str());
@@ -315,6 +300,12 @@ const GONE: [(&str, &str); 1] = [(
     "leave it out: every run is integrated by itself",
 )];
 
+/// Whether a number is a whole one of ordinary size.
+fn is_whole(number: &Number) -> bool {
+    let whole = |number: f64| number.fract() == 0.0 && number.abs() < 1e15;
+    number.is_i64() || number.as_f64().is_some_and(whole)
+}
+
 fn wrong_type(expected: &str, content: &Content, path: &str) -> Issue {
     let key = last(path);
     if key.is_empty() {
@@ -331,14 +322,14 @@ fn wrong_type(expected: &str, content: &Content, path: &str) -> Issue {
         ("array", _) => ("a list", None),
         ("boolean", _) => ("true or false", None),
         ("integer", _) => ("a whole number", None),
-        ("number", Content::Text(_)) => ("a number", Some("write it without quotes".to_owned())),
+        ("number", Content::Plain(Value::String(_))) => {
+            ("a number", Some("write it without quotes".to_owned()))
+        }
         ("number", _) => ("a number", None),
         _ => ("a string", Some("write it in quotes".to_owned())),
     };
-    let given = match content {
-        Content::Number(number) => number.to_string(),
-        content => content.kind().to_owned(),
-    };
+    let given = content.float().map(|number| number.to_string());
+    let given = given.unwrap_or_else(|| content.kind().to_owned());
     let mut issue = Issue::new(path, format!("`{key}` must be {due}, not {given}"));
     issue.help = help;
     issue
@@ -456,7 +447,7 @@ fn missing_key(inner: &str, table: &str, schema: &Value) -> Issue {
     let message = format!("{table} needs `{key}`");
     let issue = Issue::new(inner, message);
     // in TOML the tables of a list bear the name of the list
-    let table = without_indices(inner);
+    let table = inner.split('.').map(last).collect::<Vec<_>>().join(".");
     match (schema["type"].as_str(), example(schema)) {
         (Some("object"), _) => issue.help(format!("add a table `[{table}]`")),
         (_, Some(example)) if !example[0].is_object() => {
@@ -465,13 +456,6 @@ fn missing_key(inner: &str, table: &str, schema: &Value) -> Issue {
         (Some("array"), _) => issue.help(format!("add a table `[[{table}]]`")),
         _ => issue,
     }
-}
-
-/// `spectrum[0].band` as `spectrum.band`.
-fn without_indices(path: &str) -> String {
-    let steps = path.split('.');
-    let names = steps.map(|step| step.split('[').next().unwrap_or_default());
-    names.collect::<Vec<_>>().join(".")
 }
 
 /// A value that the schema shows as valid.

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use super::axis::{AxisInput, AxisReader, Scalar};
 use super::document::Document;
-use super::key::{Key, KeyPaths, all_keys, number_keys, put};
+use super::key::{Key, KeyPaths, all_keys, number_keys, set_value};
 use super::problems::Problems;
 use super::schema::schema_of;
 use super::{Format, Issue, Scenario, ScenarioError, echo, key, questions, reader, without};
@@ -146,8 +146,8 @@ impl StudyFileInput {
         problems: &mut Problems<'_>,
     ) -> Option<StudyFile> {
         let Some(model) = &scenario.model else {
-            let issue = Issue::new("base", "a study needs a scenario with a `[time]`");
-            problems.refuse(issue);
+            let message = "a study needs a scenario with a `[time]`";
+            problems.refuse(Issue::new("base", message));
             return None;
         };
         let columns = self.columns(model, problems);
@@ -179,7 +179,7 @@ impl StudyFileInput {
         self.check_sweep(problems);
         self.check_cycles(problems);
         let echo = json!({ "study": echo(self), "base": base });
-        problems.is_clean().then(|| StudyFile {
+        problems.issues.is_empty().then(|| StudyFile {
             title,
             plan,
             variables,
@@ -208,7 +208,7 @@ impl StudyFileInput {
             let found = key::find(&known, set.key.all(), &format!("set[{index}].key"));
             let key = problems.take(found)?;
             let value = key.read(&format!("set[{index}].value"), problems)?;
-            key.put(&mut base, &value);
+            key.set(&mut base, &value);
         }
         if let Err(issue) = questions(&base, folder) {
             let message = format!("the base with `set`: {}", issue.message);
@@ -220,10 +220,8 @@ impl StudyFileInput {
 
     /// The numbers that are kept: of a scene all, or those that are named and the measured error.
     fn columns(&self, model: &Model, problems: &mut Problems<'_>) -> Vec<NumberColumn> {
-        let all = number_columns(
-            model.rotor.shaft.freedoms.count(),
-            model.rotor.bearings.len(),
-        );
+        let rotor = &model.rotor;
+        let all = number_columns(rotor.shaft.freedoms.count(), rotor.bearings.len());
         let Some(named) = &self.keep.numbers else {
             return all;
         };
@@ -286,11 +284,9 @@ impl StudyFileInput {
 
     fn check_sweep(&self, problems: &mut Problems<'_>) {
         if self.sweep.is_some() && self.sampling != SamplingKind::Grid {
-            let issue = Issue::new(
-                "sweep",
-                "runs that are drawn have no neighbours to go on from",
-            );
-            problems.refuse(issue.help("take a grid").against("sampling"));
+            let message = "runs that are drawn have no neighbours to go on from";
+            let issue = Issue::new("sweep", message).help("take a grid");
+            problems.refuse(issue.against("sampling"));
         }
         if self.keep.highest_order.is_some() && !self.keep.spectra {
             let issue = Issue::new("keep.highest_order", "no spectra are kept");
@@ -317,14 +313,12 @@ impl StudyFileInput {
     }
 
     fn keep(&self) -> Keep {
-        let keep = &self.keep;
+        let highest_order = self.keep.highest_order.unwrap_or(HIGHEST_ORDER);
         Keep {
-            highest_order: keep
-                .spectra
-                .then(|| keep.highest_order.unwrap_or(HIGHEST_ORDER)),
-            bearing_stiffness: keep.bearing_stiffness,
-            traces: keep.traces,
-            section: keep.poincare,
+            highest_order: self.keep.spectra.then_some(highest_order),
+            bearing_stiffness: self.keep.bearing_stiffness,
+            traces: self.keep.traces,
+            section: self.keep.poincare,
         }
     }
 }
@@ -337,14 +331,14 @@ impl StudyFile {
     pub fn scenario(&self, values: &[f64]) -> Result<Value, Issue> {
         let mut scenario = self.base.clone();
         for (key, value) in self.keys.iter().zip(values) {
-            key.put(&mut scenario, &key.written(*value));
+            key.set(&mut scenario, &key.written(*value));
         }
         if let Some(cycles) = &self.cycles {
             let rotor = questions(&scenario, &self.folder)?.motion()?.rotor;
             let times = cycles.times(&rotor);
             let times = times.map_err(|error| Issue::new("cycles", error.to_string()))?;
             for (key, time) in TIMES.iter().zip(times) {
-                put(&mut scenario, key, &json!(format!("{time} s")));
+                set_value(&mut scenario, key, &json!(format!("{time} s")));
             }
         }
         Ok(scenario)

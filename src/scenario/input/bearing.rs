@@ -137,10 +137,8 @@ fn is_zero(value: &f64) -> bool {
 }
 
 fn designations() -> Vec<&'static str> {
-    CATALOGUE
-        .iter()
-        .map(|entry| entry.designation.as_str())
-        .collect()
+    let designations = CATALOGUE.iter().map(|entry| entry.designation.as_str());
+    designations.collect()
 }
 
 impl BearingInput {
@@ -222,10 +220,10 @@ impl BearingInput {
             clearance_class: self.clearance_class.or(class),
         };
         let ring_material = material(self.material.as_ref(), Material::BEARING_STEEL);
-        let (geometry, estimate) = sources.build(freedoms, problems)?;
         let change = self.clearance_change.si();
+        let (geometry, estimate) = sources.build(freedoms, change, problems)?;
         let bearing = Bearing {
-            geometry: sources.changed(&geometry, change, problems)?,
+            geometry,
             ring_material,
             ball_material: material(self.ball_material.as_ref(), ring_material),
             contact_stiffness: si(&input.contact_stiffness),
@@ -588,15 +586,11 @@ pub fn warn_where_unheld(bearings: &[MountedBearing], inputs: usize, problems: &
     if !bearings.iter().all(one_way) {
         return;
     }
-    let [way, other] = if first.facing.sign() > 0.0 {
-        ["+z", "-z"]
-    } else {
-        ["-z", "+z"]
+    let [way, other, force] = match first.facing {
+        Facing::PlusZ => ["+z", "-z", "500 N"],
+        Facing::MinusZ => ["-z", "+z", "-500 N"],
     };
-    let load = format!(
-        "a load along {way}, as in `[[load]]` constant = {{ z = \"{}500 N\" }}",
-        way.trim_end_matches('z').trim_start_matches('+')
-    );
+    let load = format!("a load along {way}, as in `[[load]]` constant = {{ z = \"{force}\" }}");
     problems.warn(match bearings.len() {
         1 => format!(
             "a single angular contact bearing bears axially one way only and needs an axial load: with none its \

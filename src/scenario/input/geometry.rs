@@ -76,10 +76,11 @@ pub struct Sources<'a> {
 }
 
 impl Sources<'_> {
-    /// The checked geometry as it is made, and what of it was estimated.
+    /// The checked geometry with its clearance changed, and what of it was estimated.
     pub fn build(
         &self,
         freedoms: Freedoms,
+        clearance_change: f64,
         problems: &mut Problems<'_>,
     ) -> Option<(Geometry, Option<Estimate>)> {
         let input = self.input;
@@ -95,7 +96,9 @@ impl Sources<'_> {
         let pitch = si(&input.pitch_diameter).or(entry.map(|e| e.pitch_diameter));
         let pitch = self.need("pitch_diameter", pitch, problems);
         let free = self.free_position(problems);
-        let any = self.grooves_cancel(freedoms).then_some(ANY_GROOVE_FACTOR);
+        // in a radial scene with given contact stiffness and radial clearance the balls stay in the radial plane
+        let flat = input.contact_stiffness.is_some() && input.radial_clearance.is_some();
+        let any = (flat && freedoms == Freedoms::Radial).then_some(ANY_GROOVE_FACTOR);
         let known = entry.map(|e| [e.groove_factor_inner, e.groove_factor_outer]);
         let [inner, outer] = known.map_or([any; 2], |known| known.map(Some));
         let inner = input.groove_factor_inner.or(inner);
@@ -103,21 +106,10 @@ impl Sources<'_> {
         let outer = input.groove_factor_outer.or(outer);
         let outer = self.need("groove_factor_outer", outer, problems);
         let geometry = Geometry::new(balls?, diameter?, pitch?, free?, inner?, outer?);
-        let geometry = geometry.map_err(|error| self.wrong(&error));
-        Some((problems.take(geometry)?, estimate))
-    }
-
-    /// The geometry with its clearance changed by `clearance_change`.
-    pub fn changed(
-        &self,
-        geometry: &Geometry,
-        change: f64,
-        problems: &mut Problems<'_>,
-    ) -> Option<Geometry> {
-        let changed = geometry.with_clearance_change(change);
-        let changed =
-            changed.map_err(|error| Issue::new(".clearance_change", self.message(&error)));
-        problems.take(changed)
+        let geometry = problems.take(geometry.map_err(|error| self.wrong(&error)))?;
+        let changed = geometry.with_clearance_change(clearance_change);
+        let wrong = |error| Issue::new(".clearance_change", self.message(&error));
+        Some((problems.take(changed.map_err(wrong))?, estimate))
     }
 
     /// The internal geometry that belongs to the ratings and to what the table gives of it.
@@ -216,28 +208,13 @@ impl Sources<'_> {
         given
     }
 
-    /// In a radial scene with given contact stiffness and radial clearance the grooves play no
-    /// part: the balls stay in the radial plane.
-    fn grooves_cancel(&self, freedoms: Freedoms) -> bool {
-        freedoms == Freedoms::Radial
-            && self.input.contact_stiffness.is_some()
-            && self.input.radial_clearance.is_some()
-    }
-
     /// The problem of dimensions that make no bearing.
     fn wrong(&self, error: &GeometryError) -> Issue {
         let (key, others): (_, &[&str]) = match error {
-            GeometryError::Balls { .. } => ("balls", &[]),
-            GeometryError::Length { name, .. } if name.starts_with("pitch") => {
-                ("pitch_diameter", &[])
-            }
-            GeometryError::Length { .. } => ("ball_diameter", &[]),
-            GeometryError::GrooveFactor { race: "inner", .. } => ("groove_factor_inner", &[]),
-            GeometryError::GrooveFactor { .. } => ("groove_factor_outer", &[]),
-            GeometryError::ContactAngle { .. } => ("contact_angle", &[]),
             GeometryError::Clearance { .. } => (self.clearance_key(), &["ball_diameter"]),
-            GeometryError::ClearanceChange { .. } => ("diametral_clearance", &[]),
             GeometryError::Overlap { .. } => ("balls", &["ball_diameter", "pitch_diameter"]),
+            // each number by itself is in its range: schema and catalogue have seen to it
+            _ => ("balls", &[]),
         };
         let issue = Issue::new(at(key), self.message(error));
         issue.against_all(others.iter().map(|key| at(key)))

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::load::first_seed;
+use super::number;
 use crate::bearing::{
     Defect, DefectProfile, Geometry, ImperfectionError, Imperfections, Surface, Wave,
 };
@@ -71,8 +71,6 @@ impl DefectInput {
         defect.check(geometry).map_err(|error| {
             let key = match error {
                 ImperfectionError::Ball { .. } => ".ball",
-                ImperfectionError::Length { name: "depth", .. } => ".depth",
-                ImperfectionError::NotFinite { .. } => ".angle",
                 _ => ".length",
             };
             Issue::new(key, error.to_string())
@@ -89,11 +87,8 @@ pub fn surface(on: SurfaceInput, ball: Option<u32>) -> Result<Option<Surface>, I
         SurfaceInput::Ball => return Ok(ball.map(|ball| Surface::Ball(ball as usize - 1))),
     };
     if ball.is_some() {
-        let issue = Issue::new(
-            ".ball",
-            "`ball` is the number of a ball, and this is on a race",
-        );
-        let issue = issue.help("remove it, or set on = \"ball\"");
+        let message = "`ball` is the number of a ball, and this is on a race";
+        let issue = Issue::new(".ball", message).help("remove it, or set on = \"ball\"");
         return Err(issue.against(".on"));
     }
     Ok(Some(race))
@@ -134,24 +129,20 @@ pub struct WaveSpectrumInput {
     #[schemars(range(min = 0.0, max = 10.0))]
     pub exponent: f64,
     /// Lowest order. Default: 2.
-    #[serde(default = "two")]
+    #[serde(default = "number::<2>")]
     #[schemars(range(min = 1, max = 10_000))]
     pub first: u32,
     /// Highest order, for instance 60.
     #[schemars(range(min = 1, max = 10_000), extend("examples" = [60]))]
     pub last: u32,
     /// Seed of the phases, a whole number. Default: 1.
-    #[serde(default = "first_seed")]
+    #[serde(default = "number::<1>")]
     #[schemars(range(min = 0, max = 4_294_967_295_u32))]
     pub seed: u32,
 }
 
 fn one() -> f64 {
     1.0
-}
-
-fn two() -> u32 {
-    2
 }
 
 impl WavinessInput {
@@ -163,12 +154,9 @@ impl WavinessInput {
     ) -> Option<Vec<(Surface, Wave)>> {
         let surfaces = match problems.take(surface(self.on, self.ball))? {
             Some(Surface::Ball(number)) if number >= geometry.balls() => {
-                let message = format!(
-                    "there is no ball {}: the balls count from 1 to {}",
-                    number + 1,
-                    geometry.balls()
-                );
-                problems.refuse(Issue::new(".ball", message));
+                let balls = geometry.balls();
+                let error = ImperfectionError::Ball { number, balls };
+                problems.refuse(Issue::new(".ball", error.to_string()));
                 return None;
             }
             Some(surface) => vec![surface],

@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::components::{self, Components, PerFreedom};
+use super::number;
 use crate::bearing::Vector5;
 use crate::rotor;
 use crate::rotor::load::{
@@ -57,7 +58,7 @@ pub struct LoadInput {
 
 /// What the tables of the loads need to know of the rest.
 #[derive(Clone, Copy)]
-pub struct Surroundings {
+pub struct LoadContext {
     /// Freedoms that move.
     pub freedoms: Freedoms,
     /// Simulated time, s.
@@ -69,28 +70,29 @@ pub struct Surroundings {
 /// The loads.
 pub fn build(
     loads: &[LoadInput],
-    around: Surroundings,
+    context: LoadContext,
     problems: &mut Problems<'_>,
 ) -> Vec<rotor::Load> {
     let built = problems.each("load", loads, |load, problems| {
-        let position = load.position(around, problems);
-        let kind = load.kind(around, problems);
-        Some(kind.map(|kind| rotor::Load { kind, position }))
+        let position = load.position(context, problems);
+        let constant = load.constant(context.freedoms, problems);
+        let kinds = constant.into_iter().chain(load.kind(context, problems));
+        Some(kinds.map(move |kind| rotor::Load { kind, position }))
     });
     built.into_iter().flatten().flatten().collect()
 }
 
 impl LoadInput {
     /// The place of the load; zero where no tilt moves, with a warning.
-    fn position(&self, around: Surroundings, problems: &mut Problems<'_>) -> f64 {
+    fn position(&self, context: LoadContext, problems: &mut Problems<'_>) -> f64 {
         let Some(position) = &self.position else {
-            return around.observed.unwrap_or(0.0);
+            return context.observed.unwrap_or(0.0);
         };
         if self.base.is_some() {
             let message = "a `base` acceleration acts at the centre of mass, not at a `position`";
             problems.refuse(Issue::new(".position", message).against(".base"));
         }
-        if around.freedoms != Freedoms::All && around.observed.is_none() {
+        if context.freedoms != Freedoms::All && context.observed.is_none() {
             let path = problems.path(".position");
             problems.warn(format!("`{path}` has no effect: the tilts are held"));
             return 0.0;
@@ -98,44 +100,44 @@ impl LoadInput {
         position.si()
     }
 
-    /// The load of whichever kind is given; none of a constant load of zero.
-    fn kind(&self, around: Surroundings, problems: &mut Problems<'_>) -> Option<LoadKind> {
+    /// The constant load; none where it is of another kind, or zero.
+    fn constant(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Option<LoadKind> {
+        let given = self.constant.as_ref()?.values();
+        // An axial load acts on a held z too, moments on held tilts do not.
+        let first_held = freedoms.count().max(3);
+        components::refuse_held(&given, ".constant", first_held, freedoms, problems);
+        let parts = given.map(Option::unwrap_or_default);
+        (parts != [0.0; FREEDOMS]).then_some(LoadKind::Constant(parts))
+    }
+
+    /// The varying load of whichever kind is given.
+    fn kind(&self, context: LoadContext, problems: &mut Problems<'_>) -> Option<LoadKind> {
         use LoadKind as Kind;
-        let freedoms = around.freedoms;
-        let kinds = [
-            problems.given("constant", &self.constant, |input, p| {
-                // An axial load acts on a held z too, moments on held tilts do not.
-                let first_held = freedoms.count().max(3);
-                let given = input.values();
-                components::refuse_held(&given, "", first_held, freedoms, p);
-                let parts = given.map(Option::unwrap_or_default);
-                (parts != [0.0; FREEDOMS]).then_some(Kind::Constant(parts))
-            }),
-            problems.given("harmonic", &self.harmonic, |input, p| {
+        let freedoms = context.freedoms;
+        if let Some(input) = &self.harmonic {
+            problems.inside("harmonic", |p| {
                 Some(Kind::Harmonic(input.build(freedoms, p)))
-            }),
-            problems.given("shock", &self.shock, |input, p| {
-                Some(Kind::Shock(input.build(freedoms, p)))
-            }),
-            problems.given("random_shocks", &self.random_shocks, |input, p| {
-                input.build(around, p).map(Kind::RandomShocks)
-            }),
-            problems.given("sprocket", &self.sprocket, |input, _| {
-                Some(Kind::Sprocket(input.build()))
-            }),
-            problems.given("noise", &self.noise, |input, p| {
-                input.build(freedoms, p).map(Kind::Noise)
-            }),
-            problems.given("series", &self.series, |input, p| {
-                input.build(around, p).map(Kind::Series)
-            }),
-            problems.given("base", &self.base, |input, p| {
+            })
+        } else if let Some(input) = &self.shock {
+            problems.inside("shock", |p| Some(Kind::Shock(input.build(freedoms, p))))
+        } else if let Some(input) = &self.random_shocks {
+            problems.inside("random_shocks", |p| {
+                input.build(context, p).map(Kind::RandomShocks)
+            })
+        } else if let Some(input) = &self.sprocket {
+            Some(Kind::Sprocket(input.build()))
+        } else if let Some(input) = &self.noise {
+            problems.inside("noise", |p| input.build(freedoms, p).map(Kind::Noise))
+        } else if let Some(input) = &self.series {
+            problems.inside("series", |p| input.build(context, p).map(Kind::Series))
+        } else {
+            let input = self.base.as_ref()?;
+            problems.inside("base", |p| {
                 input
                     .build(freedoms, p)
                     .map(|base| Kind::Base(Box::new(base)))
-            }),
-        ];
-        kinds.into_iter().flatten().flatten().next()
+            })
+        }
     }
 }
 
@@ -184,13 +186,13 @@ impl PerFreedom for Accelerations {
 impl BaseInput {
     /// The acceleration of whichever kind is given.
     pub fn build(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Option<LoadKind> {
-        let harmonic = problems.given("harmonic", &self.harmonic, |input, p| {
-            Some(LoadKind::Harmonic(input.build(freedoms, p)))
-        });
-        let shock = problems.given("shock", &self.shock, |input, p| {
-            Some(LoadKind::Shock(input.build(freedoms, p)))
-        });
-        harmonic?.or(shock?)
+        if let Some(input) = &self.harmonic {
+            let harmonic = problems.inside("harmonic", |p| input.build(freedoms, p));
+            return Some(LoadKind::Harmonic(harmonic));
+        }
+        let input = self.shock.as_ref()?;
+        let shock = problems.inside("shock", |p| input.build(freedoms, p));
+        Some(LoadKind::Shock(shock))
     }
 }
 
@@ -238,17 +240,13 @@ pub struct NoiseInput {
     #[schemars(extend("examples" = ["500 Hz"], "x-minimum" = 0.0))]
     pub high: Quantity<Frequency>,
     /// Number of cosines in each freedom, 8 to 4096; each costs time at every step. Default: 64.
-    #[serde(default = "some_lines")]
+    #[serde(default = "number::<64>")]
     #[schemars(range(min = 8, max = 4096))]
     pub lines: u32,
     /// Seed, a whole number: the same one gives the same noise. Default: 1.
-    #[serde(default = "first_seed")]
+    #[serde(default = "number::<1>")]
     #[schemars(range(min = 0, max = 4_294_967_295_u32))]
     pub seed: u32,
-}
-
-fn some_lines() -> u32 {
-    64
 }
 
 impl NoiseInput {
@@ -298,20 +296,15 @@ pub struct RandomShocksInput {
     #[schemars(extend("examples" = ["5 Hz"], "x-minimum" = 1e-6))]
     pub rate: Quantity<Frequency>,
     /// Seed, a whole number: the same one gives the same shocks. Default: 1.
-    #[serde(default = "first_seed")]
+    #[serde(default = "number::<1>")]
     #[schemars(range(min = 0, max = 4_294_967_295_u32))]
     pub seed: u32,
 }
 
-/// Seed where none is given.
-pub fn first_seed() -> u32 {
-    1
-}
-
 impl RandomShocksInput {
     /// The shocks of the run, unless there are too many.
-    pub fn build(&self, around: Surroundings, problems: &mut Problems<'_>) -> Option<RandomShocks> {
-        let expected = self.rate.si() * around.duration;
+    pub fn build(&self, context: LoadContext, problems: &mut Problems<'_>) -> Option<RandomShocks> {
+        let expected = self.rate.si() * context.duration;
         if expected > MOST_SHOCKS {
             let message = format!(
                 "about {expected:.1e} shocks are too many: at most {MOST_SHOCKS:e} in a run"
@@ -320,13 +313,13 @@ impl RandomShocksInput {
             return None;
         }
         let statistics = ShockStatistics {
-            peak: moving(&self.peak, ".peak", around.freedoms, problems),
+            peak: moving(&self.peak, ".peak", context.freedoms, problems),
             least: self.least,
             duration: self.duration.si(),
             rate: self.rate.si(),
             seed: self.seed.into(),
         };
-        Some(RandomShocks::new(&statistics, around.duration))
+        Some(RandomShocks::new(&statistics, context.duration))
     }
 }
 
@@ -346,13 +339,13 @@ pub struct SeriesInput {
 
 impl SeriesInput {
     /// The series, where its file is right.
-    pub fn build(&self, around: Surroundings, problems: &mut Problems<'_>) -> Option<Series> {
+    pub fn build(&self, context: LoadContext, problems: &mut Problems<'_>) -> Option<Series> {
         let read = self.read(problems.folder).map_err(|error| {
             let message = format!("`{}` is no load series: {error}", self.file);
             Issue::new(".file", message)
         });
         let (series, axes) = problems.take(read)?;
-        if let Some(axis) = axes.iter().find(|axis| **axis >= around.freedoms.count()) {
+        if let Some(axis) = axes.iter().find(|axis| **axis >= context.freedoms.count()) {
             let message = format!(
                 "`{}` has a column for `{}`, which `freedoms` holds",
                 self.file,
@@ -360,7 +353,7 @@ impl SeriesInput {
             );
             problems.refuse(Issue::new(".file", message).against("shaft.freedoms"));
         }
-        if series.end() < around.duration {
+        if series.end() < context.duration {
             problems.warn(format!(
                 "`{}` ends at {} s; its last row is held to the end of the run",
                 self.file,
@@ -441,13 +434,9 @@ pub struct SprocketInput {
     #[serde(default)]
     pub direction: Quantity<Angle>,
     /// Number of harmonics of the meshing frequency, 1 to 64. Default: 8.
-    #[serde(default = "some_harmonics")]
+    #[serde(default = "number::<8>")]
     #[schemars(range(min = 1, max = 64))]
     pub harmonics: u32,
-}
-
-fn some_harmonics() -> u32 {
-    8
 }
 
 impl SprocketInput {

@@ -24,3 +24,8 @@ mod unbalance;
 pub use output::{Output, TableFormat};
 pub use ratings::RatingsInput;
 pub use scenario::{Questions, ScenarioInput};
+
+/// What a key is that is not given.
+fn number<const NUMBER: u32>() -> u32 {
+    NUMBER
+}

@@ -114,12 +114,6 @@ impl Default for Output {
 }
 
 impl Output {
-    /// The same, showing some columns where it names none.
-    pub fn showing(mut self, columns: Option<Vec<Channel>>) -> Self {
-        self.channels = self.channels.or(columns);
-        self
-    }
-
     /// Whether spectra are taken of a run whose speed is constant after the settle time, or changes.
     pub fn takes_spectra(&self, steady: bool) -> bool {
         self.spectrum.unwrap_or(steady)

@@ -7,14 +7,14 @@ use super::bearing::{BearingInput, no_race_control, warn_where_unheld};
 use super::components::{InitialInput, StaticInput};
 use super::damping::{self, DampingInput};
 use super::flexible::{self, DiscInput, check_position};
-use super::load::{self, LoadInput, Surroundings};
+use super::load::{self, LoadContext, LoadInput};
 use super::output::{Output, Turning};
 use super::settings::{ContactChoice, IntegratorInput, MachineInput, ModelInput, TimeInput};
 use super::shaft::{ShaftInput, TorsionInput};
 use super::spectrum::{self, Recorded, SpectrumInput};
 use super::speed::SpeedInput;
 use super::study::StudyInput;
-use super::unbalance::{self, Balanced, UnbalanceInput};
+use super::unbalance::{self, UnbalanceInput};
 use crate::analysis::{Channel, SpectrumRequest};
 use crate::bearing::catalogue::CatalogueEntry;
 use crate::bearing::{MountedBearing, Oil};
@@ -173,9 +173,9 @@ impl ScenarioInput {
         problems: &mut Problems<'_>,
     ) -> (Option<RotorDefinition>, Option<ChosenContact>) {
         let open = |bearing: &BearingInput| bearing.contact(&self.model) == ContactChoice::Auto;
-        self.check_auto(self.bearing.iter().any(open), problems);
-        let (Some(rotor), true) = (&rotor, problems.is_clean() && self.bearing.iter().any(open))
-        else {
+        let any_open = self.bearing.iter().any(open);
+        self.check_auto(any_open, problems);
+        let (Some(rotor), true) = (&rotor, any_open && problems.issues.is_empty()) else {
             return (rotor, None);
         };
         let flags = |bearing| std::iter::repeat_n(open(bearing), bearing.count());
@@ -216,21 +216,20 @@ impl ScenarioInput {
         let freedoms = shaft.freedoms;
         self.check_race_control(problems);
         self.output.check_written(problems);
-        let knows_balls =
-            |bearing: &BearingInput| bearing.contact(&self.model) != ContactChoice::Linear;
-        self.output
-            .check_balls(self.bearing.iter().any(knows_balls), problems);
+        let mut contacts = self.bearing.iter().map(|each| each.contact(&self.model));
+        let known = contacts.any(|contact| contact != ContactChoice::Linear);
+        self.output.check_balls(known, problems);
         let bearings = self.bearings(freedoms, problems);
         let damping = match (&self.damping, &self.time) {
             (None, None) => Damping::Undamped,
             (input, _) => damping::build(input.as_ref(), freedoms, problems),
         };
-        let around = Surroundings {
+        let context = LoadContext {
             freedoms,
             duration: self.time.as_ref().map_or(0.0, |time| time.duration.si()),
             observed: flexible.as_ref().map(|shaft| shaft.observed),
         };
-        let loads = load::build(&self.load, around, problems);
+        let loads = load::build(&self.load, context, problems);
         let initial = self.initial.build(freedoms, problems);
         let pushes = |load: &Load| load.as_constant().is_some_and(|parts| parts[AXIAL] != 0.0);
         let speed = self.speed.build(problems)?;
@@ -264,18 +263,8 @@ impl ScenarioInput {
         if rotor.flexible.is_some() {
             return Some(rotor);
         }
-        let balanced = Balanced {
-            mass: rotor.shaft.mass,
-            speed: rotor.highest_speed(),
-        };
-        rotor.shaft.unbalance = unbalance::build(
-            self.shaft.unbalance.as_deref(),
-            &self.unbalance,
-            rotor.shaft.eccentricity,
-            &balanced,
-            freedoms,
-            problems,
-        );
+        let text = self.shaft.unbalance.as_deref();
+        rotor.shaft.unbalance = unbalance::build(text, &self.unbalance, &rotor, problems);
         Some(rotor)
     }
 

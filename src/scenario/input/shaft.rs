@@ -125,9 +125,8 @@ impl ShaftInput {
     /// The shaft; its inertia is zero where no tilt moves and no drive `turns` it, and where nothing
     /// `moves` it may be.
     pub fn build(&self, moves: bool, turns: bool, problems: &mut Problems<'_>) -> Shaft {
-        let freedoms = self.freedoms();
-        self.check_inertia(freedoms, moves, turns, problems);
-        self.check_tilt(freedoms, problems);
+        self.check_inertia(moves, turns, problems);
+        self.check_tilt(problems);
         Shaft {
             mass: si(&self.mass).unwrap_or(0.0),
             inertia_transverse: si(&self.inertia_transverse).unwrap_or(0.0),
@@ -141,9 +140,9 @@ impl ShaftInput {
     }
 
     /// Refuses a held tilt where the tilts move.
-    fn check_tilt(&self, freedoms: Freedoms, problems: &mut Problems<'_>) {
+    fn check_tilt(&self, problems: &mut Problems<'_>) {
         for (key, tilt) in [("tilt_x", &self.tilt_x), ("tilt_y", &self.tilt_y)] {
-            if tilt.is_some() && freedoms == Freedoms::All {
+            if tilt.is_some() && self.freedoms() == Freedoms::All {
                 let message = format!("`{key}` holds a tilt that freedoms = \"all\" lets move");
                 let help = format!("to start there: [initial] displacement = {{ {key} = … }}");
                 let issue = Issue::new(format!("shaft.{key}"), message).help(help);
@@ -152,13 +151,8 @@ impl ShaftInput {
         }
     }
 
-    fn check_inertia(
-        &self,
-        freedoms: Freedoms,
-        moves: bool,
-        turns: bool,
-        problems: &mut Problems<'_>,
-    ) {
+    fn check_inertia(&self, moves: bool, turns: bool, problems: &mut Problems<'_>) {
+        let freedoms = self.freedoms();
         let given = [
             ("inertia_transverse", si(&self.inertia_transverse)),
             ("inertia_polar", si(&self.inertia_polar)),
@@ -236,20 +230,17 @@ impl TorsionInput {
         Torsion {
             length: self.length.si(),
             shear_modulus: si(&self.shear_modulus).unwrap_or(STEEL),
-            polar_second_moment: self.polar_second_moment(),
+            // I_p = π d⁴/32 of a solid round segment
+            polar_second_moment: match (&self.polar_second_moment, &self.diameter) {
+                (Some(given), _) => given.si(),
+                (None, Some(diameter)) => PI * diameter.si().powi(4) / 32.0,
+                (None, None) => f64::INFINITY,
+            },
             cause: match (&self.moment, &self.angle) {
                 (Some(moment), _) => TorsionCause::Moment(moment.si()),
                 (None, Some(angle)) => TorsionCause::Angle(angle.si()),
                 (None, None) => TorsionCause::Friction,
             },
         }
-    }
-
-    /// `I_p = π d⁴/32` of a solid round segment.
-    fn polar_second_moment(&self) -> f64 {
-        let round = si(&self.diameter).map(|diameter| PI * diameter.powi(4) / 32.0);
-        si(&self.polar_second_moment)
-            .or(round)
-            .unwrap_or(f64::INFINITY)
     }
 }

@@ -173,57 +173,17 @@ impl SpectrumInput {
         };
         format!("{kind}{}{over}", self.scaling().name())
     }
-}
 
-/// A channel of one freedom.
-type OfFreedom = fn(usize) -> Channel;
-
-/// Words for the same quantity of every freedom that moves.
-const GROUPS: [(&str, OfFreedom); 4] = [
-    ("displacement", Channel::Displacement),
-    ("velocity", Channel::Velocity),
-    ("acceleration", Channel::Acceleration),
-    ("force", Channel::Force),
-];
-
-/// The name of a channel or of a group of channels.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(transparent)]
-pub struct ChannelName(String);
-
-impl JsonSchema for ChannelName {
-    fn schema_name() -> Cow<'static, str> {
-        "channel".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        let groups = GROUPS.iter().map(|(name, _)| *name);
-        let names: Vec<_> = groups.chain(every_channel().map(Channel::name)).collect();
-        json_schema!({
-            "description":
-                "A channel, named as in the columns of the trace, or a group of channels.",
-            "type": "string",
-            "enum": names,
-        })
-    }
-}
-
-/// The channels of all freedoms, each kind together, and of all housings.
-fn every_channel() -> impl Iterator<Item = Channel> {
-    let freedoms = GROUPS.iter().flat_map(|(_, of)| (0..FREEDOMS).map(of));
-    freedoms.chain((0..MOST_HOUSINGS).flat_map(|bearing| Channel::of_housing(bearing, 3)))
-}
-
-/// Freedoms of a whirl: what turns with the shaft runs from the first to the second.
-const WHIRLS: [(usize, usize); 2] = [(0, 1), (3, 4)];
-
-impl SpectrumInput {
     /// The channels, each once, in the order of the table.
     fn channels(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Vec<Channel> {
         let mut channels = Vec::new();
         for (index, ChannelName(word)) in self.channels.iter().enumerate() {
             let found = match GROUPS.iter().find(|(name, _)| name == word) {
-                Some((_, of)) => self.group(freedoms).into_iter().map(of).collect(),
+                // a whirl takes those that turn
+                Some((_, of)) => (0..freedoms.count())
+                    .filter(|freedom| self.kind != KindChoice::Whirl || *freedom != 2)
+                    .map(of)
+                    .collect(),
                 None => {
                     let named: Vec<_> = every_channel().filter(|c| c.name() == word).collect();
                     let path = format!(".channels[{index}]");
@@ -250,68 +210,6 @@ impl SpectrumInput {
         channels
     }
 
-    /// Freedoms that a group stands for; in a whirl those that turn.
-    fn group(&self, freedoms: Freedoms) -> Vec<usize> {
-        let moving = 0..freedoms.count();
-        match self.kind {
-            KindChoice::Whirl => moving.filter(|freedom| *freedom != 2).collect(),
-            _ => moving.collect(),
-        }
-    }
-}
-
-/// Refuses the motion of a freedom that is held; its force is as good as any.
-fn refuse_held(path: &str, channel: Channel, freedoms: Freedoms, problems: &mut Problems<'_>) {
-    let freedom = channel.freedom();
-    let is_held = freedom.is_some_and(|freedom| freedom >= freedoms.count());
-    if is_held && !matches!(channel, Channel::Force(_)) {
-        let message = format!("`{channel}` does not move: the shaft's `freedoms` hold it");
-        let issue =
-            Issue::new(path, message).help("leave it out, or set more freedoms in `[shaft]`");
-        problems.refuse(issue.against("shaft.freedoms"));
-    }
-}
-
-/// Refuses a whirl of anything but neighbouring pairs.
-fn refuse_single(channels: &[Channel], problems: &mut Problems<'_>) {
-    let is_pair = |pair: &[Channel]| match pair {
-        [x, y] => {
-            let freedoms = x.freedom().zip(y.freedom());
-            let same = std::mem::discriminant(x) == std::mem::discriminant(y);
-            same && freedoms.is_some_and(|freedoms| WHIRLS.contains(&freedoms))
-        }
-        _ => false,
-    };
-    if let Some(wrong) = channels.chunks(2).find(|pair| !is_pair(pair)) {
-        let names: Vec<_> = wrong.iter().map(|channel| format!("`{channel}`")).collect();
-        let message = format!(
-            "a whirl takes pairs of the x and y of one quantity, not {}",
-            names.join(" and ")
-        );
-        let issue = Issue::new(".channels", message)
-            .help("for instance: channels = [\"x\", \"y\"], or [\"force\"]");
-        problems.refuse(issue.against(".kind"));
-    }
-}
-
-/// Longest name.
-const LONGEST_NAME: usize = 64;
-/// Fewest samples of a segment.
-const FEWEST_SAMPLES: f64 = 16.0;
-
-/// What the spectra are taken of.
-pub struct Recorded<'a> {
-    /// Freedoms that move.
-    pub freedoms: Freedoms,
-    /// Time after the settle time, s.
-    pub window: f64,
-    /// Samples a second.
-    pub rate: f64,
-    /// How the shaft turns.
-    pub turning: Turning<'a>,
-}
-
-impl SpectrumInput {
     fn check_name(&self, name: &str, earlier: &[SpectrumRequest], problems: &mut Problems<'_>) {
         let path = self.name.as_ref().map_or(".", |_| ".name");
         let plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
@@ -416,6 +314,97 @@ impl SpectrumInput {
         let issue = Issue::new(format!(".{key}"), message);
         problems.refuse(issue.against_all(others));
     }
+}
+
+/// A channel of one freedom.
+type OfFreedom = fn(usize) -> Channel;
+
+/// Words for the same quantity of every freedom that moves.
+const GROUPS: [(&str, OfFreedom); 4] = [
+    ("displacement", Channel::Displacement),
+    ("velocity", Channel::Velocity),
+    ("acceleration", Channel::Acceleration),
+    ("force", Channel::Force),
+];
+
+/// The name of a channel or of a group of channels.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct ChannelName(String);
+
+impl JsonSchema for ChannelName {
+    fn schema_name() -> Cow<'static, str> {
+        "channel".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let groups = GROUPS.iter().map(|(name, _)| *name);
+        let names: Vec<_> = groups.chain(every_channel().map(Channel::name)).collect();
+        json_schema!({
+            "description":
+                "A channel, named as in the columns of the trace, or a group of channels.",
+            "type": "string",
+            "enum": names,
+        })
+    }
+}
+
+/// The channels of all freedoms, each kind together, and of all housings.
+fn every_channel() -> impl Iterator<Item = Channel> {
+    let freedoms = GROUPS.iter().flat_map(|(_, of)| (0..FREEDOMS).map(of));
+    freedoms.chain((0..MOST_HOUSINGS).flat_map(|bearing| Channel::of_housing(bearing, 3)))
+}
+
+/// Freedoms of a whirl: what turns with the shaft runs from the first to the second.
+const WHIRLS: [(usize, usize); 2] = [(0, 1), (3, 4)];
+
+/// Refuses the motion of a freedom that is held; its force is as good as any.
+fn refuse_held(path: &str, channel: Channel, freedoms: Freedoms, problems: &mut Problems<'_>) {
+    let freedom = channel.freedom();
+    let is_held = freedom.is_some_and(|freedom| freedom >= freedoms.count());
+    if is_held && !matches!(channel, Channel::Force(_)) {
+        let message = format!("`{channel}` does not move: the shaft's `freedoms` hold it");
+        let issue =
+            Issue::new(path, message).help("leave it out, or set more freedoms in `[shaft]`");
+        problems.refuse(issue.against("shaft.freedoms"));
+    }
+}
+
+/// Refuses a whirl of anything but neighbouring pairs.
+fn refuse_single(channels: &[Channel], problems: &mut Problems<'_>) {
+    let is_pair = |pair: &[Channel]| match pair {
+        [x, y] => {
+            let freedoms = x.freedom().zip(y.freedom());
+            let same = std::mem::discriminant(x) == std::mem::discriminant(y);
+            same && freedoms.is_some_and(|freedoms| WHIRLS.contains(&freedoms))
+        }
+        _ => false,
+    };
+    if let Some(wrong) = channels.chunks(2).find(|pair| !is_pair(pair)) {
+        let names: Vec<_> = wrong.iter().map(|channel| format!("`{channel}`")).collect();
+        let names = names.join(" and ");
+        let message = format!("a whirl takes pairs of the x and y of one quantity, not {names}");
+        let issue = Issue::new(".channels", message)
+            .help("for instance: channels = [\"x\", \"y\"], or [\"force\"]");
+        problems.refuse(issue.against(".kind"));
+    }
+}
+
+/// Longest name.
+const LONGEST_NAME: usize = 64;
+/// Fewest samples of a segment.
+const FEWEST_SAMPLES: f64 = 16.0;
+
+/// What the spectra are taken of.
+pub struct Recorded<'a> {
+    /// Freedoms that move.
+    pub freedoms: Freedoms,
+    /// Time after the settle time, s.
+    pub window: f64,
+    /// Samples a second.
+    pub rate: f64,
+    /// How the shaft turns.
+    pub turning: Turning<'a>,
 }
 
 /// Refuses a band in Hz that `rate` samples a second do not hold.

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::rotor::{Freedoms, PlaneUnbalance};
+use crate::rotor::{Freedoms, PlaneUnbalance, RotorDefinition};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{self, Angle, Dimension, Length, Quantity, Unbalance};
@@ -26,39 +26,28 @@ pub struct UnbalanceInput {
     pub position: Quantity<Length>,
 }
 
-/// Speed and mass that a balance quality grade rests on.
-pub struct Balanced {
-    /// Mass of the shaft, kg.
-    pub mass: f64,
-    /// Highest speed of the scenario, rad/s.
-    pub speed: f64,
-}
-
-/// What `[shaft]` and the planes give together; `eccentricity` in m is that of the shaft.
+/// What `[shaft]`, whose unbalance is a `text`, and the planes give together on a rigid shaft.
 pub fn build(
     text: Option<&str>,
     planes: &[UnbalanceInput],
-    eccentricity: f64,
-    balanced: &Balanced,
-    freedoms: Freedoms,
+    rotor: &RotorDefinition,
     problems: &mut Problems<'_>,
 ) -> PlaneUnbalance {
     let mut sum = PlaneUnbalance::default();
     if let Some(text) = text {
-        if eccentricity != 0.0 {
+        if rotor.shaft.eccentricity != 0.0 {
             let message = "`eccentricity` and `unbalance` both say how the shaft is balanced";
             let issue = Issue::new("shaft.unbalance", message).help("keep one of them");
             problems.refuse(issue.against("shaft.eccentricity"));
         }
-        match amount(text, balanced) {
-            Ok(amount) => sum.add(amount, 0.0, 0.0),
-            Err(issue) => problems.refuse(issue),
+        if let Some(amount) = problems.take(amount(text, rotor)) {
+            sum.add(amount, 0.0, 0.0);
         }
     }
     for plane in planes {
         sum.add(plane.amount.si(), plane.angle.si(), plane.position.si());
     }
-    if sum.couple != [0.0; 2] && freedoms != Freedoms::All {
+    if sum.couple != [0.0; 2] && rotor.shaft.freedoms != Freedoms::All {
         problems.warn(
             "the unbalances have a couple about the centre of mass, which has no effect: the tilts are held \
              (freedoms = \"all\" lets them move)",
@@ -68,26 +57,25 @@ pub fn build(
 }
 
 /// Static unbalance in kg m of `20 g mm`, or of a balance quality grade `G 6.3`: `U = m G/ω` (ISO 21940-11).
-fn amount(text: &str, balanced: &Balanced) -> Result<f64, Issue> {
+fn amount(text: &str, rotor: &RotorDefinition) -> Result<f64, Issue> {
     let path = "shaft.unbalance";
     if let Some(grade) = text.trim().strip_prefix(['G', 'g']) {
         let grade = grade.trim().parse::<f64>();
         let grade = grade.ok().filter(|grade| (0.0..=4000.0).contains(grade));
-        let Some(grade) = grade else {
-            let message = format!(
-                "`{text}` is no balance quality grade: a number of 0 to 4000 mm/s follows the G"
-            );
-            return Err(Issue::new(path, message).help("for instance: unbalance = \"G 6.3\""));
-        };
-        if balanced.speed <= 0.0 {
+        let grade = grade.ok_or_else(|| {
+            let rule = "a number of 0 to 4000 mm/s follows the G";
+            let message = format!("`{text}` is no balance quality grade: {rule}");
+            Issue::new(path, message).help("for instance: unbalance = \"G 6.3\"")
+        })?;
+        let speed = rotor.highest_speed();
+        if speed <= 0.0 {
             let message =
                 "a balance quality grade is an unbalance at a speed, and the shaft stands still";
             return Err(Issue::new(path, message).help("give the unbalance, as in \"20 g mm\""));
         }
-        return Ok(balanced.mass * 1e-3 * grade / balanced.speed);
+        return Ok(rotor.shaft.mass * 1e-3 * grade / speed);
     }
-    let parsed = quantity::parse(text, Dimension::Unbalance);
-    match parsed {
+    match quantity::parse(text, Dimension::Unbalance) {
         Ok(parsed) if (0.0..=1e6).contains(&parsed.si) => Ok(parsed.si),
         Ok(_) => Err(Issue::new(path, "`unbalance` must be zero or positive")),
         Err(_) => {
