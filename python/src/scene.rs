@@ -6,9 +6,9 @@ use std::sync::atomic::AtomicU64;
 
 use jeffcott::bearing::CATALOGUE;
 use jeffcott::internals::{
-    AccuracyQuestion, AccuracyWatch, CampbellQuestion, Destination, Findings, OpenNumber,
-    ResponseQuestion, RunFindings, accuracy_findings, answer_findings, campbell_findings,
-    check_range, contact_choice_text, method, response, response_findings, speed, steady_findings,
+    AccuracyQuestion, CampbellQuestion, Destination, Findings, OpenNumber, ResponseQuestion,
+    RunFindings, accuracy_findings, answer_findings, campbell_findings, check_range,
+    contact_choice_text, method, response, response_findings, speed, steady_findings,
     study_findings, time, written,
 };
 use jeffcott::scenario::{self, Format, Scenario};
@@ -270,13 +270,12 @@ impl Scene {
         let question = AccuracyQuestion {
             model,
             oils: &self.scenario.oils,
-            known,
             methods: if named.is_empty() { known } else { &named },
             tolerances: &tolerances,
             longest,
         };
         let found = watched(py, None, progress.as_ref(), |watch| {
-            question.measure(&mut AccuracyWatch {
+            question.measure(&mut Monitor {
                 stop: watch.stop,
                 progress: watch.progress,
             })

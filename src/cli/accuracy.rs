@@ -5,10 +5,11 @@ use std::io;
 use super::jobs::{Answer, Failure, Files, Job};
 use super::terminal::Progress;
 use super::{Outcome, terminal};
+use crate::integrate::Method;
 use crate::report;
 use crate::scenario;
-use crate::simulate::Model;
-use crate::study::accuracy::{Accuracy, AccuracyError, NamedMethod, Question, Watch};
+use crate::simulate::{Model, Monitor};
+use crate::study::accuracy::Question;
 
 /// Measures speed against error: what each method and tolerance buys, and what each fidelity level of the physics
 /// costs and changes.
@@ -30,7 +31,7 @@ pub struct Arguments {
     files: Files,
     /// Methods to measure, as in [integrator]. Default: all
     #[arg(long, value_name = "A,B", value_delimiter = ',', value_parser = scenario::method)]
-    methods: Vec<NamedMethod>,
+    methods: Vec<Method>,
     /// Tolerances to measure them at. Default: 1e-3 to 1e-10 in decades
     #[arg(long, value_name = "T,U", value_delimiter = ',', value_parser = scenario::tolerance)]
     tolerances: Vec<f64>,
@@ -51,36 +52,30 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
 }
 
 fn answer(job: &Job, model: &Model, arguments: &Arguments) -> Result<Answer, Failure> {
-    let accuracy = measure(job, model, arguments)?;
-    let destination = job.destination();
-    let written = destination.write(report::accuracy_findings(&destination, &accuracy))?;
-    let text = written.text + &job.contact_choice_text();
-    Ok(Answer::new(text, written.json, &written.files))
-}
-
-fn measure(job: &Job, model: &Model, arguments: &Arguments) -> Result<Accuracy, AccuracyError> {
-    let known = scenario::methods();
     let mut tolerances = arguments.tolerances.clone();
     if tolerances.is_empty() {
         tolerances = TOLERANCES.to_vec();
     }
     tolerances.sort_by(|a, b| b.total_cmp(a));
     tolerances.dedup();
-    let methods = match &arguments.methods[..] {
-        [] => known,
-        some => some,
-    };
-    let mut progress = Progress::new(&job.scenario.title);
     let question = Question {
         model,
         oils: &job.scenario.oils,
-        known,
-        methods,
+        methods: match &arguments.methods[..] {
+            [] => scenario::methods(),
+            some => some,
+        },
         tolerances: &tolerances,
         longest: arguments.longest,
     };
-    question.measure(&mut Watch {
+    let mut progress = Progress::new(&job.scenario.title);
+    let accuracy = question.measure(&mut Monitor {
         stop: terminal::stop(),
         progress: &mut |part| progress.show(part),
-    })
+    })?;
+    drop(progress);
+    let destination = job.destination();
+    let written = destination.write(report::accuracy_findings(&destination, &accuracy))?;
+    let text = written.text + &job.contact_choice_text();
+    Ok(Answer::new(text, written.json, &written.files))
 }

@@ -1,5 +1,6 @@
 //! What the user chooses about the integration, and what it costs, also while it goes on.
 
+use std::fmt;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use schemars::JsonSchema;
@@ -28,6 +29,13 @@ pub enum Method {
     Dopri5,
     /// Dormand–Prince 8(5,3) of the library `ode_solvers`, to compare with.
     Dop853,
+}
+
+impl fmt::Display for Method {
+    /// The name that scenarios have for it.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.serialize(f)
+    }
 }
 
 /// Method, tolerance and limits.

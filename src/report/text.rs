@@ -11,7 +11,6 @@ use super::terminal::{
 };
 use crate::analysis::{Peak, SpallSignal, Spectrum};
 use crate::integrate::{ChangeReason, Method, MethodUse};
-use crate::scenario;
 use crate::simulate::{
     BearingHistory, EventCount, EventKind, Model, NaturalFrequency, Reduction, Run, Spread,
     StaticState, TableUse,
@@ -227,14 +226,6 @@ pub(super) fn add_table_use(out: &mut Lines, tables: &[Option<TableUse>]) {
     }
 }
 
-/// The name that scenarios have for a method.
-fn name(method: Method) -> &'static str {
-    let named = scenario::methods()
-        .iter()
-        .find(|named| named.method == method);
-    named.map_or("", |named| named.name.as_str())
-}
-
 /// Why a method was chosen before the first step; `parted` where balls then did part from a race.
 fn why_method(first: Method, parted: bool) -> &'static str {
     match (first, parted) {
@@ -259,9 +250,9 @@ fn why_changed(reason: ChangeReason) -> &'static str {
 
 /// `exponential: no ball is expected to part from a race on this motion; verner76 from 1.234 ms on: …`
 pub(super) fn method_use_text(used: &MethodUse, parted: bool) -> String {
-    let mut line = format!("{}: {}", name(used.first), why_method(used.first, parted));
+    let mut line = format!("{}: {}", used.first, why_method(used.first, parted));
     if let Some((reason, time)) = used.change {
-        let [latest, why] = [name(used.latest()), why_changed(reason)];
+        let (latest, why) = (used.latest(), why_changed(reason));
         line.push_str(&format!("; {latest} from {:.3} ms on: {why}", 1e3 * time));
     }
     line
@@ -273,12 +264,12 @@ pub(super) fn method_use_json(used: &MethodUse, parted: bool) -> Value {
     let change = used.change.map(|(reason, time)| {
         json!({
             "time_s": time,
-            "method": name(used.latest()),
+            "method": used.latest(),
             "why": why_changed(reason),
         })
     });
     json!({
-        "method": name(used.first),
+        "method": used.first,
         "why": why_method(used.first, parted),
         "change": change,
     })

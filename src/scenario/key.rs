@@ -14,9 +14,9 @@ use super::quantity::{Dimension, Unit};
 use super::reader::Range;
 use super::schema::schema;
 use super::{Issue, Scenario, quantity, questions_at, reader, without};
+use crate::integrate::Method;
 use crate::rotor::RotorDefinition;
 use crate::study::Variable;
-use crate::study::accuracy::NamedMethod;
 
 /// A key whose value may be another one than that of the file, or several that change together.
 #[derive(Debug, Clone, PartialEq)]
@@ -412,8 +412,8 @@ pub fn tolerance(text: &str) -> Result<f64, Issue> {
 }
 
 /// All methods that a scenario can name.
-pub fn methods() -> &'static [NamedMethod] {
-    static METHODS: LazyLock<Vec<NamedMethod>> = LazyLock::new(|| {
+pub fn methods() -> &'static [Method] {
+    static METHODS: LazyLock<Vec<Method>> = LazyLock::new(|| {
         let words = Key::named("integrator.method").words().into_iter();
         words.filter_map(|word| method(word).ok()).collect()
     });
@@ -424,13 +424,9 @@ pub fn methods() -> &'static [NamedMethod] {
 ///
 /// # Errors
 /// [`Issue`] names those that there are.
-pub fn method(name: &str) -> Result<NamedMethod, Issue> {
+pub fn method(name: &str) -> Result<Method, Issue> {
     let word = Key::named("integrator.method").typed(name, "method")?;
-    Ok(NamedMethod {
-        name: name.trim().to_owned(),
-        method: serde_json::from_value(word)
-            .map_err(|error| Issue::new("method", error.to_string()))?,
-    })
+    serde_json::from_value(word).map_err(|error| Issue::new("method", error.to_string()))
 }
 
 #[cfg(test)]
@@ -495,6 +491,6 @@ mod tests {
     #[test]
     fn methods_have_the_names_of_a_scenario() {
         let names = methods();
-        assert!(names.iter().any(|named| named.name == "dop853"));
+        assert!(names.iter().any(|named| named.to_string() == "dop853"));
     }
 }

@@ -9,30 +9,18 @@ mod levels;
 mod reference;
 mod trace;
 
-use std::sync::atomic::AtomicBool;
-
 use serde::Serialize;
 
 use crate::bearing::Oil;
 use crate::integrate::{IntegrateError, Method};
 use crate::rotor::{MotionScale, Rotor};
-use crate::simulate::{Model, SimulateError};
+use crate::simulate::{Model, Monitor, SimulateError};
 use reference::{Reference, Trial};
-use trace::{Distance, View};
+use trace::View;
 
 pub use levels::FidelityLevels;
 pub use reference::{Agreement, Cost, Measured, Row};
 pub use trace::Statistics;
-
-/// A method and the name that scenarios call it by.
-#[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct NamedMethod {
-    /// Its name.
-    pub name: String,
-    /// The method.
-    pub(crate) method: Method,
-}
 
 /// What to measure.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,10 +29,8 @@ pub struct Question<'a> {
     pub model: &'a Model,
     /// Oil that each bearing has, whether the scene simulates its films or not.
     pub oils: &'a [Option<Oil>],
-    /// All methods there are, to name them.
-    pub known: &'a [NamedMethod],
     /// Methods to measure.
-    pub methods: &'a [NamedMethod],
+    pub methods: &'a [Method],
     /// Tolerances to measure them at, the loosest first.
     pub tolerances: &'a [f64],
     /// A run that would take longer than this is left out, s.
@@ -86,48 +72,32 @@ pub enum AccuracyError {
     },
 }
 
-/// How the measurement is watched and stopped from outside.
-pub struct Watch<'a> {
-    /// Set to end it.
-    pub stop: &'a AtomicBool,
-    /// Called with the part that is done, 0 … 1.
-    pub progress: &'a mut dyn FnMut(f64),
-}
-
 impl Question<'_> {
     /// Measures everything, one run after the other.
     ///
     /// # Errors
     /// [`AccuracyError`] where the scene cannot be run, or no two methods can be compared on it. A single
     /// method or fidelity level that fails is reported in its row.
-    pub fn measure(&self, watch: &mut Watch<'_>) -> Result<Accuracy, AccuracyError> {
+    pub fn measure(&self, monitor: &mut Monitor<'_>) -> Result<Accuracy, AccuracyError> {
+        let stop = monitor.stop;
         let rotor = Rotor::assemble(&self.model.rotor).map_err(SimulateError::from)?;
         let scale = rotor.motion_scale(self.model.integrator.tolerance);
         let view = View::new(&rotor, &scale, self.model);
         let levels = levels::plan(self.model, self.oils);
         let parts = (2 + self.methods.len() + levels.len()) as f64;
         let mut done = 0.0;
-        let mut advance = |watch: &mut Watch<'_>, by: f64| {
+        let mut advance = |by: f64| {
             done += by;
-            (watch.progress)(done / parts);
+            (monitor.progress)(done / parts);
         };
-        let reference = Reference::find(
-            self.model,
-            &rotor,
-            &scale,
-            view,
-            self.known,
-            self.longest,
-            watch.stop,
-        )?;
-        advance(watch, 2.0);
+        let reference = Reference::find(self, &rotor, &scale, view, stop)?;
+        advance(2.0);
         let mut rows = Vec::new();
         for method in self.methods {
-            rows.extend(reference::rows(self, method, &reference, view, watch.stop)?);
-            advance(watch, 1.0);
+            rows.extend(reference::rows(self, *method, &reference, view, stop)?);
+            advance(1.0);
         }
-        let stop = watch.stop;
-        let ladder = levels::measure(self.model.settle, levels, stop, || advance(watch, 1.0))?;
+        let ladder = levels::measure(self.model.settle, levels, stop, || advance(1.0))?;
         Ok(Accuracy {
             agreement: reference.agreement,
             rows,
@@ -214,13 +184,6 @@ impl Errors {
     /// Distance of a trial from the truth, from a time on.
     fn between(trial: &Trial, truth: &Trial, scale: &Scale, norm: Norm, from: f64) -> Self {
         let distance = trial.trace.distance(&truth.trace, from);
-        Self {
-            lines: trial.line_error(truth),
-            ..Self::of(&distance, scale, norm)
-        }
-    }
-
-    fn of(distance: &Distance, scale: &Scale, norm: Norm) -> Self {
         let [displacement, force] = match norm {
             Norm::Largest => distance.largest,
             Norm::Vibration => distance.vibration,
@@ -231,7 +194,7 @@ impl Errors {
             displacement_relative: displacement / scale.displacement,
             force,
             force_relative: force / scale.force,
-            lines: None,
+            lines: trial.line_error(truth),
             statistics: statistics.over(scale.displacement),
             force_statistics: force_statistics.over(scale.force),
         }
@@ -244,11 +207,6 @@ impl Errors {
             force_statistics: self.force_statistics.larger(&other.force_statistics),
             ..*self
         }
-    }
-
-    /// Whether the trace is no farther from the reference than that from the truth.
-    fn within(&self, uncertainty: &Self) -> bool {
-        self.displacement <= uncertainty.displacement
     }
 
     /// Whether the statistics of the displacements are no farther apart than those of other exact runs.

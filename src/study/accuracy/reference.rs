@@ -8,7 +8,7 @@ use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
 use super::trace::Trace;
-use super::{AccuracyError, Errors, NamedMethod, Norm, Question, Scale, View, is_interrupted};
+use super::{AccuracyError, Errors, Norm, Question, Scale, View, is_interrupted};
 use crate::analysis::Peak;
 use crate::integrate::{Counters, Method};
 use crate::keys;
@@ -99,23 +99,22 @@ struct Taken {
 impl Reference {
     /// Runs two methods as exactly as they go within the time that a run may take.
     pub fn find(
-        model: &Model,
+        question: &Question<'_>,
         rotor: &Rotor,
         scale: &MotionScale,
         view: View,
-        known: &[NamedMethod],
-        longest: f64,
         stop: &AtomicBool,
     ) -> Result<Self, AccuracyError> {
+        let longest = PATIENCE * question.longest;
         let mut taken = Vec::new();
         let mut failures = Vec::new();
         for method in METHODS {
             if taken.len() == 2 {
                 break;
             }
-            match take(model, view, method, PATIENCE * longest, stop)? {
+            match take(question.model, view, method, longest, stop)? {
                 Ok(found) => taken.push(found),
-                Err(failure) => failures.push(format!("{}: {failure}", name(known, method))),
+                Err(failure) => failures.push(format!("{method}: {failure}")),
             }
         }
         // the first stays the first where both are as tight
@@ -126,16 +125,10 @@ impl Reference {
                 failures: failures.join("; "),
             });
         };
-        Ok(Self::of(first, second, rotor, scale, known))
+        Ok(Self::of(first, second, rotor, scale))
     }
 
-    fn of(
-        first: Taken,
-        second: Taken,
-        rotor: &Rotor,
-        scale: &MotionScale,
-        known: &[NamedMethod],
-    ) -> Self {
+    fn of(first: Taken, second: Taken, rotor: &Rotor, scale: &MotionScale) -> Self {
         let scale = Scale::of(&first.best, rotor, scale);
         let between =
             |trial: &Trial| Errors::between(trial, &first.best, &scale, Norm::Largest, 0.0);
@@ -149,8 +142,8 @@ impl Reference {
         let growth = growth(&parts);
         Self {
             agreement: Agreement {
-                reference: (name(known, first.method), first.tolerance),
-                other: (name(known, second.method), second.tolerance),
+                reference: (first.method.to_string(), first.tolerance),
+                other: (second.method.to_string(), second.tolerance),
                 uncertainty,
                 scatter,
                 runs: 2 + others.count(),
@@ -170,11 +163,6 @@ fn growth(parts: &[f64]) -> f64 {
         Some(&first) if first > 0.0 => largest / first,
         _ => 1.0,
     }
-}
-
-fn name(known: &[NamedMethod], method: Method) -> String {
-    let named = known.iter().find(|named| named.method == method);
-    named.map_or_else(|| format!("{method:?}"), |named| named.name.clone())
 }
 
 /// The tightest run of a method that stays within a time; why there is none, where there is none.
@@ -246,7 +234,7 @@ pub struct Measured {
 /// The rows of one method; tolerances that would take too long are left out.
 pub(super) fn rows(
     question: &Question<'_>,
-    method: &NamedMethod,
+    method: Method,
     reference: &Reference,
     view: View,
     stop: &AtomicBool,
@@ -261,7 +249,7 @@ pub(super) fn rows(
                 question.longest
             ))
         } else {
-            let model = with(question.model, method.method, tolerance);
+            let model = with(question.model, method, tolerance);
             match one(&model, reference, view, stop) {
                 Err(error) if is_interrupted(&error) => return Err(error.into()),
                 result => result.map_err(|error| error.to_string()),
@@ -274,7 +262,7 @@ pub(super) fn rows(
             before = Some(seconds);
         }
         rows.push(Row {
-            method: method.name.clone(),
+            method: method.to_string(),
             tolerance,
             result,
         });
@@ -303,7 +291,7 @@ fn one(
         within_uncertainty: if agreement.irregular {
             errors.within_scatter(&agreement.scatter)
         } else {
-            errors.within(&agreement.uncertainty)
+            errors.displacement <= agreement.uncertainty.displacement
         },
     })
 }

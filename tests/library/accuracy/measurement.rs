@@ -2,38 +2,38 @@
 
 use std::sync::atomic::AtomicBool;
 
+use crate::integrate::Method;
 use crate::scenario::{Scenario, methods};
-use crate::simulate::SimulateError;
+use crate::simulate::{Monitor, SimulateError};
 use crate::study::Fidelity;
-use crate::study::accuracy::{Accuracy, AccuracyError, NamedMethod, Question, Watch};
+use crate::study::accuracy::{Accuracy, AccuracyError, Question};
 
 use super::{read, text};
 
-fn measure(scenario: &Scenario, methods: &[NamedMethod], tolerances: &[f64]) -> Accuracy {
+fn measure(scenario: &Scenario, methods: &[Method], tolerances: &[f64]) -> Accuracy {
     try_measure(scenario, methods, tolerances, false).unwrap()
 }
 
 fn try_measure(
     scenario: &Scenario,
-    chosen: &[NamedMethod],
+    chosen: &[Method],
     tolerances: &[f64],
     stopped: bool,
 ) -> Result<Accuracy, AccuracyError> {
     let question = Question {
         model: scenario.model.as_ref().unwrap(),
         oils: &scenario.oils,
-        known: methods(),
         methods: chosen,
         tolerances,
         longest: 60.0,
     };
-    question.measure(&mut Watch {
+    question.measure(&mut Monitor {
         stop: &AtomicBool::new(stopped),
         progress: &mut |_| {},
     })
 }
 
-fn one(name: &str) -> Vec<NamedMethod> {
+fn one(name: &str) -> Vec<Method> {
     vec![crate::scenario::method(name).unwrap()]
 }
 
@@ -173,13 +173,12 @@ fn what_would_take_too_long_is_left_out_with_the_reason() {
     let question = Question {
         model: scenario.model.as_ref().unwrap(),
         oils: &scenario.oils,
-        known: methods(),
         methods: &one("dop853"),
         tolerances: &[1e-4, 1e-8],
         longest: 1e-9,
     };
     let accuracy = question
-        .measure(&mut Watch {
+        .measure(&mut Monitor {
             stop: &AtomicBool::new(false),
             progress: &mut |_| {},
         })
