@@ -16,13 +16,13 @@ use std::time::Duration;
 
 use tempfile::TempDir;
 
-use crate::report::many::{Layout, StudyReport};
+use crate::report::many::{Making, StudyReport, StudyRuns};
 use crate::report::{Checksum, RestartReader, RunIdentity, RunReport};
 use crate::scenario::{self, Format, Scenario, ScenarioError};
 use crate::simulate::{
     Model, Monitor, Part, RunSize, StateKeeper, StateSource, simulate, simulate_part,
 };
-use crate::study::many::{Schedule, Shard};
+use crate::study::many::Shard;
 
 /// Longest time that one file may take.
 const LONGEST: Duration = Duration::from_secs(30);
@@ -539,23 +539,15 @@ fn changed_journals_are_gone_on_with_or_refused() {
     let folder = TempDir::new().expect("a folder");
     let study = scenario::load_study(&scenarios().join("studies/resonance-7205c.toml"))
         .expect("it is good");
-    let layout = || Layout {
-        variables: &study.variables,
-        columns: &study.columns,
-        freedoms: 3,
-        keep: study.keep,
+    let runs = StudyRuns::new(&study).expect("its first run can be made");
+    let schedule = runs.schedule;
+    let making = Making {
+        folder: folder.path(),
+        shard: Shard::WHOLE,
+        threads: 1,
+        anew: false,
     };
-    let schedule = Schedule::new(study.plan.runs().unwrap_or(0), 1, None);
-    let open = || {
-        StudyReport::open(
-            folder.path(),
-            "S",
-            study.echo.clone(),
-            layout(),
-            (Shard::WHOLE, &schedule),
-            false,
-        )
-    };
+    let open = || StudyReport::open(&runs, &making);
     let record = |chain: u64| crate::study::many::RunRecord {
         turn: schedule.chain(chain).next().expect("a run"),
         values: study.plan.values(chain),

@@ -5,7 +5,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
-use super::{Digest, JournalError, Layout, StudyReport};
+use super::{Digest, JournalError, StudyReport};
 use crate::report::ReportError;
 use crate::scenario::StudyFile;
 use crate::simulate::Model;
@@ -55,7 +55,7 @@ impl From<Unmade> for MakeError {
 /// A checked study whose first run can be made.
 #[derive(Debug)]
 pub struct StudyRuns<'a> {
-    study: &'a StudyFile,
+    pub(super) study: &'a StudyFile,
     /// Its runs and in which order they are made.
     pub schedule: Schedule,
     /// The motion of its first run.
@@ -128,21 +128,7 @@ impl<'a> StudyRuns<'a> {
                 most,
             });
         }
-        let layout = Layout {
-            variables: &study.variables,
-            columns: &study.columns,
-            freedoms: self.first.rotor.shaft.freedoms.count(),
-            keep: study.keep,
-        };
-        let (identity, part) = (study.echo.clone(), (shard, &self.schedule));
-        let mut report = StudyReport::open(
-            making.folder,
-            &study.title,
-            identity,
-            layout,
-            part,
-            making.anew,
-        )?;
+        let mut report = StudyReport::open(self, making)?;
         let chains = shard.chains(&self.schedule);
         let count = chains.end - chains.start;
         let kept = report.done().clone();

@@ -28,46 +28,34 @@ use self::page::write_page;
 pub use self::part::MergeError;
 use self::part::{PartSeal, part_name, seals};
 use self::ross::ross_files;
-pub use self::tables::Layout;
-use self::tables::{Table, write_header, write_rows};
+use self::tables::{Table, content, header, write_header, write_rows};
 pub use self::traces::Traces;
 use self::traces::{has_traces, remove_stale, remove_unfinished, sync_traces};
 use super::destination::value;
 use crate::report::figure::Figure;
 use crate::report::{FileAction, FileSet, PartialFile, ReportError, RunFolder, WholeFile};
-use crate::study::many::{Keep, RunRecord, Schedule, Shard};
+use crate::study::many::{RunRecord, Shard};
 
 /// A study whose runs are being made.
 #[derive(Debug)]
 pub struct StudyReport<'a> {
+    runs: &'a StudyRuns<'a>,
     folder: RunFolder,
     journal: Journal,
-    layout: Layout<'a>,
     shard: Shard,
-    title: String,
-    identity: Value,
 }
 
 impl<'a> StudyReport<'a> {
     /// Opens the folder of a study, going on from the runs that an earlier attempt has kept there unless
     /// all is to begin anew.
     ///
-    /// `identity` is all that the runs depend on.
-    ///
     /// # Errors
     /// [`JournalError`] where the folder cannot be written, or holds runs of another study.
-    pub fn open(
-        folder: &Path,
-        title: &str,
-        identity: Value,
-        layout: Layout<'a>,
-        part: (Shard, &Schedule),
-        anew: bool,
-    ) -> Result<Self, JournalError> {
-        let (shard, schedule) = part;
+    pub fn open(runs: &'a StudyRuns<'a>, making: &Making<'_>) -> Result<Self, JournalError> {
+        let (study, schedule, shard) = (runs.study, &runs.schedule, making.shard);
         let folder = match shard {
-            Shard::WHOLE => RunFolder::open(folder, FileSet::RUNS)?,
-            _ => RunFolder::open_for_part(folder, FileSet::RUNS)?,
+            Shard::WHOLE => RunFolder::open(making.folder, FileSet::RUNS)?,
+            _ => RunFolder::open_for_part(making.folder, FileSet::RUNS)?,
         };
         let first = shard.chains(schedule).start;
         let path = folder.path().join(match shard {
@@ -75,22 +63,20 @@ impl<'a> StudyReport<'a> {
             part => part_name("study", part, "journal"),
         });
         let own = schedule.runs_of(shard.chains(schedule));
-        let known = json!({ "jeffcott": env!("CARGO_PKG_VERSION"), "study": identity });
-        let journal = Journal::open(&path, &known, first, anew)?;
+        let known = json!({ "jeffcott": env!("CARGO_PKG_VERSION"), "study": study.echo });
+        let journal = Journal::open(&path, &known, first, making.anew)?;
         remove_unfinished(folder.path(), &own)?;
-        if *journal.done() == Done::none(first) && (layout.keep.traces || has_traces(folder.path()))
-        {
+        let has_traces = study.keep.traces || has_traces(folder.path());
+        if has_traces && *journal.done() == Done::none(first) {
             // traces are put in place one by one: what sealed those of an earlier study goes before them
             folder.unseal(&[FileSet::RUNS.seal, &part_name("study", shard, "json")])?;
             remove_stale(folder.path(), &own, schedule.runs())?;
         }
         Ok(Self {
+            runs,
             folder,
             journal,
-            layout,
             shard,
-            title: title.to_owned(),
-            identity,
         })
     }
 
@@ -99,7 +85,7 @@ impl<'a> StudyReport<'a> {
     /// # Errors
     /// [`ReportError`] where their folder cannot be made.
     pub fn traces(&self) -> Result<Option<Traces>, ReportError> {
-        let keep = self.layout.keep.traces;
+        let keep = self.runs.study.keep.traces;
         keep.then(|| Traces::open(self.folder.path())).transpose()
     }
 
@@ -113,8 +99,8 @@ impl<'a> StudyReport<'a> {
     /// # Errors
     /// [`ReportError`] where they cannot be written; those before them stay.
     pub fn add(&mut self, chain: u64, records: &[RunRecord]) -> Result<(), ReportError> {
-        let content = self.layout.content(records);
-        let content = content.map_err(ReportError::file(FileAction::Write, self.journal.path()))?;
+        let content = content(self.runs, records)
+            .map_err(ReportError::file(FileAction::Write, self.journal.path()))?;
         self.journal.add(chain, &content)
     }
 
@@ -124,12 +110,9 @@ impl<'a> StudyReport<'a> {
     /// [`JournalError`] where a file cannot be read, written or drawn; the journal then stays.
     pub fn finish(self) -> Result<(Vec<PathBuf>, Option<Digest>), JournalError> {
         let mut files = Vec::new();
-        let kept = Table::ALL
-            .iter()
-            .filter(|table| table.is_kept(&self.layout.keep));
-        for table in kept {
-            let file = self.table(*table)?;
-            if *table == Table::Traces {
+        for table in Table::kept(&self.runs.study.keep) {
+            let file = self.table(table)?;
+            if table == Table::Traces {
                 sync_traces(self.folder.path(), file.temporary())?;
             }
             files.push(file);
@@ -137,7 +120,8 @@ impl<'a> StudyReport<'a> {
         if self.shard != Shard::WHOLE {
             return Ok((self.seal_part(files)?, None));
         }
-        let (paths, digest) = seal(self.folder, files, &self.title, &self.identity)?;
+        let study = self.runs.study;
+        let (paths, digest) = seal(self.folder, files, &study.title, &study.echo)?;
         Ok((paths, Some(digest)))
     }
 
@@ -150,20 +134,22 @@ impl<'a> StudyReport<'a> {
         let mut file = self.folder.create(&name)?;
         let path = file.path().to_owned();
         let refused = || ReportError::file(FileAction::Write, &path);
-        write_header(&self.layout.header(table), &mut file).map_err(refused())?;
+        write_header(&header(self.runs, table), &mut file).map_err(refused())?;
         self.journal
             .in_order(|content| write_rows(content, table, &mut file).map_err(refused()))?;
         Ok(file.close()?)
     }
 
     fn seal_part(self, files: Vec<WholeFile>) -> Result<Vec<PathBuf>, ReportError> {
+        let study = self.runs.study;
+        let tables = Table::kept(&study.keep);
         let seal = PartSeal {
             jeffcott: env!("CARGO_PKG_VERSION").to_owned(),
-            title: self.title,
-            identity: self.identity,
+            title: study.title.clone(),
+            identity: study.echo.clone(),
             number: self.shard.number,
             count: self.shard.count,
-            tables: tables_of(&self.layout.keep),
+            tables: tables.map(|table| table.stem().to_owned()).collect(),
         };
         let text = value(seal);
         let name = part_name("study", self.shard, "json");
@@ -174,11 +160,6 @@ impl<'a> StudyReport<'a> {
     }
 }
 
-fn tables_of(keep: &Keep) -> Vec<String> {
-    let kept = Table::ALL.iter().filter(|table| table.is_kept(keep));
-    kept.map(|table| table.stem().to_owned()).collect()
-}
-
 /// Puts the parts of a study together, in the folder that they stand in: to the bytes of the study made in
 /// one piece.
 ///
@@ -186,11 +167,7 @@ fn tables_of(keep: &Keep) -> Vec<String> {
 /// `MergeError` where one is missing, broken or of another study.
 pub fn merge(folder: &Path) -> Result<(Vec<PathBuf>, Digest), MergeError> {
     let seals = seals(folder)?;
-    let Some(first) = seals.first().cloned() else {
-        return Err(MergeError::None {
-            folder: folder.to_owned(),
-        });
-    };
+    let first = &seals[0];
     let has = |table: Table| first.tables.iter().any(|name| name == table.stem());
     if has(Table::Traces) {
         let mut tables = seals.iter().map(|seal| seal.table(folder, Table::Traces));

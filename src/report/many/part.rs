@@ -94,7 +94,7 @@ pub(super) fn part_name(stem: &str, shard: Shard, ending: &str) -> String {
     format!("{stem}.part-{}-of-{}.{ending}", shard.number, shard.count)
 }
 
-/// The seals of all parts in a folder, in order, if they are one whole.
+/// The seals of all parts in a folder, in order, if they are one whole: at least one.
 pub(super) fn seals(folder: &Path) -> Result<Vec<PartSeal>, MergeError> {
     let mut found = Vec::new();
     let entries = fs::read_dir(folder).map_err(crate::report::ReportError::file(

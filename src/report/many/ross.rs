@@ -121,7 +121,7 @@ impl Table {
         let speeds: Vec<f64> = self.rows.iter().map(|row| row.0).collect();
         let _ = writeln!(text, "frequency = {speeds:?}");
         for (offset, letter) in [(0, 'k'), (ENTRIES, 'c')] {
-            for (place, (entry, ..)) in BearingStiffness::ENTRIES.iter().enumerate() {
+            for (place, (entry, _)) in BearingStiffness::ENTRIES.iter().enumerate() {
                 let column = self.rows.iter().map(|row| row.1[offset + place]);
                 let column: Vec<f64> = column.collect();
                 let _ = writeln!(text, "{letter}{entry} = {column:?}");

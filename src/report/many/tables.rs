@@ -2,12 +2,12 @@
 
 use std::io::{self, Write};
 
+use super::StudyRuns;
 use crate::analysis::Channel;
 use crate::report::spectra::amplitude_column;
 use crate::report::study::column_name;
 use crate::report::table::{cell, number};
-use crate::study::Variable;
-use crate::study::many::{BearingStiffness, Keep, NumberColumn, RunRecord, TraceSeal};
+use crate::study::many::{BearingStiffness, Keep, RunRecord, TraceSeal};
 
 /// What stands between two warnings of a run.
 pub(super) const BETWEEN_WARNINGS: &str = " | ";
@@ -48,8 +48,12 @@ impl Table {
         }
     }
 
-    /// Whether a study has it.
-    pub fn is_kept(self, keep: &Keep) -> bool {
+    /// Those that a study has.
+    pub fn kept(keep: &Keep) -> impl Iterator<Item = Self> {
+        Self::ALL.into_iter().filter(|table| table.is_kept(keep))
+    }
+
+    fn is_kept(self, keep: &Keep) -> bool {
         match self {
             Self::Runs => true,
             Self::Spectra => keep.highest_order.is_some(),
@@ -60,142 +64,114 @@ impl Table {
     }
 }
 
-/// What the tables of a study hold.
-#[derive(Debug, Clone, Copy)]
-pub struct Layout<'a> {
-    /// What varies.
-    pub variables: &'a [Variable],
-    /// Numbers of a run.
-    pub columns: &'a [NumberColumn],
-    /// Number of freedoms that move.
-    pub freedoms: usize,
-    /// What is kept.
-    pub keep: Keep,
+/// The line of names of a table.
+pub(super) fn header(runs: &StudyRuns<'_>, table: Table) -> Vec<String> {
+    let freedoms = runs.first.rotor.shaft.freedoms.count();
+    let displacements = (0..freedoms).map(Channel::Displacement);
+    let mut names = vec!["run".to_owned()];
+    match table {
+        Table::Runs => {
+            names.push("direction".to_owned());
+            names.extend(runs.study.variables.iter().map(column_name));
+            names.extend(runs.study.columns.iter().map(|column| column.name.clone()));
+            names.extend(["status", "error", "warnings"].map(str::to_owned));
+        }
+        Table::Spectra => {
+            names.extend(["frequency_Hz", "order"].map(str::to_owned));
+            names.extend(displacements.map(amplitude_column));
+        }
+        Table::Points => {
+            names.push("time_s".to_owned());
+            names.extend(displacements.map(Channel::column));
+        }
+        Table::Stiffness => names.extend(stiffness_columns()),
+        Table::Traces => names.extend(["bytes", "checksum"].map(str::to_owned)),
+    }
+    names
 }
 
-impl Layout<'_> {
-    /// The line of names.
-    pub(super) fn header(&self, table: Table) -> Vec<String> {
-        let displacements = (0..self.freedoms).map(Channel::Displacement);
-        let run = std::iter::once("run".to_owned());
-        match table {
-            Table::Runs => {
-                let turn = ["direction".to_owned()];
-                let variables = self.variables.iter().map(column_name);
-                let numbers = self.columns.iter().map(|column| column.name.clone());
-                let ends = ["status", "error", "warnings"].map(str::to_owned);
-                let start = run.chain(turn).chain(variables);
-                start.chain(numbers).chain(ends).collect()
-            }
-            Table::Spectra => {
-                let frequency = ["frequency_Hz", "order"].map(str::to_owned);
-                let amplitudes = displacements.map(amplitude_column);
-                run.chain(frequency).chain(amplitudes).collect()
-            }
-            Table::Points => {
-                let time = ["time_s".to_owned()];
-                run.chain(time)
-                    .chain(displacements.map(Channel::column))
-                    .collect()
-            }
-            Table::Stiffness => run.chain(stiffness_columns()).collect(),
-            Table::Traces => {
-                let known = ["bytes", "checksum"].map(str::to_owned);
-                run.chain(known).collect()
-            }
-        }
-    }
+/// The rows of some runs in all tables, as a journal holds them: the text of each in one line of JSON.
+pub(super) fn content(runs: &StudyRuns<'_>, records: &[RunRecord]) -> io::Result<String> {
+    let numbers = runs.study.columns.len();
+    let texts = Table::ALL.map(|table| rows(table, records, numbers));
+    let texts: io::Result<Vec<_>> = texts.into_iter().collect();
+    Ok(serde_json::to_string(&texts?)?)
+}
 
-    /// The rows of some runs in all tables, as a journal holds them: the text of each in one line of JSON.
-    pub(super) fn content(&self, records: &[RunRecord]) -> io::Result<String> {
-        let texts: io::Result<Vec<_>> = Table::ALL
-            .iter()
-            .map(|table| self.rows(*table, records))
-            .collect();
-        Ok(serde_json::to_string(&texts?)?)
+fn rows(table: Table, records: &[RunRecord], numbers: usize) -> io::Result<String> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for record in records {
+        for row in rows_of(table, record, numbers) {
+            writer.write_record(row)?;
+        }
     }
+    let bytes = writer.into_inner().map_err(|error| error.into_error())?;
+    String::from_utf8(bytes).map_err(io::Error::other)
+}
 
-    fn rows(&self, table: Table, records: &[RunRecord]) -> io::Result<String> {
-        let mut writer = csv::Writer::from_writer(Vec::new());
-        for record in records {
-            for row in self.rows_of(table, record) {
-                writer.write_record(row)?;
-            }
-        }
-        let bytes = writer.into_inner().map_err(|error| error.into_error())?;
-        String::from_utf8(bytes).map_err(io::Error::other)
+/// The rows of a run in a table, each behind the number of the run; one that failed has `numbers` empty cells.
+fn rows_of(table: Table, record: &RunRecord, numbers: usize) -> Vec<Vec<String>> {
+    if table == Table::Runs {
+        return vec![run_row(record, numbers)];
     }
+    let Ok(outcome) = &record.outcome else {
+        return Vec::new();
+    };
+    let run = record.turn.number.to_string();
+    let row = |start: &[String], numbers: &[f64]| -> Vec<String> {
+        let start = std::iter::once(&run).chain(start).cloned();
+        start.chain(numbers.iter().copied().map(number)).collect()
+    };
+    let spectrum = outcome.spectrum.iter();
+    let points = outcome.points.iter();
+    let bearings = outcome.stiffness.iter();
+    let traces = outcome.trace.iter();
+    match table {
+        Table::Runs => Vec::new(),
+        Table::Spectra => spectrum
+            .map(|line| {
+                let start = [number(line.frequency), cell(line.order)];
+                row(&start, &line.amplitudes)
+            })
+            .collect(),
+        Table::Points => points
+            .map(|point| row(&[number(point.time)], &point.displacement))
+            .collect(),
+        Table::Stiffness => bearings
+            .map(|of| {
+                let start = [of.bearing.to_string(), number(of.speed)];
+                row(&start, &[of.stiffness, of.damping].concat())
+            })
+            .collect(),
+        Table::Traces => traces
+            .map(|TraceSeal { bytes, checksum }| {
+                row(&[bytes.to_string(), format!("{checksum:016x}")], &[])
+            })
+            .collect(),
+    }
+}
 
-    /// The rows of a run in a table, each behind the number of the run.
-    fn rows_of(&self, table: Table, record: &RunRecord) -> Vec<Vec<String>> {
-        if table == Table::Runs {
-            return vec![self.run_row(record)];
+fn run_row(record: &RunRecord, numbers: usize) -> Vec<String> {
+    let mut row = vec![
+        record.turn.number.to_string(),
+        record.turn.direction.name().to_owned(),
+    ];
+    row.extend(record.values.iter().map(|value| number(*value)));
+    match &record.outcome {
+        Ok(outcome) => {
+            // what a run does not have is an empty cell
+            let known = |value: &f64| cell(Some(*value).filter(|value| !value.is_nan()));
+            row.extend(outcome.numbers.iter().map(known));
+            let warnings = outcome.warnings.join(BETWEEN_WARNINGS);
+            row.extend(["done".to_owned(), String::new(), warnings]);
         }
-        let Ok(outcome) = &record.outcome else {
-            return Vec::new();
-        };
-        let run = record.turn.number.to_string();
-        let row = |start: &[String], numbers: &mut dyn Iterator<Item = &f64>| {
-            let start = std::iter::once(&run).chain(start).cloned();
-            start.chain(numbers.map(|value| number(*value))).collect()
-        };
-        match table {
-            Table::Runs => Vec::new(),
-            Table::Spectra => {
-                let lines = outcome.spectrum.iter();
-                let rows = lines.map(|line| {
-                    let start = [number(line.frequency), cell(line.order)];
-                    row(&start, &mut line.amplitudes.iter())
-                });
-                rows.collect()
-            }
-            Table::Points => {
-                let points = outcome.points.iter();
-                let rows =
-                    points.map(|point| row(&[number(point.time)], &mut point.displacement.iter()));
-                rows.collect()
-            }
-            Table::Stiffness => {
-                let bearings = outcome.stiffness.iter();
-                let rows = bearings.map(|of| {
-                    let start = [of.bearing.to_string(), number(of.speed)];
-                    row(&start, &mut of.stiffness.iter().chain(&of.damping))
-                });
-                rows.collect()
-            }
-            Table::Traces => {
-                let traces = outcome.trace.iter();
-                let rows = traces.map(|TraceSeal { bytes, checksum }| {
-                    let known = [bytes.to_string(), format!("{checksum:016x}")];
-                    row(&known, &mut std::iter::empty())
-                });
-                rows.collect()
-            }
+        Err(message) => {
+            row.extend(vec![String::new(); numbers]);
+            let message = message.replace(['\n', '\r'], " ");
+            row.extend(["failed".to_owned(), message, String::new()]);
         }
     }
-
-    fn run_row(&self, record: &RunRecord) -> Vec<String> {
-        let mut row = vec![
-            record.turn.number.to_string(),
-            record.direction().name().to_owned(),
-        ];
-        row.extend(record.values.iter().map(|value| number(*value)));
-        match &record.outcome {
-            Ok(outcome) => {
-                // what a run does not have is an empty cell
-                let known = |value: &f64| cell(Some(*value).filter(|value| !value.is_nan()));
-                row.extend(outcome.numbers.iter().map(known));
-                let warnings = outcome.warnings.join(BETWEEN_WARNINGS);
-                row.extend(["done".to_owned(), String::new(), warnings]);
-            }
-            Err(message) => {
-                row.extend(self.columns.iter().map(|_| String::new()));
-                let message = message.replace(['\n', '\r'], " ");
-                row.extend(["failed".to_owned(), message, String::new()]);
-            }
-        }
-        row
-    }
+    row
 }
 
 /// Bearing, speed, and the entries of K and C: `kxy_N_m`, `cxy_N_s_m`.
@@ -212,12 +188,8 @@ fn stiffness_columns() -> impl Iterator<Item = String> {
 /// Writes the rows that a journal holds of a table.
 pub(super) fn write_rows(content: &str, table: Table, out: &mut impl Write) -> io::Result<()> {
     let texts: Vec<String> = serde_json::from_str(content)?;
-    let held = Table::ALL
-        .iter()
-        .zip(texts)
-        .find(|(held, _)| **held == table);
-    let (_, rows) = held.ok_or(io::ErrorKind::InvalidData)?;
-    out.write_all(rows.as_bytes())
+    let rows = texts.get(table as usize);
+    out.write_all(rows.ok_or(io::ErrorKind::InvalidData)?.as_bytes())
 }
 
 /// Writes the line of names of a table.

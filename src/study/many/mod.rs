@@ -11,7 +11,7 @@ use std::sync::atomic::AtomicBool;
 pub use numbers::{NumberColumn, number_columns};
 pub use record::{BearingStiffness, RunRecord, TraceSeal};
 use record::{Carried, Line, Outcome, Point, RunSink};
-pub use schedule::{Cycles, Direction, Schedule, Shard, Sweep, Turn, work};
+pub use schedule::{Cycles, Schedule, Shard, Sweep, Turn, work};
 
 use crate::analysis::{Channel, Motion, SectionKind, Spectrum};
 use crate::integrate::IntegrateError;
@@ -83,27 +83,36 @@ impl Maker<'_> {
     /// # Errors
     /// [`Unmade`] where it was to stop before the last one was done, or a trace could not be kept.
     pub fn chain(&self, chain: u64) -> Result<Vec<RunRecord>, Unmade> {
-        let mut records = Vec::new();
         let mut carried = None;
-        for turn in self.schedule.chain(chain) {
-            let values = self.plan.values(turn.point);
-            let trace = self.traces.map(|keep| keep(turn.number)).transpose()?;
-            let outcome = self.run(turn, &values, &mut carried, trace)?;
-            records.push(RunRecord {
-                turn,
-                values,
-                outcome,
-            });
-        }
-        Ok(records)
+        let turns = self.schedule.chain(chain);
+        turns.map(|turn| self.record(turn, &mut carried)).collect()
     }
 
-    /// The motion of a run by itself.
-    fn model_of(&self, turn: Turn, values: &[f64]) -> Result<Model, String> {
+    fn record(&self, turn: Turn, carried: &mut Option<Carried>) -> Result<RunRecord, Unmade> {
+        let trace = self.traces.map(|keep| keep(turn.number)).transpose()?;
+        let values = self.plan.values(turn.point);
+        let outcome = self.run(turn, &values, carried, trace)?;
+        Ok(RunRecord {
+            turn,
+            values,
+            outcome,
+        })
+    }
+
+    /// The motion of a run by itself, from where the one before in its chain ended.
+    fn model_of(
+        &self,
+        turn: Turn,
+        values: &[f64],
+        carried: Option<&Carried>,
+    ) -> Result<Model, String> {
         let mut model = (self.model)(values)?;
         model.verify = self.verify_every > 0 && turn.number.is_multiple_of(self.verify_every);
         model.analyses.motion = MotionAnalysis::Kind;
         model.analyses.maps = false;
+        if let Some(carried) = carried {
+            carried.start(&mut model);
+        }
         Ok(model)
     }
 
@@ -140,22 +149,16 @@ impl Maker<'_> {
     /// # Errors
     /// [`Unmade`] where that was to stop; what is wrong with its values, in words.
     pub fn alone(&self, number: u64) -> Result<Result<Model, String>, Unmade> {
-        let mut carried: Option<Carried> = None;
-        for turn in self.schedule.chain(self.schedule.chain_of(number)) {
+        let mut carried = None;
+        let chain = self.schedule.chain(self.schedule.chain_of(number));
+        let before = chain.take_while(|turn| turn.number < number);
+        for turn in before.filter(|_| self.schedule.carries()) {
             let values = self.plan.values(turn.point);
-            if turn.number == number {
-                return Ok(self.model_of(turn, &values).map(|mut model| {
-                    if let Some(carried) = &carried {
-                        carried.start(&mut model);
-                    }
-                    model
-                }));
-            }
-            if self.schedule.carries() {
-                let _ = self.run(turn, &values, &mut carried, None)?;
-            }
+            let _ = self.run(turn, &values, &mut carried, None)?;
         }
-        Ok(Err(format!("there is no run {number}")))
+        let turn = self.schedule.turn(number);
+        let values = self.plan.values(turn.point);
+        Ok(self.model_of(turn, &values, carried.as_ref()))
     }
 
     fn run(
@@ -165,13 +168,10 @@ impl Maker<'_> {
         carried: &mut Option<Carried>,
         trace: Option<Box<dyn KeptTrace>>,
     ) -> Result<Result<Outcome, String>, Unmade> {
-        let mut model = match self.model_of(turn, values) {
+        let mut model = match self.model_of(turn, values, carried.as_ref()) {
             Ok(model) => model,
             Err(message) => return Ok(Err(message)),
         };
-        if let Some(carried) = carried {
-            carried.start(&mut model);
-        }
         self.reduce(&mut model);
         let mut sink = RunSink::new(&model, self.schedule.carries(), trace);
         let mut monitor = Monitor {
@@ -182,8 +182,7 @@ impl Maker<'_> {
             Ok(run) => {
                 let trace = sink.trace.take().map(KeptTrace::finish).transpose()?;
                 *carried = sink.carried(&model);
-                let outcome = self.outcome(&run, model.rotor.speed);
-                Ok(Ok(Outcome { trace, ..outcome }))
+                Ok(Ok(self.outcome(&run, model.rotor.speed, trace)))
             }
             Err(SimulateError::Integrate(IntegrateError::Interrupted { .. })) => {
                 Err(Unmade::Stopped)
@@ -193,21 +192,18 @@ impl Maker<'_> {
         }
     }
 
-    fn outcome(&self, run: &Run, speed: f64) -> Outcome {
+    fn outcome(&self, run: &Run, speed: f64, trace: Option<TraceSeal>) -> Outcome {
         let spectrum = run.spectrum.as_ref().zip(self.keep.highest_order);
         let points = run.motion.as_ref().zip(self.keep.section);
+        let equilibrium = Some(&run.equilibrium).filter(|_| self.keep.bearing_stiffness);
         Outcome {
             numbers: self.columns.iter().map(|column| column.of(run)).collect(),
             spectrum: spectrum.map_or_else(Vec::new, |(spectrum, order)| lines(spectrum, order)),
             points: points.map_or_else(Vec::new, |(motion, section)| {
                 section_points(motion, section)
             }),
-            stiffness: if self.keep.bearing_stiffness {
-                bearing_stiffness(&run.equilibrium, speed)
-            } else {
-                Vec::new()
-            },
-            trace: None,
+            stiffness: equilibrium.map_or_else(Vec::new, |state| bearing_stiffness(state, speed)),
+            trace,
             warnings: run.warnings.clone(),
         }
     }
@@ -236,24 +232,21 @@ fn lines(spectrum: &Spectrum, highest: f64) -> Vec<Line> {
 
 /// Of every bearing that has a stiffness of its own.
 fn bearing_stiffness(equilibrium: &StaticState, speed: f64) -> Vec<BearingStiffness> {
-    let part = |row: usize, column: usize, own: f64| match equilibrium.stiffness[row][column] {
-        0.0 => 0.0,
-        whole => equilibrium.damping[row][column] * own / whole,
-    };
-    let bearings = equilibrium.bearings.iter().enumerate();
-    let known = bearings.filter_map(|(index, bearing)| Some((index, bearing.as_ref()?)));
+    let bearings = (1..).zip(&equilibrium.bearings);
+    let known = bearings.filter_map(|(number, bearing)| Some((number, bearing.as_ref()?)));
     known
-        .map(|(index, bearing)| {
-            let own = BearingStiffness::ENTRIES.map(|(_, row, column)| {
-                let own = bearing.stiffness[(row, column)];
-                [own, part(row, column, own)]
-            });
-            BearingStiffness {
-                bearing: index + 1,
-                speed,
-                stiffness: own.map(|[stiffness, _]| stiffness),
-                damping: own.map(|[_, damping]| damping),
-            }
+        .map(|(bearing, state)| BearingStiffness {
+            bearing,
+            speed,
+            stiffness: BearingStiffness::ENTRIES.map(|(_, entry)| state.stiffness[entry]),
+            damping: BearingStiffness::ENTRIES.map(|(_, (row, column))| {
+                match equilibrium.stiffness[row][column] {
+                    0.0 => 0.0,
+                    whole => {
+                        equilibrium.damping[row][column] * state.stiffness[(row, column)] / whole
+                    }
+                }
+            }),
         })
         .collect()
 }

@@ -56,9 +56,6 @@ impl NumberColumn {
     }
 }
 
-/// The numbers of a run in the order of the columns; NaN where it has none.
-pub type Numbers = Vec<f64>;
-
 /// Columns as they are put together.
 #[derive(Default)]
 struct Columns(Vec<NumberColumn>);

@@ -3,8 +3,7 @@
 use std::f64::consts::TAU;
 use std::io;
 
-use super::numbers::Numbers;
-use super::{Direction, KeptTrace, Turn};
+use super::{KeptTrace, Turn};
 use crate::physics::nominal_cage_speed;
 use crate::rotor::{CageMotion, InitialPosition, InitialState, Sample};
 use crate::simulate::{Model, TraceSink};
@@ -23,8 +22,8 @@ pub struct RunRecord {
 /// What came of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
-    /// Its numbers.
-    pub numbers: Numbers,
+    /// Its numbers in the order of the columns; NaN where it has none.
+    pub numbers: Vec<f64>,
     /// Amplitudes of the displacements, m and rad, at frequencies in Hz; empty where none are kept.
     pub spectrum: Vec<Line>,
     /// Positions of the shaft; empty where none are kept.
@@ -76,12 +75,12 @@ pub struct BearingStiffness {
 
 impl BearingStiffness {
     /// Names, rows and columns of the entries, x before y before z.
-    pub const ENTRIES: [(&str, usize, usize); 5] = [
-        ("xx", 0, 0),
-        ("xy", 0, 1),
-        ("yx", 1, 0),
-        ("yy", 1, 1),
-        ("zz", 2, 2),
+    pub const ENTRIES: [(&str, (usize, usize)); 5] = [
+        ("xx", (0, 0)),
+        ("xy", (0, 1)),
+        ("yx", (1, 0)),
+        ("yy", (1, 1)),
+        ("zz", (2, 2)),
     ];
 }
 
@@ -92,13 +91,6 @@ pub struct Point {
     pub time: f64,
     /// Displacements that move, m and rad.
     pub displacement: Vec<f64>,
-}
-
-impl RunRecord {
-    /// Which way it was come to.
-    pub fn direction(&self) -> Direction {
-        self.turn.direction
-    }
 }
 
 /// Where the next run of a chain starts.

@@ -1,10 +1,9 @@
 //! Which runs are made together, under which numbers, how long each is, and on how many threads.
 
-use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Condvar, Mutex, MutexGuard, PoisonError, mpsc};
+use std::sync::{Mutex, PoisonError, mpsc};
 use std::thread;
 
 use schemars::JsonSchema;
@@ -118,23 +117,26 @@ impl Schedule {
 
     /// The runs of a chain, in order.
     pub fn chain(&self, chain: u64) -> impl Iterator<Item = Turn> + use<> {
-        let Self { length, sweep, .. } = *self;
+        let schedule = *self;
         let runs = self.runs_of(chain..chain + 1);
-        let first = runs.start;
-        runs.map(move |number| {
-            let step = number - first;
-            let (offset, direction) = match sweep {
-                None => (step, Direction::Alone),
-                Some(Sweep::Down) => (length - 1 - step, Direction::Down),
-                Some(_) if step >= length => (2 * length - 1 - step, Direction::Down),
-                Some(_) => (step, Direction::Up),
-            };
-            Turn {
-                number,
-                point: chain * length + offset,
-                direction,
-            }
-        })
+        runs.map(move |number| schedule.turn(number))
+    }
+
+    /// The run of a number.
+    pub fn turn(&self, number: u64) -> Turn {
+        let length = self.length;
+        let step = number % self.most_in_chain();
+        let (offset, direction) = match self.sweep {
+            None => (step, Direction::Alone),
+            Some(Sweep::Down) => (length - 1 - step, Direction::Down),
+            Some(_) if step >= length => (2 * length - 1 - step, Direction::Down),
+            Some(_) => (step, Direction::Up),
+        };
+        Turn {
+            number,
+            point: self.chain_of(number) * length + offset,
+            direction,
+        }
     }
 }
 
@@ -164,19 +166,8 @@ impl Shard {
     }
 }
 
-/// How many tasks ahead of the oldest unfinished one another may be begun: results then come back nearly in
-/// order, and what has to be remembered to sort them does not grow with their number.
-pub const LEAD: u64 = 4096;
-
-/// The tasks that are left, and those that are being worked on.
-struct Queue<I> {
-    left: I,
-    next: Option<u64>,
-    begun: BTreeSet<u64>,
-}
-
-/// Works on `tasks`, in ascending order, on so many threads; `take` gets each result on the calling thread
-/// as it is ready, and ends the work by an error.
+/// Works on `tasks` on so many threads; `take` gets each result on the calling thread as it is ready, and ends the
+/// work by an error.
 ///
 /// A task is begun unless `stop` is set; those begun are finished.
 ///
@@ -189,24 +180,17 @@ pub fn work<R: Send, E>(
     task: impl Fn(u64) -> R + Sync,
     mut take: impl FnMut(u64, R) -> Result<(), E>,
 ) -> Result<(), E> {
-    let queue = Mutex::new(Queue {
-        left: tasks,
-        next: None,
-        begun: BTreeSet::new(),
-    });
-    let (freed, ended) = (Condvar::new(), AtomicBool::new(false));
+    let (tasks, ended) = (Mutex::new(tasks), AtomicBool::new(false));
     let (sender, results) = mpsc::sync_channel(2 * threads.max(1));
     thread::scope(|scope| {
         for _ in 0..threads.max(1) {
-            let (sender, queue, freed, ended, task) =
-                (sender.clone(), &queue, &freed, &ended, &task);
+            let (sender, tasks, ended, task) = (sender.clone(), &tasks, &ended, &task);
+            // a thread that panicked held nothing half done: what it guards is whole
+            let next = || tasks.lock().unwrap_or_else(PoisonError::into_inner).next();
             scope.spawn(move || {
-                let stopped = || stop.load(Ordering::Relaxed) || ended.load(Ordering::Relaxed);
-                while let Some(number) = claim(queue, freed, &stopped) {
-                    let result = task(number);
-                    locked(queue).begun.remove(&number);
-                    freed.notify_all();
-                    if sender.send((number, result)).is_err() {
+                while !(stop.load(Ordering::Relaxed) || ended.load(Ordering::Relaxed)) {
+                    let Some(number) = next() else { return };
+                    if sender.send((number, task(number))).is_err() {
                         return;
                     }
                 }
@@ -222,37 +206,6 @@ pub fn work<R: Send, E>(
         }
         outcome
     })
-}
-
-/// The next task, once it is not too far ahead of the oldest that is begun.
-fn claim<I: Iterator<Item = u64>>(
-    queue: &Mutex<Queue<I>>,
-    freed: &Condvar,
-    stopped: &impl Fn() -> bool,
-) -> Option<u64> {
-    let mut queue = locked(queue);
-    loop {
-        if stopped() {
-            return None;
-        }
-        let next = match queue.next {
-            Some(next) => next,
-            None => queue.left.next()?,
-        };
-        let oldest = queue.begun.first().copied().unwrap_or(next);
-        if next - oldest < LEAD {
-            queue.next = None;
-            queue.begun.insert(next);
-            return Some(next);
-        }
-        queue.next = Some(next);
-        queue = freed.wait(queue).unwrap_or_else(PoisonError::into_inner);
-    }
-}
-
-/// A thread that panicked held nothing half done: what it guards is whole.
-fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// How long a run is in cycles at its own, constant speed.
