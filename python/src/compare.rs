@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use jeffcott::report::compare::{Rules, Tolerance, Tolerances, compare as compare_files};
+use jeffcott::report::compare::{
+    CompareError, Rules, Tolerance, Tolerances, compare as compare_files,
+};
 use pyo3::exceptions::{PyFileNotFoundError, PyValueError};
 use pyo3::prelude::*;
 
@@ -25,11 +27,7 @@ pub fn compare(
         let text = format!("there is no {}", missing.display());
         return Err(PyFileNotFoundError::new_err(text));
     }
-    let wrong = |error: &dyn std::error::Error| {
-        let causes = std::iter::successors(error.source(), |cause| cause.source());
-        let causes: String = causes.map(|cause| format!(": {cause}")).collect();
-        PyValueError::new_err(format!("{error}{causes}"))
-    };
+    let wrong = |error: &CompareError| PyValueError::new_err(error.with_causes());
     let tolerance =
         |relative, absolute| Tolerance::new(relative, absolute).map_err(|error| wrong(&error));
     let mut tolerances = Tolerances::uniform(tolerance(relative, absolute)?);

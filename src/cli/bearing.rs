@@ -2,14 +2,14 @@
 
 use std::io;
 
-use serde::Serialize;
+use serde_json::json;
 
 use super::Outcome;
 use super::jobs::{Answer, Failure, Files, Job};
-use crate::quasi_static::{QuasiStatic, StaticQuestion, quasi_static};
+use crate::quasi_static::{StaticQuestion, quasi_static};
 use crate::report;
 use crate::scenario::{self, Issue};
-use crate::study::{ContactChoice, Study};
+use crate::study::Study;
 
 /// Finds where the shaft stands, without motion: equilibrium, stiffness and every ball.
 #[derive(Debug, clap::Args)]
@@ -69,21 +69,11 @@ fn answer(job: &Job, question: &StaticQuestion) -> Result<Answer, Failure> {
     job.warn(&answer.warnings);
     let findings = report::answer_findings(&destination, question, &answer);
     let written = destination.write(findings)?;
-    let text = written.text + &job.contact_choice_text();
-    let json = destination.document(Shown {
-        answer: &answer,
-        contact_choice: job.scenario.contact_choice.as_ref(),
-    });
+    let (text, mut json) = (written.text + &job.contact_choice_text(), written.json);
+    if let Some(choice) = &job.scenario.contact_choice {
+        json["contact_choice"] = json!(choice);
+    }
     Ok(Answer::new(text, json, &written.files))
-}
-
-/// What is printed as JSON.
-#[derive(Serialize)]
-struct Shown<'a> {
-    #[serde(flatten)]
-    answer: &'a QuasiStatic,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    contact_choice: Option<&'a ContactChoice>,
 }
 
 fn answer_study(job: &Job, study: &Study) -> Result<Answer, Failure> {

@@ -81,8 +81,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let numbers: Vec<_> = numbers.collect();
     let range = [arguments.from, arguments.to];
     if let Err(error) = campbell::check_range(range, arguments.count as usize, &numbers) {
-        terminal::tell(&format!("error: {error}\n"));
-        return Ok(Outcome::WrongInput);
+        return Ok(terminal::refuse(error));
     }
     arguments
         .files

@@ -44,7 +44,7 @@ pub fn add_own(given: Option<&Path>) -> bool {
         }
         Err(problems) => {
             for problem in problems {
-                terminal::tell(&format!("error: {}: {problem}\n", path.display()));
+                terminal::refuse(format!("{}: {problem}", path.display()));
             }
             false
         }
@@ -58,10 +58,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     } else if let Some(designation) = &arguments.designation {
         match one(designation, arguments.json) {
             Ok(text) => text,
-            Err(message) => {
-                terminal::tell(&format!("error: {message}\n"));
-                return Ok(Outcome::WrongInput);
-            }
+            Err(message) => return Ok(terminal::refuse(message)),
         }
     } else {
         all(arguments.json)

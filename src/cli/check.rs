@@ -75,13 +75,13 @@ struct Checked {
 /// Draws what stands there; tells why where that cannot be.
 fn draw(checked: &Checked, file: &Path) -> bool {
     let Some(scene) = &checked.scene else {
-        terminal::tell("error: --figure draws the shaft of a scenario, and this is a study\n");
+        terminal::refuse("--figure draws the shaft of a scenario, and this is a study");
         return false;
     };
     let drawn = scene_figure(&checked.title, scene).bytes(FigureFormat::of(file));
     let written = drawn.and_then(|bytes| write_whole(file, &bytes));
     if let Err(error) = &written {
-        terminal::tell(&format!("error: {error}\n"));
+        terminal::refuse(error);
     }
     written.is_ok()
 }

@@ -166,14 +166,9 @@ fn placed(error: &CompareError, file: Option<&ToleranceFile>) -> String {
 
 /// Prints the result; a reader that goes away early does not change the verdict.
 fn show(comparison: &Comparison, json: bool) -> io::Result<()> {
-    let text = if json {
-        format!("{:#}\n", comparison.to_json())
-    } else {
-        format!("{comparison}\n")
-    };
     let printed = match json {
-        true => terminal::print(&text),
-        false => terminal::summarise(&text),
+        true => terminal::print(&format!("{:#}\n", comparison.to_json())),
+        false => terminal::summarise(&format!("{comparison}\n")),
     };
     match printed {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
@@ -182,8 +177,6 @@ fn show(comparison: &Comparison, json: bool) -> io::Result<()> {
 }
 
 /// The error and all its causes in one line.
-pub(super) fn message(error: &CompareError) -> String {
-    let causes = std::iter::successors(error.source(), |cause| (*cause).source());
-    let causes: String = causes.map(|cause| format!(": {cause}")).collect();
-    format!("error: {error}{causes}\n")
+fn message(error: &CompareError) -> String {
+    format!("error: {}\n", error.with_causes())
 }

@@ -67,10 +67,9 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
         Ok(line) => line,
         Err(issues) => {
             for issue in issues {
-                let help = issue
-                    .help
-                    .map_or(String::new(), |help| format!(" ({help})"));
-                terminal::tell(&format!("error: {}{help}\n", issue.message));
+                let help = issue.help.map(|help| format!(" ({help})"));
+                let help = help.unwrap_or_default();
+                terminal::refuse(format!("{}{help}", issue.message));
             }
             return Ok(Outcome::WrongInput);
         }
@@ -80,10 +79,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
             terminal::print(&format!("{:#}\n", estimate_json(&line, &estimate)))?;
         }
         Ok(estimate) => terminal::print(&estimate_text("Estimate", &line, &estimate))?,
-        Err(error) => {
-            terminal::tell(&format!("error: {error}\n"));
-            return Ok(Outcome::WrongInput);
-        }
+        Err(error) => return Ok(terminal::refuse(error)),
     }
     Ok(Outcome::Done)
 }

@@ -84,15 +84,17 @@ impl Files {
         let count = tasks.len();
         let (mut outcome, mut documents) = (Outcome::Done, Vec::new());
         for (job, task) in tasks {
-            let answer = answer(&job, task);
-            if answer.as_ref().is_ok_and(|answer| answer.incomplete) {
-                outcome = Outcome::Failed;
-            }
-            match answer {
-                Ok(answer) if self.json => documents.push(answer.json),
+            match answer(&job, task) {
                 Ok(answer) => {
-                    terminal::summarise(&answer.text)?;
-                    terminal::remark(&answer.told);
+                    if answer.incomplete {
+                        outcome = Outcome::Failed;
+                    }
+                    if self.json {
+                        documents.push(answer.json);
+                    } else {
+                        terminal::summarise(&answer.text)?;
+                        terminal::remark(&answer.told);
+                    }
                 }
                 Err(failure) => {
                     outcome = Outcome::Failed;
@@ -112,6 +114,10 @@ impl Files {
         let mut folders: HashMap<PathBuf, &Path> = HashMap::new();
         for file in &self.files {
             let name = name_of(file);
+            let refuse = |message: &str| {
+                terminal::refuse(message);
+                failure(&name, message)
+            };
             let scenario = match scenario::load(file) {
                 Ok(scenario) => scenario,
                 Err(error) => {
@@ -123,19 +129,16 @@ impl Files {
             let folder = match folder_of(file, &self.out) {
                 Ok(folder) => folder,
                 Err(message) => {
-                    terminal::tell(&format!("error: {message}\n"));
-                    wrong.push(failure(&name, &message));
+                    wrong.push(refuse(&message));
                     continue;
                 }
             };
             if let Some(other) = folders.insert(folder.clone(), file) {
-                let message = format!(
+                wrong.push(refuse(&format!(
                     "{name} and {} would both write to {}; rename one or run them apart",
                     other.display(),
                     folder.display()
-                );
-                terminal::tell(&format!("error: {message}\n"));
-                wrong.push(failure(&name, &message));
+                )));
             }
             let job = Job {
                 file: file.clone(),

@@ -1,7 +1,6 @@
 //! How a run gets on: a line on the terminal, and a word where it hardly does.
 
 use std::collections::VecDeque;
-use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::time::{Duration, Instant};
 
 use super::jobs::Job;
@@ -10,8 +9,6 @@ use crate::integrate::{Counters, Method, Pace};
 use crate::rotor::Rotor;
 use crate::simulate::Model;
 
-/// Time between two looks.
-const LOOK: Duration = Duration::from_millis(100);
 /// Looks that the present pace is taken from.
 const LOOKS: usize = 40;
 /// Time that a run goes without a word however slow it is.
@@ -61,6 +58,9 @@ pub struct PaceWatch<'a> {
     paces: &'a [Pace; 2],
     started: Instant,
     looks: VecDeque<Look>,
+    progress: Progress,
+    /// Whether it was told that the run is slow.
+    is_told: bool,
 }
 
 impl<'a> PaceWatch<'a> {
@@ -72,30 +72,29 @@ impl<'a> PaceWatch<'a> {
             paces,
             started: Instant::now(),
             looks: VecDeque::new(),
+            progress: Progress::new(&job.scenario.title),
+            is_told: false,
         }
     }
 
-    /// Looks at the run until the other end of the channel is gone.
-    pub fn until(mut self, ended: &Receiver<()>) {
-        let mut progress = Progress::new(&self.job.scenario.title);
-        let mut is_told = false;
-        while ended.recv_timeout(LOOK) == Err(RecvTimeoutError::Timeout) {
-            let present = self.look();
-            let (time, duration) = (present.time, self.model.duration);
-            let words = || {
-                let left = in_words(present.left);
-                format!("{left}, t = {time:.4e} of {duration} s{}", present.pass)
-            };
-            progress.show_with(present.part, words);
-            let is_due = self.started.elapsed() > PATIENCE && self.looks.len() == LOOKS;
-            if is_due && !is_told && present.left > SLOW {
-                progress.hidden(|| self.job.warn([self.slowness(&present)]));
-                is_told = true;
-            }
+    /// Looks at the run, shows how it gets on, and tells once where it hardly does.
+    pub fn look(&mut self) {
+        let present = self.present();
+        let (time, duration) = (present.time, self.model.duration);
+        let words = || {
+            let left = in_words(present.left);
+            format!("{left}, t = {time:.4e} of {duration} s{}", present.pass)
+        };
+        self.progress.show_with(present.part, words);
+        let is_due = self.started.elapsed() > PATIENCE && self.looks.len() == LOOKS;
+        if is_due && !self.is_told && present.left > SLOW {
+            let slowness = self.slowness(&present);
+            self.progress.hidden(|| self.job.warn([slowness]));
+            self.is_told = true;
         }
     }
 
-    fn look(&mut self) -> Present {
+    fn present(&mut self) -> Present {
         let [first, second] = self.paces.each_ref().map(Pace::now);
         let mut work = first.1;
         work.add(&second.1);

@@ -3,7 +3,6 @@
 use std::io;
 use std::path::PathBuf;
 
-use super::compare::message;
 use super::{Outcome, terminal};
 use crate::report::side_by_side::write_side_by_side;
 use crate::report::wrote;
@@ -32,9 +31,6 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
             terminal::summarise(&wrote(std::slice::from_ref(&arguments.out)))?;
             Ok(Outcome::Done)
         }
-        Err(error) => {
-            terminal::tell(&message(&error));
-            Ok(Outcome::WrongInput)
-        }
+        Err(error) => Ok(terminal::refuse(error.with_causes())),
     }
 }

@@ -2,8 +2,6 @@
 
 use std::io;
 use std::sync::atomic::Ordering;
-use std::sync::mpsc;
-use std::thread;
 use std::time::Instant;
 
 use super::demand::check_memory;
@@ -14,7 +12,6 @@ use super::written::Written;
 use super::{Outcome, terminal};
 use crate::integrate::{IntegrateError, Pace};
 use crate::report::{self, RestartReader, RunReport, RunSummary};
-use crate::scenario::Scenario;
 use crate::simulate::{
     Earlier, Model, Monitor, Part, Run, RunSize, SimulateError, StateKeeper, simulate_part,
 };
@@ -83,110 +80,94 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
         if terminal::stop().load(Ordering::Relaxed) {
             return Err("interrupted before it began".into());
         }
-        Motion { job, model }.run(restart, arguments)
+        run_motion(job, &model, restart, arguments)
     })
 }
 
-/// A checked scenario and its motion.
-struct Motion<'a> {
-    job: &'a Job,
-    model: Model,
+/// Runs a checked scenario, from where an earlier part ended if there is one.
+fn run_motion(
+    job: &Job,
+    model: &Model,
+    mut restart: Option<RestartReader>,
+    arguments: &Arguments,
+) -> Result<Answer, Failure> {
+    let started = Instant::now();
+    let mut report = RunReport::of(&job.scenario, model, &job.folder)?;
+    tell_of_thinning(job, model);
+    let (asked, resumed) = (&arguments.parts, restart.is_some());
+    let mut keeper = asked.keeper(&report, job, model)?;
+    let paces = [Pace::default(), Pace::default()];
+    let mut part = Part {
+        paces: paces.each_ref().map(Some),
+        earlier: restart.as_mut().map(|restart| Earlier {
+            standing: restart.standing.clone(),
+            states: restart,
+        }),
+        stop_at: asked.stop_at(),
+        keeper: keeper.as_mut().map(|keeper| keeper as &mut dyn StateKeeper),
+        ..Part::default()
+    };
+    let mut monitor = Monitor {
+        stop: terminal::stop(),
+        progress: &mut |_| {},
+    };
+    let mut watch = PaceWatch::new(job, model, &paces);
+    let result = terminal::watched(
+        move || watch.look(),
+        || simulate_part(model, &mut report, &mut monitor, &mut part),
+    );
+    let (standing, counters) = (part.standing, part.counters);
+    let resume = arguments.resume_command(job);
+    match result {
+        Ok(run) => Ok(finish(job, model, report, run, arguments.open)?.timed(started)),
+        Err(SimulateError::Stopped { time }) => {
+            let kept = Kept::of(keeper, standing)?;
+            let title = &job.scenario.title;
+            Ok(parts::stopped(title, time, kept.as_ref(), &resume))
+        }
+        Err(SimulateError::Integrate(error @ IntegrateError::Interrupted { .. })) => {
+            let kept = Kept::of(keeper, standing)?;
+            Err(parts::interrupted(&error, kept.as_ref(), resumed, &resume).into())
+        }
+        Err(SimulateError::Integrate(error)) => {
+            let kept = report.fail(&error, counters)?;
+            Err(parts::failed(&error, &kept).into())
+        }
+        Err(other) => Err(other.into()),
+    }
 }
 
-impl Motion<'_> {
-    /// Runs it, from where an earlier part ended if there is one.
-    fn run(
-        &self,
-        mut restart: Option<RestartReader>,
-        arguments: &Arguments,
-    ) -> Result<Answer, Failure> {
-        let started = Instant::now();
-        let mut report = RunReport::of(&self.job.scenario, &self.model, &self.job.folder)?;
-        self.tell_of_thinning();
-        let (asked, resumed) = (&arguments.parts, restart.is_some());
-        let mut keeper = asked.keeper(&report, self.job, &self.model)?;
-        let paces = [Pace::default(), Pace::default()];
-        let mut part = Part {
-            paces: paces.each_ref().map(Some),
-            earlier: restart.as_mut().map(|restart| Earlier {
-                standing: restart.standing.clone(),
-                states: restart,
-            }),
-            stop_at: asked.stop_at(),
-            keeper: keeper.as_mut().map(|keeper| keeper as &mut dyn StateKeeper),
-            ..Part::default()
-        };
-        let title = &self.job.scenario.title;
-        let mut monitor = Monitor {
-            stop: terminal::stop(),
-            progress: &mut |_| {},
-        };
-        let watch = PaceWatch::new(self.job, &self.model, &paces);
-        let (running, ended) = mpsc::channel();
-        let result = thread::scope(|scope| {
-            // a system without a further thread runs it all the same, unwatched
-            let _ = thread::Builder::new().spawn_scoped(scope, move || watch.until(&ended));
-            let _running = running;
-            simulate_part(&self.model, &mut report, &mut monitor, &mut part)
-        });
-        let (standing, counters) = (part.standing, part.counters);
-        let resume = arguments.resume_command(self.job);
-        match result {
-            Ok(run) => self.finish(report, run, started, arguments.open),
-            Err(SimulateError::Stopped { time }) => {
-                let kept = Kept::of(keeper, standing)?;
-                Ok(parts::stopped(title, time, kept.as_ref(), &resume))
-            }
-            Err(SimulateError::Integrate(error @ IntegrateError::Interrupted { .. })) => {
-                let kept = Kept::of(keeper, standing)?;
-                Err(parts::interrupted(&error, kept.as_ref(), resumed, &resume).into())
-            }
-            Err(SimulateError::Integrate(error)) => {
-                let kept = report.fail(&error, counters)?;
-                Err(parts::failed(&error, &kept).into())
-            }
-            Err(other) => Err(other.into()),
-        }
+/// Says where the tables leave samples out though nobody asked for it.
+fn tell_of_thinning(job: &Job, model: &Model) {
+    let output = &job.scenario.output;
+    let written = output.written_of(model.samples());
+    if output.every.is_none() && output.trace && written.get() > 1 {
+        job.note(&format!(
+            "the trace holds one of every {written} samples, at most 100 000 rows; `every` in [output], or \
+             --every, asks for more or fewer"
+        ));
     }
+}
 
-    /// Says where the tables leave samples out though nobody asked for it.
-    fn tell_of_thinning(&self) {
-        let output = &self.job.scenario.output;
-        let written = output.written_of(self.model.samples());
-        if output.every.is_none() && output.trace && written.get() > 1 {
-            self.job.note(&format!(
-                "the trace holds one of every {written} samples, at most 100 000 rows; `every` in [output], or \
-                 --every, asks for more or fewer"
-            ));
-        }
+/// Writes the files of a run; `opens` shows its page.
+fn finish(
+    job: &Job,
+    model: &Model,
+    report: RunReport,
+    mut run: Run,
+    opens: bool,
+) -> Result<Answer, Failure> {
+    let scenario = &job.scenario;
+    let campbell = along_run_up(model, &mut run);
+    job.warn(&run.warnings);
+    let report = report.with_campbell(campbell.clone());
+    let files = report.finish(model, &run)?;
+    if opens {
+        terminal::open_page(&files);
     }
-
-    fn finish(
-        &self,
-        report: RunReport,
-        mut run: Run,
-        started: Instant,
-        opens: bool,
-    ) -> Result<Answer, Failure> {
-        let Scenario {
-            title,
-            echo,
-            contact_choice,
-            ..
-        } = &self.job.scenario;
-        let campbell = along_run_up(&self.model, &mut run);
-        self.job.warn(&run.warnings);
-        let files = report
-            .with_campbell(campbell.clone())
-            .finish(&self.model, &run)?;
-        if opens {
-            terminal::open_page(&files);
-        }
-        let text = report::text(title, &self.model, &run, &files);
-        let text = text + &self.job.contact_choice_text();
-        let choice = contact_choice.as_ref();
-        let summary = RunSummary::new(&self.model, &run, choice, campbell.as_ref());
-        let json = report::document(title, echo, summary);
-        Ok(Answer::new(text, json, &files).timed(started))
-    }
+    let text = report::text(&scenario.title, model, &run, &files) + &job.contact_choice_text();
+    let choice = scenario.contact_choice.as_ref();
+    let summary = RunSummary::new(model, &run, choice, campbell.as_ref());
+    let json = report::document(&scenario.title, &scenario.echo, summary);
+    Ok(Answer::new(text, json, &files))
 }

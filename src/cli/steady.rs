@@ -3,13 +3,11 @@
 use std::io;
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
-use std::thread;
 use std::time::{Duration, Instant};
 
 use super::jobs::{Answer, Failure, Files, Job};
 use super::terminal::{Progress, in_words};
-use super::{Outcome, terminal};
+use super::{Outcome, terminal, without_repeats};
 use crate::report;
 use crate::scenario::OpenNumber;
 use crate::simulate::{Model, speed_warnings};
@@ -134,21 +132,14 @@ fn alone(job: &Job, model: &Model, arguments: &Arguments) -> Result<Answer, Fail
 
 /// What is told of both ends of a stretch before anything moves, each once.
 fn warnings_at_ends(stretch: &Stretch) -> Vec<String> {
-    let mut warnings: Vec<String> = Vec::new();
-    for end in stretch.ends {
-        let rotor = stretch.varied.rotor(end);
-        let told = rotor.map_or_else(|_| Vec::new(), |rotor| speed_warnings(&rotor));
-        for warning in told {
-            if !warnings.contains(&warning) {
-                warnings.push(warning);
-            }
-        }
-    }
-    warnings
+    let rotors = stretch
+        .ends
+        .into_iter()
+        .map(|end| stretch.varied.rotor(end));
+    let warnings = rotors.flatten().flat_map(|rotor| speed_warnings(&rotor));
+    without_repeats(warnings)
 }
 
-/// Time between two looks at a search.
-const LOOK: Duration = Duration::from_millis(100);
 /// Time that a search goes without a word.
 const PATIENCE: Duration = Duration::from_secs(10);
 
@@ -164,21 +155,10 @@ struct SearchPace {
 impl SearchPace {
     /// Does a search and watches it from another thread.
     fn watched<T>(&self, job: &Job, search: impl FnOnce() -> T) -> T {
-        let (running, ended) = mpsc::channel();
-        thread::scope(|scope| {
-            // a system without a further thread searches all the same, unwatched
-            let _ = thread::Builder::new().spawn_scoped(scope, move || self.watch(job, &ended));
-            let _running: mpsc::Sender<()> = running;
-            search()
-        })
-    }
-
-    /// Looks at the search until the other end of the channel is gone.
-    fn watch(&self, job: &Job, ended: &Receiver<()>) {
         let started = Instant::now();
         let mut progress = Progress::new(&job.scenario.title);
         let mut is_told = false;
-        while ended.recv_timeout(LOOK) == Err(RecvTimeoutError::Timeout) {
+        let look = move || {
             let part = f64::from_bits(self.part.load(Ordering::Relaxed));
             let elapsed = started.elapsed();
             progress.show_with(part, || self.words(part, elapsed));
@@ -192,7 +172,8 @@ impl SearchPace {
                 progress.hidden(|| job.warn([slow]));
                 is_told = true;
             }
-        }
+        };
+        terminal::watched(look, search)
     }
 
     /// `1234 periods integrated`, and the time left where it is known.

@@ -117,19 +117,19 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     };
     let folder = match folder_of(file, &make.out) {
         Ok(folder) => folder,
-        Err(message) => {
-            terminal::tell(&format!("error: {message}\n"));
-            return Ok(Outcome::WrongInput);
-        }
+        Err(message) => return Ok(terminal::refuse(message)),
     };
-    let failure = match Task::new(&study, make, folder).and_then(|task| task.run()) {
+    let made = StudyRuns::new(&study)
+        .map_err(Failure::from)
+        .and_then(|runs| match make.only {
+            Some(number) => only(&study, &runs, &folder, number),
+            None => all(&study, &runs, &folder, make),
+        });
+    let (outcome, message) = match made {
         Ok(outcome) => return Ok(outcome),
-        Err(failure) => failure,
-    };
-    let (outcome, message) = match failure {
-        Failure::Wrong(message) => (Outcome::WrongInput, message),
-        Failure::Failed(message) => (Outcome::Failed, message),
-        Failure::Output(error) => return Err(error),
+        Err(Failure::Wrong(message)) => (Outcome::WrongInput, message),
+        Err(Failure::Failed(message)) => (Outcome::Failed, message),
+        Err(Failure::Output(error)) => return Err(error),
     };
     terminal::tell(&format!("error: {}: {message}\n", name_of(file)));
     Ok(outcome)
@@ -169,111 +169,85 @@ impl From<MakeError> for Failure {
     }
 }
 
-/// A checked study and what is asked of it.
-struct Task<'a> {
-    study: &'a StudyFile,
-    make: &'a Make,
-    folder: PathBuf,
-    runs: StudyRuns<'a>,
+/// Makes all runs, or those of a part.
+fn all(
+    study: &StudyFile,
+    runs: &StudyRuns<'_>,
+    folder: &Path,
+    make: &Make,
+) -> Result<Outcome, Failure> {
+    let started = Instant::now();
+    let available = || thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
+    let threads = make.threads.unwrap_or_else(available).get();
+    // what keeps the first run from beginning it tells itself
+    if let Ok(size) = RunSize::of(&runs.first) {
+        check_memory(&size, threads).map_err(Failure::Wrong)?;
+    }
+    let making = Making {
+        folder,
+        shard: make.shard.unwrap_or(Shard::WHOLE),
+        threads,
+        anew: make.restart,
+    };
+    let mut progress = Progress::new(&study.title);
+    let mut watch = StudyWatch {
+        stop: terminal::stop(),
+        resumed: &mut |runs| {
+            terminal::remark(&format!("going on behind {runs} runs that are done\n"));
+        },
+        progress: &mut |part| progress.show(part),
+    };
+    let (files, digest) = runs.make(&making, &mut watch)?;
+    drop(progress);
+    let count = runs.runs_of(making.shard.chains(&runs.schedule));
+    let seconds = started.elapsed().as_secs_f64();
+    if make.open {
+        terminal::open_page(&files);
+    }
+    let outcome = show(&study.title, &files, digest.as_ref(), make.json)?;
+    let rate = count as f64 / seconds;
+    terminal::remark(&format!(
+        "{count} runs in {seconds:.3} s, {rate:.4} a second\n"
+    ));
+    Ok(outcome)
 }
 
-impl<'a> Task<'a> {
-    fn new(study: &'a StudyFile, make: &'a Make, folder: PathBuf) -> Result<Self, Failure> {
-        Ok(Self {
-            study,
-            make,
-            folder,
-            runs: StudyRuns::new(study)?,
-        })
+/// Makes one run with all its files.
+fn only(
+    study: &StudyFile,
+    runs: &StudyRuns<'_>,
+    folder: &Path,
+    number: u64,
+) -> Result<Outcome, Failure> {
+    let last = runs.schedule.runs().saturating_sub(1);
+    if number > last {
+        let message = format!("there is no run {number}: they count from 0 to {last}");
+        return Err(Failure::Wrong(message));
     }
-
-    fn run(&self) -> Result<Outcome, Failure> {
-        match self.make.only {
-            Some(number) => self.only(number),
-            None => self.all(),
-        }
-    }
-
-    fn all(&self) -> Result<Outcome, Failure> {
-        let started = Instant::now();
-        // what keeps the first run from beginning it tells itself
-        if let Ok(size) = RunSize::of(&self.runs.first) {
-            check_memory(&size, self.threads()).map_err(Failure::Wrong)?;
-        }
-        let title = &self.study.title;
-        let making = Making {
-            folder: &self.folder,
-            shard: self.make.shard.unwrap_or(Shard::WHOLE),
-            threads: self.threads(),
-            anew: self.make.restart,
-        };
-        let mut progress = Progress::new(title);
-        let mut watch = StudyWatch {
-            stop: terminal::stop(),
-            resumed: &mut |runs| {
-                terminal::remark(&format!("going on behind {runs} runs that are done\n"));
-            },
-            progress: &mut |part| progress.show(part),
-        };
-        let (files, digest) = self.runs.make(&making, &mut watch)?;
-        drop(progress);
-        let runs = self.runs.runs_of(making.shard.chains(&self.runs.schedule));
-        let seconds = started.elapsed().as_secs_f64();
-        if self.make.open {
-            terminal::open_page(&files);
-        }
-        let outcome = show(title, &files, digest.as_ref(), self.make.json)?;
-        let rate = runs as f64 / seconds;
-        terminal::remark(&format!(
-            "{runs} runs in {seconds:.3} s, {rate:.4} a second\n"
-        ));
-        Ok(outcome)
-    }
-
-    /// Threads that make runs: as many as asked for, or as the machine has.
-    fn threads(&self) -> usize {
-        let available = || thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
-        self.make.threads.unwrap_or_else(available).get()
-    }
-
-    /// Makes one run with all its files.
-    fn only(&self, number: u64) -> Result<Outcome, Failure> {
-        let schedule = self.runs.schedule;
-        let last = schedule.runs().saturating_sub(1);
-        if number > last {
-            let message = format!("there is no run {number}: they count from 0 to {last}");
-            return Err(Failure::Wrong(message));
-        }
-        let no_run = |message| failed(format!("run {number}: {message}"));
-        let model = |values: &[f64]| self.study.model(values).map_err(|error| error.message);
-        let maker = self.study.maker(schedule, &model, terminal::stop());
-        let alone = maker.alone(number).map_err(MakeError::from)?;
-        let model = alone.map_err(no_run)?;
-        let title = format!("{}, run {number}", self.study.title);
-        let turn = schedule.chain(schedule.chain_of(number));
-        let point = turn
-            .filter(|turn| turn.number == number)
-            .map(|turn| turn.point)
-            .next();
-        let values = self.study.plan.values(point.unwrap_or(0));
-        let mut output = Output::default();
-        output.every = Some(NonZeroU64::MIN);
-        let scenario = self.study.scenario(&values);
-        let scenario = scenario.map_err(|error| no_run(error.message))?;
-        let folder = self.folder.join(format!("run-{number}"));
-        let report = RunReport::open(&folder, output, &model, &title, scenario);
-        let mut report = report.map_err(failed)?;
-        let mut progress = Progress::new(&title);
-        let mut monitor = Monitor {
-            stop: terminal::stop(),
-            progress: &mut |part| progress.show(part),
-        };
-        let run = simulate(&model, &mut report, &mut monitor).map_err(failed)?;
-        drop(progress);
-        let files = report.finish(&model, &run).map_err(failed)?;
-        terminal::summarise(&report::text(&title, &model, &run, &files))?;
-        Ok(Outcome::Done)
-    }
+    let no_run = |message| failed(format!("run {number}: {message}"));
+    let model = |values: &[f64]| study.model(values).map_err(|error| error.message);
+    let maker = study.maker(runs.schedule, &model, terminal::stop());
+    let alone = maker.alone(number).map_err(MakeError::from)?;
+    let model = alone.map_err(no_run)?;
+    let title = format!("{}, run {number}", study.title);
+    let values = study.plan.values(runs.schedule.turn(number).point);
+    let mut output = Output::default();
+    output.every = Some(NonZeroU64::MIN);
+    let scenario = study.scenario(&values);
+    let scenario = scenario.map_err(|error| no_run(error.message))?;
+    let folder = folder.join(format!("run-{number}"));
+    let report = RunReport::open(&folder, output, &model, &title, scenario);
+    let mut report = report.map_err(failed)?;
+    let mut progress = Progress::new(&title);
+    let mut monitor = Monitor {
+        stop: terminal::stop(),
+        progress: &mut |part| progress.show(part),
+    };
+    let run = simulate(&model, &mut report, &mut monitor).map_err(failed)?;
+    drop(progress);
+    let files = report.finish(&model, &run).map_err(failed)?;
+    terminal::summarise(&report::text(&title, &model, &run, &files))?;
+    Ok(Outcome::Done)
 }
 
 impl Merge {
@@ -281,10 +255,10 @@ impl Merge {
         match merge_parts(&self.folder) {
             Ok((files, digest)) => show("merged", &files, Some(&digest), self.json),
             Err(error) => {
-                terminal::tell(&format!("error: {}: {error}\n", self.folder.display()));
+                let refused = terminal::refuse(format!("{}: {error}", self.folder.display()));
                 Ok(match error {
                     MergeError::Report(_) => Outcome::Failed,
-                    _ => Outcome::WrongInput,
+                    _ => refused,
                 })
             }
         }

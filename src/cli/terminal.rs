@@ -1,9 +1,11 @@
 //! The terminal: results on stdout, messages and progress on stderr, and Ctrl-C.
 
+use std::fmt::Display;
 use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitCode, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{self, RecvTimeoutError};
 use std::sync::{Once, OnceLock};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -90,6 +92,12 @@ pub fn tell(text: &str) {
     let _ = io::stderr().lock().write_all(text.as_bytes());
 }
 
+/// Tells why the input is wrong.
+pub fn refuse(error: impl Display) -> Outcome {
+    tell(&format!("error: {error}\n"));
+    Outcome::WrongInput
+}
+
 /// Writes a remark to stderr, unless they want quiet.
 pub fn remark(text: &str) {
     if !manner().quiet {
@@ -166,6 +174,24 @@ fn refusal(mut browser: Child) -> Option<ExitStatus> {
         }
     }
     None
+}
+
+/// Time between two looks at work.
+const LOOK: Duration = Duration::from_millis(100);
+
+/// Works while another thread looks on again and again; unwatched where the system has no further thread.
+pub fn watched<T>(look: impl FnMut() + Send, work: impl FnOnce() -> T) -> T {
+    let (working, ended) = mpsc::channel::<()>();
+    thread::scope(|scope| {
+        let mut look = look;
+        let _ = thread::Builder::new().spawn_scoped(scope, move || {
+            while ended.recv_timeout(LOOK) == Err(RecvTimeoutError::Timeout) {
+                look();
+            }
+        });
+        let _working = working;
+        work()
+    })
 }
 
 /// A run shorter than this shows no bar.

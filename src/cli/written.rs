@@ -7,6 +7,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use serde::de::DeserializeOwned;
 use serde_json::json;
 
+use super::without_repeats;
 use crate::analysis::Channel;
 use crate::scenario::{Scenario, TableFormat};
 
@@ -45,7 +46,7 @@ impl Written {
     pub fn apply(&self, scenario: &mut Scenario) {
         let (output, echo) = (&mut scenario.output, &mut scenario.echo["output"]);
         if !self.formats.is_empty() {
-            output.formats = without_repeats(&self.formats);
+            output.formats = without_repeats(self.formats.iter().copied());
             echo["formats"] = json!(output.formats);
         }
         if let Some(every) = self.every {
@@ -53,21 +54,11 @@ impl Written {
             echo["every"] = json!(every);
         }
         if !self.channels.is_empty() {
-            let channels = without_repeats(&self.channels);
+            let channels = without_repeats(self.channels.iter().copied());
             echo["channels"] = json!(channels);
             output.channels = Some(channels);
         }
     }
-}
-
-fn without_repeats<T: Copy + PartialEq>(all: &[T]) -> Vec<T> {
-    let mut kept = Vec::new();
-    for one in all {
-        if !kept.contains(one) {
-            kept.push(*one);
-        }
-    }
-    kept
 }
 
 impl fmt::Display for Written {

@@ -1,6 +1,5 @@
 //! Comparison of spectra in Rust tests.
 
-use std::fmt;
 use std::path::{Path, PathBuf};
 
 use super::table::Table;
@@ -22,21 +21,9 @@ impl<'a> From<&'a Spectrum> for ComparedSpectrum<'a> {
     }
 }
 
-impl From<&str> for ComparedSpectrum<'_> {
-    fn from(path: &str) -> Self {
-        Self::Path(PathBuf::from(path))
-    }
-}
-
-impl From<&Path> for ComparedSpectrum<'_> {
-    fn from(path: &Path) -> Self {
-        Self::Path(path.to_owned())
-    }
-}
-
-impl From<&PathBuf> for ComparedSpectrum<'_> {
-    fn from(path: &PathBuf) -> Self {
-        Self::Path(path.clone())
+impl<P: AsRef<Path> + ?Sized> From<&P> for ComparedSpectrum<'_> {
+    fn from(path: &P) -> Self {
+        Self::Path(path.as_ref().to_owned())
     }
 }
 
@@ -64,32 +51,13 @@ pub fn spectra_close(
     let compared = || {
         let tables = [first.table(first_name)?, second.table(second_name)?];
         let name = format!("{first_name} against {second_name}");
-        let comparison = Comparison::new(
-            vec![compare_tables(name, &tables, rules)?],
-            Vec::new(),
-            rules,
-        );
-        comparison.check_names(rules)?;
-        Ok(comparison)
+        let table = compare_tables(name, &tables, rules)?;
+        Comparison::new(vec![table], Vec::new(), rules)
     };
     match compared() {
         Ok(comparison) if comparison.agrees() => Ok(()),
         Ok(comparison) => Err(comparison.to_string()),
-        Err(error) => Err(AllCauses(&error).to_string()),
-    }
-}
-
-/// An error with all its causes in one line.
-struct AllCauses<'a>(&'a CompareError);
-
-impl fmt::Display for AllCauses<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.0)?;
-        let source = std::error::Error::source(self.0);
-        for cause in std::iter::successors(source, |cause| cause.source()) {
-            write!(f, ": {cause}")?;
-        }
-        Ok(())
+        Err(error) => Err(error.with_causes()),
     }
 }
 

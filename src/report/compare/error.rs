@@ -1,5 +1,6 @@
 //! Why two results cannot be compared at all.
 
+use std::error::Error;
 use std::io;
 use std::path::PathBuf;
 
@@ -100,4 +101,13 @@ pub enum CompareError {
     /// A figure of the comparison cannot be drawn or written.
     #[error("the comparison stands, its figure does not")]
     Figure(#[from] crate::report::ReportError),
+}
+
+impl CompareError {
+    /// The error and all its causes in one line.
+    pub fn with_causes(&self) -> String {
+        let causes = std::iter::successors(self.source(), |cause| (*cause).source());
+        let causes: String = causes.map(|cause| format!(": {cause}")).collect();
+        format!("{self}{causes}")
+    }
 }

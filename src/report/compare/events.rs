@@ -3,7 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use super::rows::{Judgement, distance};
+use super::rows::distance;
+use super::rules::Allowance;
 use super::table::{bad_csv, number, reader};
 use super::{ColumnComparison, CompareError, Difference, Rules, TableComparison};
 use crate::report::EVENT_COLUMNS;
@@ -48,16 +49,20 @@ pub(super) fn compare_events(
     for key in keys {
         let new = || (ColumnComparison::new(&key.0, rules), Alone::default());
         let (column, alone) = found.entry(&key.0).or_insert_with(new);
-        let tolerance = rules.tolerances.of(&key.0);
+        let allowance = Allowance {
+            tolerance: rules.tolerances.of(&key.0),
+            scale: last,
+            more: 0.0,
+        };
         let times = events.each_ref().map(|events| events.get(key));
         let times = times.map(|times| times.map_or(&[][..], Vec::as_slice));
         let mut number = 0;
-        for pair in partners(times, tolerance.allowed(last)) {
+        for pair in partners(times, allowance.total()) {
             match pair {
                 [Some(first), Some(second)] => {
                     number += 1;
-                    let judgement = Judgement::of(distance(first, second), tolerance, last, 0.0);
-                    judgement.put(column, number, first, [first, second]);
+                    let apart = distance(first, second);
+                    column.take(number, first, [first, second], apart, allowance);
                 }
                 [first, second] => alone.take([first, second], key),
             }

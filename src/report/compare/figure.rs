@@ -105,7 +105,7 @@ fn both_panels(tables: &[Table; 2], column: &ColumnComparison) -> [Panel; 2] {
     let name = &column.name;
     let curves = tables.each_ref().map(|table| points(table, name));
     let axis = Axis::spanning(
-        tables[0].names()[0].as_str(),
+        tables[0].names[0].as_str(),
         curves.iter().flatten().map(|(at, _)| *at),
     );
     let marks = column.places.iter();

@@ -1,6 +1,7 @@
 //! Compares two spectra by their strongest lines, wherever these stand on the frequency axes.
 
-use super::rows::{Judgement, Scales, distance};
+use super::rows::{Scales, distance};
+use super::rules::Allowance;
 use super::table::Table;
 use super::text::short;
 use super::{ColumnComparison, Difference, Rules, TableComparison};
@@ -32,7 +33,7 @@ fn has_lines(name: &str) -> bool {
 
 /// Whether a table has amplitudes, powers or densities over frequency or order.
 pub(super) fn is_spectrum(table: &Table) -> bool {
-    let names = table.names();
+    let names = &table.names;
     ["f_Hz", "order"].contains(&names[0].as_str()) && names.iter().any(|name| has_lines(name))
 }
 
@@ -51,7 +52,7 @@ pub(super) fn compare_lines(
         .map(|(table, name)| Difference::column(&table.path, name))
         .collect();
     let scales = Scales::of(spectra);
-    let names = spectra[0].names().iter().filter(|name| has_lines(name));
+    let names = spectra[0].names.iter().filter(|name| has_lines(name));
     let shared = names.filter(|name| spectra[1].column(name).is_some());
     let mut columns = Vec::new();
     for name in shared {
@@ -71,8 +72,11 @@ fn compare_column(
     column: &mut ColumnComparison,
 ) -> Vec<Difference> {
     let name = column.name.clone();
-    let (scale, tolerance) = (scales.largest(&name), rules.tolerances.of(&name));
-    let allowed = tolerance.allowed(scale) + scales.floor(&name, tolerance);
+    let allowed = scales.allowance(&name, rules).total();
+    let allowance = Allowance {
+        more: 0.0,
+        ..scales.allowance(&name, rules)
+    };
     let lines = spectra.each_ref().map(|table| lines(table, &name, allowed));
     let [first_bin, second_bin] = spectra.each_ref().map(bin);
     let bin = first_bin.max(second_bin) * (1.0 + ROUND_OFF);
@@ -96,12 +100,7 @@ fn compare_column(
                 taken.push([first, second]);
                 let values = [first.amplitude, second.amplitude];
                 let apart = distance(values[0], values[1]);
-                Judgement::of(apart, tolerance, scale, 0.0).put(
-                    column,
-                    rank,
-                    first.frequency,
-                    values,
-                );
+                column.take(rank, first.frequency, values, apart, allowance);
             }
         }
     }

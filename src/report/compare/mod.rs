@@ -70,29 +70,20 @@ pub fn compare(first: &Path, second: &Path, rules: &Rules) -> Result<Comparison,
             source,
         })?;
     }
-    let comparison = match (first.is_dir(), second.is_dir()) {
-        (true, true) => compare_folders(first, second, rules)?,
+    let (folder, file) = match (first.is_dir(), second.is_dir()) {
+        (true, true) => return compare_folders(first, second, rules),
         (false, false) => {
             let name = first.display().to_string();
-            Comparison::new(
-                vec![compare_files(name, [first, second], rules)?],
-                Vec::new(),
-                rules,
-            )
+            let table = compare_files(name, [first, second], rules)?;
+            return Comparison::new(vec![table], Vec::new(), rules);
         }
-        (first_is_folder, _) => {
-            let (folder, file) = match first_is_folder {
-                true => (first, second),
-                false => (second, first),
-            };
-            return Err(CompareError::FolderAndFile {
-                folder: folder.to_owned(),
-                file: file.to_owned(),
-            });
-        }
+        (true, false) => (first, second),
+        (false, true) => (second, first),
     };
-    comparison.check_names(rules)?;
-    Ok(comparison)
+    Err(CompareError::FolderAndFile {
+        folder: folder.to_owned(),
+        file: file.to_owned(),
+    })
 }
 
 /// Compares two files of whatever they hold; `name` is what the result calls them.
@@ -149,5 +140,5 @@ fn compare_folders(first: &Path, second: &Path, rules: &Rules) -> Result<Compari
             names: names.join(", "),
         });
     }
-    Ok(Comparison::new(tables, partial, rules))
+    Comparison::new(tables, partial, rules)
 }

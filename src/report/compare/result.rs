@@ -6,6 +6,7 @@ use std::path::Path;
 use serde::Serialize;
 use serde_json::{Value, json};
 
+use super::rules::Allowance;
 use super::{CompareError, Rules};
 
 /// What the comparison of two results found; shown as a table by `Display`.
@@ -22,27 +23,14 @@ pub struct Comparison {
 
 impl Comparison {
     /// The comparison of tables, and what only one of the results has: differences, or left out.
+    ///
+    /// A tolerance for a column that no table has is refused: it is a slip of the pen that would hide a difference.
     pub(super) fn new(
         tables: Vec<TableComparison>,
         partial: Vec<Difference>,
         rules: &Rules,
-    ) -> Self {
-        let (left_out, differences) = partial.into_iter().partition(|_| rules.common);
-        Self {
-            tables,
-            differences,
-            left_out,
-        }
-    }
-
-    /// Whether both results have the same tables and all their values agree.
-    pub fn agrees(&self) -> bool {
-        self.differences.is_empty() && self.tables.iter().all(TableComparison::agrees)
-    }
-
-    /// A tolerance for a column that does not exist is a slip of the pen that would hide a difference.
-    pub(super) fn check_names(&self, rules: &Rules) -> Result<(), CompareError> {
-        let known = || self.tables.iter().flat_map(|table| &table.known);
+    ) -> Result<Self, CompareError> {
+        let known = || tables.iter().flat_map(|table| &table.known);
         for name in rules.tolerances.named() {
             if !known().any(|column| column == name) {
                 return Err(CompareError::UnknownColumn {
@@ -51,7 +39,17 @@ impl Comparison {
                 });
             }
         }
-        Ok(())
+        let (left_out, differences) = partial.into_iter().partition(|_| rules.common);
+        Ok(Self {
+            tables,
+            differences,
+            left_out,
+        })
+    }
+
+    /// Whether both results have the same tables and all their values agree.
+    pub fn agrees(&self) -> bool {
+        self.differences.is_empty() && self.tables.iter().all(TableComparison::agrees)
     }
 
     /// The comparison as JSON; a difference that is not finite is null.
@@ -221,9 +219,27 @@ impl ColumnComparison {
         self.places.first()
     }
 
-    /// Takes a place, with the relative tolerance that alone would allow its difference.
-    pub(super) fn take(&mut self, place: Worst, needed: f64) {
-        self.needed = self.needed.max(needed);
+    /// Takes the values of a row, which stands at a time or frequency, and how far they are apart.
+    pub(super) fn take(
+        &mut self,
+        row: u64,
+        at: f64,
+        [first, second]: [f64; 2],
+        difference: f64,
+        allowance: Allowance,
+    ) {
+        let place = Worst {
+            row,
+            at,
+            first,
+            second,
+            difference,
+            allowed: allowance.total(),
+        };
+        let beyond = difference - allowance.more;
+        if beyond > 0.0 {
+            self.needed = self.needed.max(beyond / allowance.scale);
+        }
         if place.excess() > 0.0 {
             self.failures += 1;
         }

@@ -2,8 +2,9 @@
 
 use std::f64::consts::{PI, TAU};
 
+use super::rules::Allowance;
 use super::table::Table;
-use super::{ColumnComparison, Difference, Rules, TableComparison, Tolerance, Worst};
+use super::{ColumnComparison, Difference, Rules, TableComparison};
 use crate::analysis::{Channel, NoiseFloor};
 
 /// Compares two tables row by row; `name` is what the result calls them.
@@ -15,7 +16,7 @@ pub(super) fn compare_rows(name: String, tables: &[Table; 2], rules: &Rules) -> 
     let rows = MatchedRows::of(tables);
     differences.extend(rows.difference(tables));
     let scales = Scales::of(tables);
-    let shared = tables[0].names().iter();
+    let shared = tables[0].names.iter();
     let shared = shared.filter_map(|name| Some((name, pair(tables, name)?)));
     let columns: Vec<_> = shared
         .map(|(name, values)| {
@@ -87,20 +88,17 @@ impl MatchedRows {
         rules: &Rules,
     ) {
         let name = column.name.clone();
-        let tolerance = rules.tolerances.of(&name);
-        let (scale, floor) = (scales.largest(&name), scales.floor(&name, tolerance));
-        let amplitude = amplitude_of(&name, tables).map(|(amplitude, sizes)| {
-            let own = rules.tolerances.of(amplitude);
-            let allowed = own.allowed(scales.largest(amplitude)) + scales.floor(amplitude, own);
-            (sizes, allowed)
-        });
+        let allowance = scales.allowance(&name, rules);
+        let amplitude = amplitude_of(&name, tables);
+        let amplitude =
+            amplitude.map(|(amplitude, sizes)| (sizes, scales.allowance(amplitude, rules).total()));
         let counts = [0, 1].map(|table| self.rows[table].div_ceil(self.steps[table]));
         for row in 0..counts[0].min(counts[1]) {
             let at = self.steps.map(|step| row * step);
             let of = |values: [&[f64]; 2]| [values[0][at[0]], values[1][at[1]]];
             let [a, b] = of(values);
-            let judgement = match amplitude {
-                None => Judgement::of(distance(a, b), tolerance, scale, floor),
+            let (difference, allowance) = match amplitude {
+                None => (distance(a, b), allowance),
                 Some((sizes, allowed)) => {
                     let [a_size, b_size] = of(sizes);
                     let size = a_size.max(b_size);
@@ -108,10 +106,16 @@ impl MatchedRows {
                     if size <= allowed || size.is_nan() {
                         continue;
                     }
-                    Judgement::of(turn(distance(a, b)), tolerance, PI, allowed / size)
+                    let turned = Allowance {
+                        scale: PI,
+                        more: allowed / size,
+                        ..allowance
+                    };
+                    (turn(distance(a, b)), turned)
                 }
             };
-            judgement.put(column, row as u64 + 1, tables[0].axis()[at[0]], [a, b]);
+            let place = tables[0].axis()[at[0]];
+            column.take(row as u64 + 1, place, [a, b], difference, allowance);
         }
     }
 }
@@ -119,14 +123,14 @@ impl MatchedRows {
 /// The amplitude that a phase belongs to.
 fn amplitude_of<'a>(name: &str, tables: &'a [Table; 2]) -> Option<(&'a str, [&'a [f64]; 2])> {
     let prefix = format!("{}_amplitude_", name.strip_suffix("_phase_rad")?);
-    let mut names = tables[0].names().iter();
+    let mut names = tables[0].names.iter();
     let found = names.find(|name| name.starts_with(&prefix) && pair(tables, name).is_some())?;
     Some((found, pair(tables, found)?))
 }
 
 /// Time between two samples of a trace, s.
 fn step(table: &Table) -> Option<f64> {
-    let is_trace = table.names().first().is_some_and(|axis| axis == "t_s");
+    let is_trace = table.names.first().is_some_and(|axis| axis == "t_s");
     match table.axis() {
         [first, second, ..] if is_trace => Some(second - first),
         _ => None,
@@ -152,7 +156,7 @@ impl<'a> Scales<'a> {
     pub fn of(tables: &'a [Table; 2]) -> Self {
         let rates = tables.iter().filter_map(step).filter(|step| *step > 0.0);
         let rate = rates.map(f64::recip).fold(0.0, f64::max);
-        let names = tables.iter().flat_map(Table::names);
+        let names = tables.iter().flat_map(|table| &table.names);
         let channels =
             names.filter_map(|name| Some((Channel::of_column(name)?, largest(tables, name))));
         Self {
@@ -161,55 +165,22 @@ impl<'a> Scales<'a> {
         }
     }
 
-    /// Largest magnitude of a column in both tables.
-    pub fn largest(&self, name: &str) -> f64 {
-        largest(self.tables, name)
-    }
-
-    /// Difference of a column that is round-off; zero where equal values are asked for.
-    pub fn floor(&self, name: &str, tolerance: Tolerance) -> f64 {
-        match Channel::of_column(name) {
-            Some(channel) if !tolerance.is_exact() => self.floor.below(channel),
-            _ => 0.0,
+    /// What values of a column may differ by: its tolerance, and round-off unless equal values are asked for.
+    pub fn allowance(&self, name: &str, rules: &Rules) -> Allowance {
+        let tolerance = rules.tolerances.of(name);
+        Allowance {
+            tolerance,
+            scale: largest(self.tables, name),
+            more: match Channel::of_column(name) {
+                Some(channel) if !tolerance.is_exact() => self.floor.below(channel),
+                _ => 0.0,
+            },
         }
     }
 }
 
 fn largest([first, second]: &[Table; 2], name: &str) -> f64 {
     first.largest(name).max(second.largest(name))
-}
-
-/// A difference, what is allowed, and the relative tolerance that alone would allow it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Judgement {
-    difference: f64,
-    allowed: f64,
-    needed: f64,
-}
-
-impl Judgement {
-    /// On a difference that may be as large as the tolerance of `scale` and something `more`.
-    pub fn of(difference: f64, tolerance: Tolerance, scale: f64, more: f64) -> Self {
-        let beyond = difference - more;
-        Self {
-            difference,
-            allowed: tolerance.allowed(scale) + more,
-            needed: if beyond > 0.0 { beyond / scale } else { 0.0 },
-        }
-    }
-
-    /// Notes it in its column.
-    pub fn put(self, column: &mut ColumnComparison, row: u64, at: f64, [first, second]: [f64; 2]) {
-        let place = Worst {
-            row,
-            at,
-            first,
-            second,
-            difference: self.difference,
-            allowed: self.allowed,
-        };
-        column.take(place, self.needed);
-    }
 }
 
 /// |a − b|; zero for equal infinities and for two NaN, infinite where only one is a number.

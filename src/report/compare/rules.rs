@@ -46,6 +46,21 @@ impl Tolerance {
     }
 }
 
+/// What two values of a column may differ by: its tolerance of a scale, and something more.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Allowance {
+    pub tolerance: Tolerance,
+    pub scale: f64,
+    pub more: f64,
+}
+
+impl Allowance {
+    /// Both together.
+    pub fn total(self) -> f64 {
+        self.tolerance.allowed(self.scale) + self.more
+    }
+}
+
 /// The tolerance of every column.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tolerances {

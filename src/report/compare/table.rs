@@ -12,7 +12,8 @@ use crate::report::spectra::spectrum_table;
 pub(in crate::report) struct Table {
     /// Its file, or what messages call it.
     pub path: PathBuf,
-    names: Vec<String>,
+    /// Names of the columns.
+    pub names: Vec<String>,
     /// Numbers column by column; NaN where one is missing.
     columns: Vec<Vec<f64>>,
 }
@@ -60,14 +61,9 @@ impl Table {
         }
     }
 
-    /// Names of the columns.
-    pub fn names(&self) -> &[String] {
-        &self.names
-    }
-
     /// The first column: times or frequencies.
     pub fn axis(&self) -> &[f64] {
-        self.columns.first().map_or(&[], Vec::as_slice)
+        &self.columns[0]
     }
 
     /// A column by its name.
