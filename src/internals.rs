@@ -40,4 +40,4 @@ pub use crate::simulate::passes::BareRun;
 pub use crate::steady::response::{ResponseQuestion, response};
 pub use crate::study::accuracy::Question as AccuracyQuestion;
 pub use crate::study::campbell::{CampbellQuestion, check_range};
-pub use crate::study::many::Shard;
+pub use crate::study::many::{Shard, Unmade};

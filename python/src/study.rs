@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::thread;
 
 use jeffcott::internals::{
-    Digest, MakeError, Making, Shard, StudyFile, StudyRuns, StudyWatch, load_study,
+    Digest, MakeError, Making, Shard, StudyFile, StudyRuns, StudyWatch, Unmade, load_study,
     merge_study as merge_parts, parse_study,
 };
 use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
@@ -91,7 +91,7 @@ impl StudyPlan {
         })?;
         match made {
             Ok((files, digest)) => Ok((files, digest.as_ref().map(summary))),
-            Err(MakeError::Interrupted) => Err(PyKeyboardInterrupt::new_err(
+            Err(MakeError::Unmade(Unmade::Stopped)) => Err(PyKeyboardInterrupt::new_err(
                 "interrupted; the same call goes on from what is done",
             )),
             Err(error) => Err(run_error(py, &error)),

@@ -74,8 +74,7 @@ fn answer(job: &Job, model: &Model, arguments: &Arguments) -> Result<Answer, Fai
         progress: &mut |part| progress.show(part),
     })?;
     drop(progress);
-    let destination = job.destination();
-    let written = destination.write(report::accuracy_findings(&destination, &accuracy))?;
-    let text = written.text + &job.contact_choice_text();
-    Ok(Answer::new(text, written.json, &written.files))
+    let mut answer = job.write(report::accuracy_findings(&job.destination(), &accuracy))?;
+    answer.text += &job.contact_choice_text();
+    Ok(answer)
 }

@@ -89,7 +89,6 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
 }
 
 fn answer(job: &Job, arguments: &Arguments) -> Result<Answer, Failure> {
-    let destination = job.destination();
     let question = CampbellQuestion {
         rotor: job.scenario.question.rotor.clone(),
         from: arguments.from,
@@ -100,9 +99,11 @@ fn answer(job: &Job, arguments: &Arguments) -> Result<Answer, Failure> {
     let campbell = question.solve()?;
     let fastest = question.rotor.at_constant_speed(question.to);
     job.warn(speed_warnings(&fastest));
-    let findings = report::campbell_findings(&destination, &question.rotor, &campbell);
-    let written = destination.write(findings)?;
-    Ok(Answer::from(written))
+    job.write(report::campbell_findings(
+        &job.destination(),
+        &question.rotor,
+        &campbell,
+    ))
 }
 
 /// The orders as numbers, each once; says which number an order of the bearings is.

@@ -103,7 +103,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
             show(&comparison, arguments.json)?;
             Ok(match comparison.agrees() {
                 true => Outcome::Done,
-                false => Outcome::Differs,
+                false => Outcome::Failed,
             })
         }
     }

@@ -9,7 +9,7 @@ use std::time::Instant;
 use serde_json::{Value, json};
 
 use super::{Outcome, terminal};
-use crate::report::{self, Destination, Written};
+use crate::report::{self, Destination, Findings};
 use crate::scenario::{self, STDIN, STDIN_NAME, Scenario};
 use crate::simulate::Model;
 
@@ -195,6 +195,12 @@ impl Job {
         }
     }
 
+    /// Writes the files of what was found, and answers with it.
+    pub fn write(&self, findings: Findings) -> Result<Answer, Failure> {
+        let written = self.destination().write(findings)?;
+        Ok(Answer::new(written.text, written.json, &written.files))
+    }
+
     /// Takes the motion, without the pass that measures its error where `no_verify` says so; `missing` is told
     /// where there is none.
     pub fn motion(&mut self, no_verify: bool, missing: &str) -> Result<Model, Failure> {
@@ -256,13 +262,6 @@ impl Answer {
         self.json["wall_time_s"] = seconds.into();
         self.told = format!("done in {seconds:.3} s\n");
         self
-    }
-}
-
-/// An answer that is told as it is written.
-impl From<Written> for Answer {
-    fn from(written: Written) -> Self {
-        Self::new(written.text, written.json, &written.files)
     }
 }
 

@@ -88,8 +88,8 @@ fn figure_format(text: &str) -> Result<FigureFormat, &'static str> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Outcome {
     Done,
+    /// A run failed, or results differ.
     Failed,
-    Differs,
     WrongInput,
 }
 
@@ -97,7 +97,7 @@ impl From<Outcome> for ExitCode {
     fn from(outcome: Outcome) -> Self {
         match outcome {
             Outcome::Done => Self::SUCCESS,
-            Outcome::Failed | Outcome::Differs => Self::FAILURE,
+            Outcome::Failed => Self::FAILURE,
             Outcome::WrongInput => Self::from(2),
         }
     }

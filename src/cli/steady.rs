@@ -115,7 +115,6 @@ fn stretch(job: &Job, arguments: &Arguments) -> Result<Option<Stretch>, Failure>
 }
 
 fn alone(job: &Job, model: &Model, arguments: &Arguments) -> Result<Answer, Failure> {
-    let destination = job.destination();
     let pace = SearchPace::default();
     let found = pace.watched(job, || {
         steady(&SteadyQuestion {
@@ -126,8 +125,7 @@ fn alone(job: &Job, model: &Model, arguments: &Arguments) -> Result<Answer, Fail
         })
     })?;
     job.warn(&found.warnings);
-    let written = destination.write(report::steady_findings(&destination, model, &found))?;
-    Ok(Answer::from(written))
+    job.write(report::steady_findings(&job.destination(), model, &found))
 }
 
 /// What is told of both ends of a stretch before anything moves, each once.
@@ -193,7 +191,6 @@ fn along(
     stretch: &Stretch,
     arguments: &Arguments,
 ) -> Result<Answer, Failure> {
-    let destination = job.destination();
     let pace = SearchPace::default();
     let varied = &stretch.varied;
     let question = ResponseQuestion {
@@ -212,10 +209,9 @@ fn along(
     let incomplete = || branches.iter().filter(|branch| branch.incomplete);
     job.warn(incomplete().map(|branch| &branch.end));
     let variable = &stretch.variable;
-    let findings = report::response_findings(&destination, variable, &branches);
-    let written = destination.write(findings)?;
+    let findings = report::response_findings(&job.destination(), variable, &branches);
     Ok(Answer {
         incomplete: incomplete().next().is_some(),
-        ..Answer::from(written)
+        ..job.write(findings)?
     })
 }

@@ -37,7 +37,7 @@ pub(crate) use accuracy::accuracy_findings;
 pub(crate) use campbell::campbell_findings;
 #[cfg(test)]
 pub(crate) use checksum::Checksum;
-pub(crate) use destination::{Destination, Findings, Written, document};
+pub(crate) use destination::{Destination, Findings, document};
 #[cfg(test)]
 pub(crate) use envelope::Decimator;
 pub(crate) use error::FileAction;

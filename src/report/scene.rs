@@ -417,7 +417,7 @@ mod tests {
         let scenario = Scenario::from_toml(text).expect("a shipped scenario");
         let figure = scene_figure("", &scenario.question.rotor);
         let panel = &figure.panels[0];
-        let size = |axis: &Axis| axis.ends()[1] - axis.ends()[0];
+        let size = |axis: &Axis| axis.ends[1] - axis.ends[0];
         let across = f64::from(PLOT_WIDTH) / size(&panel.x);
         let upwards = f64::from(panel.height) / size(&panel.y);
         assert!((across / upwards - 1.0).abs() < 0.01);

@@ -241,30 +241,29 @@ fn follow(
     question: &CampbellQuestion,
     speeds: &[f64],
 ) -> Result<(Vec<Branch>, f64), CampbellError> {
-    let mut tracker = ModeTracker {
-        question,
-        least: 1.0,
-    };
+    let mut least = 1.0;
     let mut rows: Vec<Slots> = Vec::with_capacity(speeds.len());
     for (index, speed) in speeds.iter().enumerate().rev() {
         let slots = match rows.last() {
             None => question.modes(*speed)?.into_iter().map(Some).collect(),
-            Some(above) => tracker.carry(above, [speeds[index + 1], *speed], MOST_HALVINGS)?,
+            Some(above) => {
+                let ends = [speeds[index + 1], *speed];
+                carry(question, above, ends, MOST_HALVINGS, &mut least)?
+            }
         };
         rows.push(slots);
     }
     rows.reverse();
     let count = rows.iter().map(Vec::len).max().unwrap_or(0);
-    let mut branches: Vec<Branch> = (0..count)
-        .map(|branch| Branch {
-            modes: rows
-                .iter()
-                .map(|row| row.get(branch).cloned().flatten())
-                .collect(),
-        })
-        .collect();
+    let branch = |branch: usize| {
+        let modes = rows.iter().map(|row| row.get(branch).cloned().flatten());
+        Branch {
+            modes: modes.collect(),
+        }
+    };
+    let mut branches: Vec<Branch> = (0..count).map(branch).collect();
     branches.sort_by(|a, b| lowest(a).total_cmp(&lowest(b)));
-    Ok((branches, tracker.least))
+    Ok((branches, least))
 }
 
 /// Frequency at the lowest speed at which a branch has a mode, Hz.
@@ -273,31 +272,26 @@ fn lowest(branch: &Branch) -> f64 {
     first.map_or(f64::INFINITY, Mode::damped_frequency)
 }
 
-struct ModeTracker<'a> {
-    question: &'a CampbellQuestion,
-    least: f64,
-}
-
-impl ModeTracker<'_> {
-    /// The branches at the second of two speeds, known at the first; in steps where they change much.
-    fn carry(
-        &mut self,
-        known: &Slots,
-        [at, to]: [f64; 2],
-        halvings: u32,
-    ) -> Result<Slots, CampbellError> {
-        let modes = self.question.modes(to)?;
-        let pairs = matches(known, &modes);
-        let least = pairs.iter().map(|pair| pair.2).fold(1.0, f64::min);
-        let lost = pairs.len() < known.iter().flatten().count().min(modes.len());
-        if halvings > 0 && (least < SURE || lost) {
-            let middle = 0.5 * (at + to);
-            let between = self.carry(known, [at, middle], halvings - 1)?;
-            return self.carry(&between, [middle, to], halvings - 1);
-        }
-        self.least = self.least.min(least);
-        Ok(placed(known.len(), modes, &pairs))
+/// The branches at the second of two speeds, known at the first; in steps where they change much. Notes the `least`
+/// likeness of all pairs.
+fn carry(
+    question: &CampbellQuestion,
+    known: &Slots,
+    [at, to]: [f64; 2],
+    halvings: u32,
+    least: &mut f64,
+) -> Result<Slots, CampbellError> {
+    let modes = question.modes(to)?;
+    let pairs = matches(known, &modes);
+    let likeness = pairs.iter().map(|pair| pair.2).fold(1.0, f64::min);
+    let lost = pairs.len() < known.iter().flatten().count().min(modes.len());
+    if halvings > 0 && (likeness < SURE || lost) {
+        let middle = 0.5 * (at + to);
+        let between = carry(question, known, [at, middle], halvings - 1, least)?;
+        return carry(question, &between, [middle, to], halvings - 1, least);
     }
+    *least = least.min(likeness);
+    Ok(placed(known.len(), modes, &pairs))
 }
 
 /// Pairs of branch and mode with their likeness, the most alike first, each in one pair only.
@@ -305,12 +299,8 @@ fn matches(known: &Slots, modes: &[Mode]) -> Vec<(usize, usize, f64)> {
     let mut all: Vec<(usize, usize, f64)> = Vec::new();
     for (branch, mode) in known.iter().enumerate() {
         let Some(mode) = mode else { continue };
-        let likeness = modes.iter().map(|other| mode.assurance(other));
-        all.extend(
-            likeness
-                .enumerate()
-                .map(|(other, like)| (branch, other, like)),
-        );
+        let others = modes.iter().enumerate();
+        all.extend(others.map(|(index, other)| (branch, index, mode.assurance(other))));
     }
     all.sort_by(|a, b| b.2.total_cmp(&a.2));
     let mut pairs: Vec<(usize, usize, f64)> = Vec::new();
@@ -353,12 +343,8 @@ fn critical_speeds(
                 continue;
             };
             for &order in &question.orders {
-                let crossing = Crossing {
-                    question,
-                    neighbours: [low, high],
-                    order,
-                };
-                found.extend(crossing.find([ends[0], ends[1]], index)?);
+                let ends = [(ends[0], low), (ends[1], high)];
+                found.extend(crossing(question, ends, order, index)?);
             }
         }
     }
@@ -366,51 +352,31 @@ fn critical_speeds(
     Ok(found)
 }
 
-/// A crossing of one branch and one order between two speeds.
-struct Crossing<'a> {
-    question: &'a CampbellQuestion,
-    /// The branch at both speeds.
-    neighbours: [&'a Mode; 2],
+/// The crossing of a branch and an order between two speeds at which its mode is known, if there is one. Between them
+/// its mode is that most like both.
+fn crossing(
+    question: &CampbellQuestion,
+    [(from, low), (to, high)]: [(f64, &Mode); 2],
     order: f64,
-}
-
-impl Crossing<'_> {
-    /// `f(ω) − order ω/2π`, Hz.
-    fn distance(&self, mode: &Mode, speed: f64) -> f64 {
-        mode.damped_frequency() - self.order * speed / TAU
-    }
-
-    /// The branch at a speed between its neighbours: the mode most like both.
-    fn mode(&self, speed: f64) -> Result<Option<Mode>, CampbellError> {
-        let [low, high] = self.neighbours;
-        let likeness = |mode: &Mode| low.assurance(mode) + high.assurance(mode);
-        let modes = self.question.modes(speed)?.into_iter();
-        Ok(modes.max_by(|a, b| likeness(a).total_cmp(&likeness(b))))
-    }
-
-    fn find(&self, ends: [f64; 2], branch: usize) -> Result<Option<CriticalSpeed>, CampbellError> {
-        let values = [0, 1].map(|end| self.distance(self.neighbours[end], ends[end]));
-        let Some(mut bracket) = Bracket::new(ends, values) else {
-            return Ok(None);
-        };
-        let mut found: Option<CriticalSpeed> = None;
-        for _ in 0..MOST_TRIALS {
-            let speed = bracket.guess();
-            let Some(mode) = self.mode(speed)? else { break };
-            let distance = self.distance(&mode, speed);
-            bracket.narrow(speed, distance);
-            let before = found.replace(self.critical_speed(&mode, speed, branch));
-            let moved = before.map_or(f64::INFINITY, |before| (speed - before.speed).abs());
-            if distance == 0.0 || moved.min(bracket.length()) < FOUND * speed {
-                break;
-            }
-        }
-        Ok(found)
-    }
-
-    fn critical_speed(&self, mode: &Mode, speed: f64, branch: usize) -> CriticalSpeed {
-        CriticalSpeed {
-            order: self.order,
+    branch: usize,
+) -> Result<Option<CriticalSpeed>, CampbellError> {
+    // f(ω) − order ω/2π, Hz
+    let distance = |mode: &Mode, speed: f64| mode.damped_frequency() - order * speed / TAU;
+    let likeness = |mode: &Mode| low.assurance(mode) + high.assurance(mode);
+    let values = [distance(low, from), distance(high, to)];
+    let Some(mut bracket) = Bracket::new([from, to], values) else {
+        return Ok(None);
+    };
+    let mut found: Option<CriticalSpeed> = None;
+    for _ in 0..MOST_TRIALS {
+        let speed = bracket.guess();
+        let modes = question.modes(speed)?.into_iter();
+        let most_alike = modes.max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
+        let Some(mode) = most_alike else { break };
+        let value = distance(&mode, speed);
+        bracket.narrow(speed, value);
+        let before = found.replace(CriticalSpeed {
+            order,
             branch,
             speed,
             frequency: mode.damped_frequency(),
@@ -418,6 +384,11 @@ impl Crossing<'_> {
             whirl: mode.whirl(),
             forward_share: mode.forward_share(),
             reduction_error: None,
+        });
+        let moved = before.map_or(f64::INFINITY, |before| (speed - before.speed).abs());
+        if value == 0.0 || moved.min(bracket.length()) < FOUND * speed {
+            break;
         }
     }
+    Ok(found)
 }

@@ -112,9 +112,7 @@ pub fn choose_contact(
     rotor: &RotorDefinition,
     question: &ContactQuestion,
 ) -> (RotorDefinition, ContactChoice) {
-    let tops = rotor.bearings.iter().zip(&question.open);
-    let tops = tops.filter(|(_, open)| **open);
-    let top = tops.map(|(bearing, _)| Fidelity::from(bearing)).max();
+    let top = open_bearings(rotor, question).map(Fidelity::from).max();
     let top = top.unwrap_or(Fidelity::Hertz);
     let mut choice = ContactChoice {
         model_error: question.model_error,
@@ -135,6 +133,15 @@ pub fn choose_contact(
     let cheapest = choice.cheaper.iter().find(fits).map(|fit| fit.fidelity);
     choice.chosen = cheapest.unwrap_or(top);
     (at_level(rotor, question, choice.chosen), choice)
+}
+
+/// The bearings whose law is to be chosen.
+fn open_bearings<'a>(
+    rotor: &'a RotorDefinition,
+    question: &'a ContactQuestion,
+) -> impl Iterator<Item = &'a MountedBearing> {
+    let all = rotor.bearings.iter().zip(&question.open);
+    all.filter(|(_, open)| **open).map(|(bearing, _)| bearing)
 }
 
 /// The scene with its open bearings at a level, or at their own highest one where that is lower.
@@ -166,10 +173,7 @@ fn at_level(
 
 /// The levels below the highest one that are different from each other.
 fn cheaper(rotor: &RotorDefinition, question: &ContactQuestion, top: Fidelity) -> Vec<Fidelity> {
-    let open = rotor.bearings.iter().zip(&question.open);
-    let film = open
-        .filter(|(_, open)| **open)
-        .any(|(bearing, _)| bearing.oil.is_some());
+    let film = open_bearings(rotor, question).any(|bearing| bearing.oil.is_some());
     let useful = |fidelity: &Fidelity| {
         (film || !fidelity.has_film())
             && (top.has_ball_inertia() || !fidelity.has_ball_inertia())
@@ -224,7 +228,8 @@ struct Candidate {
 impl Candidate {
     pub fn new(rotor: &RotorDefinition) -> Result<Self, RotorError> {
         let mut supports = build_supports(rotor)?;
-        let position = equilibrium(rotor, &supports)?;
+        let found = static_place(rotor, &supports, false, &[None; FREEDOMS])?;
+        let position = found.equilibrium.displacement;
         for support in &mut supports {
             support.freeze(&position, rotor.speed);
         }
@@ -257,54 +262,6 @@ impl Candidate {
         (force, stiffness)
     }
 }
-/// Two laws side by side.
-struct Pair<'a> {
-    own: &'a Candidate,
-    top: &'a Candidate,
-    active: usize,
-    arm: f64,
-}
-
-impl Pair<'_> {
-    /// Differences of the forces as forces, and that of the stiffness relative to the largest.
-    fn apart(&self, position: &Vector5, part: f64, speed: f64) -> (Vec<f64>, f64) {
-        let (own, own_stiffness) = self.own.tangent(position, part, speed);
-        let (truth, true_stiffness) = self.top.tangent(position, part, speed);
-        let force = |axis: usize| (own[axis] - truth[axis]) / lever(axis, self.arm);
-        let stiffness = relative(
-            self.stiffest(&(own_stiffness - true_stiffness)),
-            self.stiffest(&true_stiffness),
-        );
-        ((0..self.active).map(force).collect(), stiffness)
-    }
-
-    /// Largest entry of the active freedoms as that of a force by a displacement, N/m.
-    fn stiffest(&self, matrix: &Matrix5) -> f64 {
-        let all =
-            (0..self.active).flat_map(|row| (0..self.active).map(move |column| (row, column)));
-        let levers = |(row, column)| lever(row, self.arm) * lever(column, self.arm);
-        largest(all.map(|entry| matrix[entry] / levers(entry)))
-    }
-
-    /// Adds the differences at a point to what was found.
-    fn compare_at(&self, point: &Point, cage_positions: usize, found: &mut Difference) {
-        let (rest, _) = self.apart(&point.positions[0], 0.0, point.speed);
-        for cage in 0..cage_positions {
-            let part = cage as f64 / CAGE_POSITIONS as f64;
-            for position in &point.positions {
-                let (force, stiffness) = self.apart(position, part, point.speed);
-                let whole = relative(largest(force.iter().copied()), point.force);
-                found.force = found.force.max(whole);
-                found.stiffness = found.stiffness.max(stiffness);
-                if point.moves() {
-                    let change = force.iter().zip(&rest).map(|(here, rest)| here - rest);
-                    let change = relative(largest(change), point.change);
-                    found.change = found.change.max(change);
-                }
-            }
-        }
-    }
-}
 
 /// Largest differences of a candidate from the top over all points.
 fn difference(
@@ -313,17 +270,42 @@ fn difference(
     top: &Candidate,
     points: &[Point],
 ) -> Difference {
-    let pair = Pair {
-        own: candidate,
-        top,
-        active: rotor.shaft.freedoms.count(),
-        arm: Support::largest(&top.supports, Geometry::inner_groove_radius),
+    let active = rotor.shaft.freedoms.count();
+    let arm = Support::largest(&top.supports, Geometry::inner_groove_radius);
+    // the largest entry of the active freedoms as that of a force by a displacement, N/m
+    let stiffest = |matrix: &Matrix5| {
+        let entries = (0..active).flat_map(|row| (0..active).map(move |column| (row, column)));
+        let levers = |(row, column)| lever(row, arm) * lever(column, arm);
+        largest(entries.map(|entry| matrix[entry] / levers(entry)))
+    };
+    // differences of the forces as forces, and that of the stiffness relative to the largest
+    let apart = |position: &Vector5, part: f64, speed: f64| {
+        let (own, own_stiffness) = candidate.tangent(position, part, speed);
+        let (truth, true_stiffness) = top.tangent(position, part, speed);
+        let forces = (0..active).map(|axis| (own[axis] - truth[axis]) / lever(axis, arm));
+        let stiffness = stiffest(&(own_stiffness - true_stiffness));
+        let forces: Vec<f64> = forces.collect();
+        (forces, relative(stiffness, stiffest(&true_stiffness)))
     };
     let mut found = Difference::default();
     for point in points {
         let rolls = rotor.cage == CageMotion::Rolling && point.moves() && point.speed > 0.0;
         let before = found.largest();
-        pair.compare_at(point, if rolls { CAGE_POSITIONS } else { 1 }, &mut found);
+        let (rest, _) = apart(&point.positions[0], 0.0, point.speed);
+        for cage in 0..if rolls { CAGE_POSITIONS } else { 1 } {
+            let part = cage as f64 / CAGE_POSITIONS as f64;
+            for position in &point.positions {
+                let (forces, stiffness) = apart(position, part, point.speed);
+                let whole = relative(largest(forces.iter().copied()), point.force);
+                found.force = found.force.max(whole);
+                found.stiffness = found.stiffness.max(stiffness);
+                if point.moves() {
+                    let change = forces.iter().zip(&rest).map(|(here, rest)| here - rest);
+                    let change = relative(largest(change), point.change);
+                    found.change = found.change.max(change);
+                }
+            }
+        }
         if found.largest() > before {
             found.speed = point.speed;
         }
@@ -434,10 +416,4 @@ fn around(middle: Vector5, reach: f64, active: usize, arm: f64) -> Vec<Vector5> 
         }
     }
     positions
-}
-
-/// Displacement of the shaft under its static load.
-fn equilibrium(rotor: &RotorDefinition, supports: &[Support]) -> Result<Vector5, RotorError> {
-    let position = static_place(rotor, supports, false, &[None; FREEDOMS])?;
-    Ok(position.equilibrium.displacement)
 }

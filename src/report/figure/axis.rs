@@ -25,9 +25,10 @@ pub(super) const LETTER: u32 = 7;
 pub(crate) struct Axis {
     /// Quantity and unit; none where another panel shows them.
     pub name: String,
-    ends: [f64; 2],
+    /// What stands at its ends.
+    pub ends: [f64; 2],
     ticks: Vec<(f64, String)>,
-    logarithmic: bool,
+    pub logarithmic: bool,
 }
 
 impl Axis {
@@ -108,11 +109,13 @@ impl Axis {
 
     fn linear(name: impl Into<String>, ends: [f64; 2], ticks: &[f64]) -> Self {
         let span = ends[1] - ends[0];
-        let ticks = ticks.iter();
         Self {
             name: name.into(),
             ends,
-            ticks: ticks.map(|tick| (*tick, decimal(*tick, span))).collect(),
+            ticks: ticks
+                .iter()
+                .map(|tick| (*tick, decimal(*tick, span)))
+                .collect(),
             logarithmic: false,
         }
     }
@@ -120,23 +123,12 @@ impl Axis {
     fn of_logarithms(name: impl Into<String>, ends: [f64; 2], ticks: &[f64]) -> Self {
         let are_decades = ticks.iter().all(|tick| tick.fract() == 0.0);
         let text = if are_decades { power } else { number };
-        let ticks = ticks.iter();
         Self {
             name: name.into(),
             ends,
-            ticks: ticks.map(|tick| (*tick, text(*tick))).collect(),
+            ticks: ticks.iter().map(|tick| (*tick, text(*tick))).collect(),
             logarithmic: true,
         }
-    }
-
-    /// What stands at its ends; of a logarithmic axis their decimal logarithms.
-    pub(in crate::report) fn ends(&self) -> [f64; 2] {
-        self.ends
-    }
-
-    /// Whether it is logarithmic.
-    pub(in crate::report) fn is_logarithmic(&self) -> bool {
-        self.logarithmic
     }
 
     /// The names along it, of an axis of names.

@@ -268,7 +268,10 @@ impl Picture {
             .collect();
         Self {
             held: RGBColor(1, 2, 3 + index as u8),
-            uri: data_uri(map.width, &map.levels, &palette),
+            uri: format!(
+                "data:image/png;base64,{}",
+                STANDARD.encode(png(map.width, &map.levels, &palette))
+            ),
         }
     }
 }
@@ -398,17 +401,9 @@ impl Panel {
 /// Bytes that a stored block of zlib holds at most.
 const BLOCK: usize = 65_535;
 
-/// PNG of one byte a pixel, row by row from the top, each the number of a colour; as base64.
+/// PNG of one byte a pixel, row by row from the top, each the number of a colour.
 ///
-/// Source: PNG, ISO/IEC 15948; zlib and deflate, RFC 1950 and 1951, here with stored blocks; base64,
-/// RFC 4648.
-pub(super) fn data_uri(width: usize, pixels: &[u8], palette: &[[u8; 3]]) -> String {
-    format!(
-        "data:image/png;base64,{}",
-        STANDARD.encode(png(width, pixels, palette))
-    )
-}
-
+/// Source: PNG, ISO/IEC 15948; zlib and deflate, RFC 1950 and 1951, here with stored blocks.
 fn png(width: usize, pixels: &[u8], palette: &[[u8; 3]]) -> Vec<u8> {
     let height = pixels.len() / width.max(1);
     let mut header = Vec::new();

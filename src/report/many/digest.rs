@@ -132,7 +132,7 @@ pub struct Digest {
     pub(super) named: Option<Vec<String>>,
     /// Whether the runs were drawn instead of standing on a grid.
     pub(super) drawn: bool,
-    sensitivities: Vec<Sensitivity>,
+    pub(super) sensitivities: Vec<Sensitivity>,
     peaks: Vec<ResponsePeak>,
 }
 
@@ -189,23 +189,23 @@ impl Digest {
         let run = record.get(0).and_then(|run| run.parse().ok()).unwrap_or(0);
         let mut cells = record.iter().skip(2);
         let values = cells.by_ref().take(self.axes.len()).map(number).collect();
-        let numbers = cells
-            .by_ref()
-            .take(self.columns.len())
-            .map(number)
-            .collect();
+        let numbers = cells.by_ref().take(self.columns.len());
+        let numbers = numbers.map(number).collect();
         let (status, error, warnings) = (cells.next(), cells.next(), cells.next());
         match status {
             Some("failed") => {
-                let error = error.unwrap_or_default().to_owned();
-                self.fail(Failure { run, values, error });
+                self.runs += 1;
+                self.failed += 1;
+                if self.failures.len() < MOST_FAILURES {
+                    let error = error.unwrap_or_default().to_owned();
+                    self.failures.push(Failure { run, values, error });
+                }
             }
             _ => {
-                let warnings = warnings.filter(|warnings| !warnings.is_empty());
-                let warnings = warnings
-                    .into_iter()
-                    .flat_map(|all| all.split(BETWEEN_WARNINGS));
-                warnings.for_each(|warning| self.warn(run, warning));
+                let warnings = warnings.unwrap_or_default().split(BETWEEN_WARNINGS);
+                for warning in warnings.filter(|warning| !warning.is_empty()) {
+                    self.warn(run, warning);
+                }
                 self.add(Row {
                     run,
                     down: record.get(1) == Some("down"),
@@ -219,19 +219,16 @@ impl Digest {
         }
     }
 
-    fn fail(&mut self, failure: Failure) {
-        self.runs += 1;
-        self.failed += 1;
-        if self.failures.len() < MOST_FAILURES {
-            self.failures.push(failure);
-        }
-    }
-
     fn warn(&mut self, run: u64, warning: &str) {
-        let same = |known: &RunsWarned| words(&known.warning).eq(words(warning));
-        match self.warnings.iter().position(same) {
-            Some(place) => self.warnings[place].count(run),
-            None if self.warnings.len() < MOST_WARNINGS => self.warnings.push(RunsWarned {
+        let has_room = self.warnings.len() < MOST_WARNINGS;
+        let same = |known: &&mut RunsWarned| words(&known.warning).eq(words(warning));
+        match self.warnings.iter_mut().find(same) {
+            // a run counts once, however often it has the warning
+            Some(known) => {
+                known.runs += u64::from(known.latest != run);
+                known.latest = run;
+            }
+            None if has_room => self.warnings.push(RunsWarned {
                 run,
                 runs: 1,
                 latest: run,
@@ -252,11 +249,8 @@ impl Digest {
         }
         if self.rows.len() as u64 > MOST_ROWS {
             self.stride *= 2;
-            let mut place = 0;
-            self.rows.retain(|_| {
-                place += 1;
-                place % 2 == 1
-            });
+            let rows = std::mem::take(&mut self.rows).into_iter();
+            self.rows = rows.step_by(2).collect();
         }
     }
 
@@ -289,10 +283,6 @@ impl Digest {
         found.ok().map(|place| &self.rows[place])
     }
 
-    pub(super) fn sensitivities(&self) -> &[Sensitivity] {
-        &self.sensitivities
-    }
-
     /// The largest measured error of all runs that have one.
     pub fn largest_error(&self) -> Option<f64> {
         let column = &self.columns[self.column("measured_error")?];
@@ -316,13 +306,10 @@ impl Digest {
             text += &format!("    run {run}: {error}\n");
         }
         if let Some(error) = self.largest_error() {
-            let measured = self.measured();
+            let runs = self.measured();
+            let noun = if runs == 1 { "run" } else { "runs" };
             text += &format!(
-                "  error         at most {error:.1e} of the motion in {}\n",
-                match measured {
-                    1 => "the 1 run that measured it".to_owned(),
-                    runs => format!("the {runs} runs that measured it"),
-                }
+                "  error         at most {error:.1e} of the motion in the {runs} {noun} that measured it\n"
             );
         }
         text
@@ -368,27 +355,12 @@ fn words(warning: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-impl RunsWarned {
-    /// Counts a run, once however often it has the warning.
-    fn count(&mut self, run: u64) {
-        if self.latest != run {
-            self.runs += 1;
-            self.latest = run;
-        }
-    }
-}
-
 impl std::fmt::Display for RunsWarned {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let (run, warning) = (self.run, &self.warning);
         match self.runs {
-            1 => write!(f, "run {}: {}", self.run, self.warning),
-            runs => write!(
-                f,
-                "run {} and {} more: {}",
-                self.run,
-                runs - 1,
-                self.warning
-            ),
+            1 => write!(f, "run {run}: {warning}"),
+            runs => write!(f, "run {run} and {} more: {warning}", runs - 1),
         }
     }
 }

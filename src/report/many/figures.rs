@@ -61,7 +61,7 @@ fn shown(name: &str, column: usize) -> Shown {
     Shown {
         column,
         title,
-        is_length: length.is_some(),
+        factor: if length.is_some() { MICRO } else { 1.0 },
     }
 }
 
@@ -72,21 +72,14 @@ fn stiffness_title(name: &str) -> Option<String> {
 }
 
 /// A number that the figures show.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Shown {
     /// Its place among the columns.
     pub column: usize,
     /// What it is called, with the unit in which it is drawn.
     pub title: String,
-    /// Whether it is a length, drawn in µm.
-    is_length: bool,
-}
-
-impl Shown {
-    /// What its values are multiplied by.
-    pub fn factor(&self) -> f64 {
-        if self.is_length { MICRO } else { 1.0 }
-    }
+    /// What its values are multiplied by: lengths are drawn in µm.
+    factor: f64,
 }
 
 impl Digest {
@@ -126,8 +119,8 @@ impl Digest {
 
     /// What the colours mean: how a run came to its value.
     fn directions(&self) -> Vec<Name> {
-        let down = self.rows.iter().filter(|row| row.down).count();
-        if down > 0 && down < self.rows.len() {
+        let is_there = |down| self.rows.iter().any(|row| row.down == down);
+        if is_there(false) && is_there(true) {
             Name::each(["up", "down"])
         } else {
             Name::each(["runs"])
@@ -138,7 +131,7 @@ impl Digest {
         let rows = self.rows.iter().filter(|row| row.down == down);
         let mut found: Vec<(Point, u64)> = rows
             .map(|row| {
-                let value = shown.factor() * row.numbers[shown.column];
+                let value = shown.factor * row.numbers[shown.column];
                 ((self.at(row, 0), value), row.run)
             })
             .filter(|((_, value), _)| value.is_finite())
@@ -181,13 +174,12 @@ impl Digest {
             let points = places.iter().flat_map(|(points, _)| points);
             padded(points.map(|point| point.1))
         };
-        let spread = |places: &[Places; 2]| {
+        let spread = |(_, places): &(String, [Places; 2])| {
             let range = range(places);
             range.end - range.start
         };
-        let widest = found
-            .into_iter()
-            .max_by(|a, b| spread(&a.1).total_cmp(&spread(&b.1)));
+        let found = found.into_iter();
+        let widest = found.max_by(|a, b| spread(a).total_cmp(&spread(b)));
         let Some((name, places)) = widest else {
             return Ok(None);
         };
@@ -226,7 +218,7 @@ impl Digest {
 
     /// One number in every cell of the grid.
     fn mapped(&self, shown: &Shown, edges: [&Edges; 2], height: u32) -> Panel {
-        let value = |row: &Row| shown.factor() * row.numbers[shown.column];
+        let value = |row: &Row| shown.factor * row.numbers[shown.column];
         let range = padded(self.rows.iter().map(value));
         let span = range.end - range.start;
         let shade = |value: f64| {
@@ -280,7 +272,7 @@ impl Digest {
     /// One number over one axis.
     fn scattered(&self, shown: &Shown, axis: usize) -> Option<Panel> {
         let rows = self.rows.iter().map(|row| {
-            let value = shown.factor() * row.numbers[shown.column];
+            let value = shown.factor * row.numbers[shown.column];
             ((self.at(row, axis), value), row.run)
         });
         let known = rows.filter(|((_, value), _)| value.is_finite());
@@ -303,7 +295,7 @@ impl Digest {
     pub(super) fn tornado(&self, title: &str) -> Option<Figure> {
         let shown: Vec<_> = self.shown().iter().map(|shown| shown.column).collect();
         let mut bars = Vec::new();
-        for sensitivity in self.sensitivities() {
+        for sensitivity in &self.sensitivities {
             let is_shown = |column: &usize| self.columns[*column].name == sensitivity.number;
             if shown.iter().any(is_shown) {
                 let correlations = sensitivity.rank_correlation.iter();
@@ -322,14 +314,11 @@ impl Digest {
             return None;
         }
         let count = bars.len();
-        let cells = bars.iter().enumerate().map(|(index, (_, part))| {
-            let top = index as f64;
-            Cell {
-                corners: [(0.0, top + 0.15), (*part, top + 0.85)],
-                colour: distinct(usize::from(*part < 0.0)),
-                value: *part,
-                run: None,
-            }
+        let cells = bars.iter().enumerate().map(|(index, &(_, value))| Cell {
+            corners: [(0.0, index as f64 + 0.15), (value, index as f64 + 0.85)],
+            colour: distinct(usize::from(value < 0.0)),
+            value,
+            run: None,
         });
         let cells = cells.collect();
         let zero = Curve::line(GREY, vec![(0.0, 0.0), (0.0, count as f64)]);

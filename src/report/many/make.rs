@@ -35,21 +35,9 @@ pub enum MakeError {
         /// How many there can be.
         most: u64,
     },
-    /// The trace of a run cannot be kept.
-    #[error("{0}; with that mended the same command goes on from what is done")]
-    Trace(io::Error),
-    /// It was to stop.
-    #[error("interrupted; the same command goes on from what is done")]
-    Interrupted,
-}
-
-impl From<Unmade> for MakeError {
-    fn from(unmade: Unmade) -> Self {
-        match unmade {
-            Unmade::Stopped => Self::Interrupted,
-            Unmade::Trace(error) => Self::Trace(error),
-        }
-    }
+    /// It was to stop, or the trace of a run cannot be kept.
+    #[error(transparent)]
+    Unmade(#[from] Unmade),
 }
 
 /// A checked study whose first run can be made.
@@ -167,7 +155,7 @@ impl<'a> StudyRuns<'a> {
             },
         )?;
         if done < count {
-            return Err(MakeError::Interrupted);
+            return Err(Unmade::Stopped.into());
         }
         Ok(report.finish()?)
     }

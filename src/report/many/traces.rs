@@ -1,5 +1,6 @@
 //! The traces of the runs, a file each.
 
+use std::fmt::Display;
 use std::fs;
 use std::io::{self, Write};
 use std::ops::Range;
@@ -38,12 +39,13 @@ impl Traces {
     pub fn begin(&self, run: u64) -> io::Result<Box<dyn KeptTrace>> {
         let file = self.folder.create(&file_name(run)).map_err(other)?;
         let path = file.path().to_owned();
-        let csv = TraceCsv::new(Summed::new(file)).map_err(|error| refused(&path, error))?;
+        let sum = Checksum::START;
+        let csv = TraceCsv::new(Summed { file, sum }).map_err(|error| refused(&path, error))?;
         Ok(Box::new(TraceFile { csv, path }))
     }
 }
 
-fn file_name(run: u64) -> String {
+fn file_name(run: impl Display) -> String {
     format!("trace-{run}.csv")
 }
 
@@ -98,7 +100,7 @@ pub(super) fn sync_traces(study: &Path, table: &Path) -> Result<(), ReportError>
     let mut traces = Vec::new();
     each_row(table, |_, record| {
         let [run, bytes] = [0, 1].map(|place| record.get(place).unwrap_or_default());
-        let path = study.join(FOLDER).join(format!("trace-{run}.csv"));
+        let path = study.join(FOLDER).join(file_name(run));
         traces.push((path, bytes.to_owned()));
     })?;
     for (path, bytes) in traces {
@@ -149,13 +151,6 @@ struct Summed {
     sum: Checksum,
 }
 
-impl Summed {
-    fn new(file: PartialFile) -> Self {
-        let sum = Checksum::START;
-        Self { file, sum }
-    }
-}
-
 impl Write for Summed {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let written = self.file.write(bytes)?;
@@ -187,7 +182,7 @@ pub(super) fn check(study: &Path, table: &Path) -> Result<(), MergeError> {
         let record = record.map_err(broken)?;
         let cell = |index: usize| record.get(index).unwrap_or_default();
         let run = cell(0);
-        let path = study.join(FOLDER).join(format!("trace-{run}.csv"));
+        let path = study.join(FOLDER).join(file_name(run));
         let reason = match sealed(&path) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => "it is missing".to_owned(),
             Err(error) => error.to_string(),

@@ -51,8 +51,8 @@ fn names(names: &[Name]) -> Value {
 fn axis(axis: &Axis) -> Value {
     json!({
         "name": axis.name.trim(),
-        "ends": axis.ends(),
-        "logarithmic": axis.is_logarithmic(),
+        "ends": axis.ends,
+        "logarithmic": axis.logarithmic,
         "texts": axis.texts(),
     })
 }

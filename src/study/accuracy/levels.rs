@@ -8,6 +8,7 @@ use std::fmt;
 use std::sync::atomic::AtomicBool;
 
 use serde::{Serialize, Serializer};
+use serde_json::json;
 
 use super::reference::{Cost, Trial, measure as measure_cost, observe, with};
 use super::trace::View;
@@ -114,17 +115,13 @@ fn measured<S: Serializer>(
     result: &Result<(Cost, Errors), String>,
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
-    #[derive(Serialize)]
-    struct Measured<'a> {
-        cost: &'a Cost,
-        difference: &'a Errors,
-    }
     let result = result.as_ref();
-    keys::or_note(
-        &result.map(|(cost, difference)| Measured { cost, difference }),
-        serializer,
-    )
+    let measured = result.map(|(cost, errors)| json!({ "cost": cost, "difference": errors }));
+    keys::or_note(&measured, serializer)
 }
+
+/// Freedoms that can move, the most first.
+const FREEDOMS: [Freedoms; 3] = [Freedoms::All, Freedoms::Translational, Freedoms::Radial];
 
 /// The levels of a scene, the highest first.
 pub(super) fn plan(model: &Model, oils: &[Option<Oil>]) -> Vec<Level> {
@@ -134,7 +131,16 @@ pub(super) fn plan(model: &Model, oils: &[Option<Oil>]) -> Vec<Level> {
         as_written: written == Some(configuration),
         model: build(model, oils, configuration),
     };
-    let Some(top) = top(&level) else {
+    // the highest configuration that can be built
+    let all = FREEDOMS.iter().flat_map(|&freedoms| {
+        let laws = Fidelity::ALL.into_iter().rev();
+        laws.map(move |fidelity| Configuration {
+            fidelity,
+            cage: CageMotion::Rolling,
+            freedoms,
+        })
+    });
+    let Some(top) = all.map(&level).find(|level| level.model.is_ok()) else {
         return Vec::new();
     };
     let best = top.configuration;
@@ -146,38 +152,16 @@ pub(super) fn plan(model: &Model, oils: &[Option<Oil>]) -> Vec<Level> {
         cage: CageMotion::Frozen,
         ..best
     });
-    for freedoms in [Freedoms::All, Freedoms::Translational, Freedoms::Radial] {
-        others.push(Configuration { freedoms, ..best });
-    }
+    others.extend(FREEDOMS.map(|freedoms| Configuration { freedoms, ..best }));
     others.extend(written);
     let mut levels = vec![top];
     for configuration in others {
-        if levels
-            .iter()
-            .all(|level| level.configuration != configuration)
-        {
+        let is_same = |level: &Level| level.configuration == configuration;
+        if !levels.iter().any(is_same) {
             levels.push(level(configuration));
         }
     }
     levels
-}
-
-/// The highest configuration that can be built.
-fn top(level: &impl Fn(Configuration) -> Level) -> Option<Level> {
-    [Freedoms::All, Freedoms::Translational, Freedoms::Radial]
-        .into_iter()
-        .flat_map(|freedoms| {
-            Fidelity::ALL
-                .into_iter()
-                .rev()
-                .map(move |fidelity| Configuration {
-                    fidelity,
-                    cage: CageMotion::Rolling,
-                    freedoms,
-                })
-        })
-        .map(level)
-        .find(|level| level.model.is_ok())
 }
 
 /// The scene in a configuration, where all that it takes is known.

@@ -195,8 +195,8 @@ impl Errors {
             force,
             force_relative: force / scale.force,
             lines: trial.line_error(truth),
-            statistics: statistics.over(scale.displacement),
-            force_statistics: force_statistics.over(scale.force),
+            statistics: statistics.times(1.0 / scale.displacement),
+            force_statistics: force_statistics.times(1.0 / scale.force),
         }
     }
 

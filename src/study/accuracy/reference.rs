@@ -4,8 +4,8 @@
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
-use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
+use serde_json::json;
 
 use super::trace::Trace;
 use super::{AccuracyError, Errors, Norm, Question, Scale, View, is_interrupted};
@@ -65,10 +65,7 @@ fn run<S: Serializer>(
     (method, tolerance): &(String, f64),
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
-    let mut map = serializer.serialize_map(Some(2))?;
-    map.serialize_entry("method", method)?;
-    map.serialize_entry("tolerance", tolerance)?;
-    map.end()
+    json!({ "method": method, "tolerance": tolerance }).serialize(serializer)
 }
 
 /// Differences of statistics alone.
@@ -138,8 +135,7 @@ impl Reference {
             .clone()
             .map(between)
             .fold(uncertainty, |widest, other| widest.widest(&other));
-        let parts = first.best.trace.growth(&second.best.trace, PARTS);
-        let growth = growth(&parts);
+        let growth = first.best.trace.growth(&second.best.trace, PARTS);
         Self {
             agreement: Agreement {
                 reference: (first.method.to_string(), first.tolerance),
@@ -153,15 +149,6 @@ impl Reference {
             },
             trial: first.best,
         }
-    }
-}
-
-/// Largest of the parts over the first.
-fn growth(parts: &[f64]) -> f64 {
-    let largest = parts.iter().copied().fold(0.0, f64::max);
-    match parts.first() {
-        Some(&first) if first > 0.0 => largest / first,
-        _ => 1.0,
     }
 }
 
@@ -250,7 +237,7 @@ pub(super) fn rows(
             ))
         } else {
             let model = with(question.model, method, tolerance);
-            match one(&model, reference, view, stop) {
+            match measured(&model, reference, view, stop) {
                 Err(error) if is_interrupted(&error) => return Err(error.into()),
                 result => result.map_err(|error| error.to_string()),
             }
@@ -270,7 +257,7 @@ pub(super) fn rows(
     Ok(rows)
 }
 
-fn one(
+fn measured(
     model: &Model,
     reference: &Reference,
     view: View,

@@ -46,17 +46,13 @@ impl Statistics {
         self.with(other, f64::max)
     }
 
-    fn times(&self, factor: f64) -> Self {
+    /// Each as many times as large.
+    pub(super) fn times(&self, factor: f64) -> Self {
         Self {
             mean: self.mean * factor,
             rms: self.rms * factor,
             peak: self.peak * factor,
         }
-    }
-
-    /// Each relative to a size.
-    pub(super) fn over(&self, size: f64) -> Self {
-        self.times(1.0 / size)
     }
 }
 
@@ -177,8 +173,9 @@ impl Trace {
         distance
     }
 
-    /// Largest difference of displacements in each of `parts` equal parts of the time, m.
-    pub fn growth(&self, other: &Self, parts: usize) -> Vec<f64> {
+    /// By how much the difference of displacements grows: of its largest values in `parts` equal parts of the time, the
+    /// largest over the first.
+    pub fn growth(&self, other: &Self, parts: usize) -> f64 {
         let length = self.points.len().div_ceil(parts).max(1);
         let apart = |(left, right): (&Point, &Point)| {
             (0..self.view.active)
@@ -187,7 +184,10 @@ impl Trace {
         };
         let pairs: Vec<f64> = self.points.iter().zip(&other.points).map(apart).collect();
         let largest = |part: &[f64]| part.iter().copied().fold(0.0, f64::max);
-        pairs.chunks(length).map(largest).collect()
+        match pairs.chunks(length).next().map(largest) {
+            Some(first) if first > 0.0 => largest(&pairs) / first,
+            _ => 1.0,
+        }
     }
 
     /// Forgets the trace itself; its statistics stay.

@@ -37,10 +37,10 @@ pub struct Keep {
 #[derive(Debug, thiserror::Error)]
 pub enum Unmade {
     /// It was to stop before its end.
-    #[error("the study was stopped")]
+    #[error("interrupted; the same command goes on from what is done")]
     Stopped,
     /// Its trace could not be kept.
-    #[error(transparent)]
+    #[error("{0}; with that mended the same command goes on from what is done")]
     Trace(#[from] io::Error),
 }
 
@@ -181,7 +181,7 @@ impl Maker<'_> {
         match simulate(&model, &mut sink, &mut monitor) {
             Ok(run) => {
                 let trace = sink.trace.take().map(KeptTrace::finish).transpose()?;
-                *carried = sink.carried(&model);
+                *carried = sink.end.and_then(|end| end.carried(&model));
                 Ok(Ok(self.outcome(&run, model.rotor.speed, trace)))
             }
             Err(SimulateError::Integrate(IntegrateError::Interrupted { .. })) => {

@@ -122,7 +122,7 @@ impl Carried {
 
 /// What is taken of the samples of a run.
 pub(super) struct RunSink {
-    end: Option<End>,
+    pub(super) end: Option<End>,
     pub(super) trace: Option<Box<dyn KeptTrace>>,
 }
 
@@ -133,11 +133,6 @@ impl RunSink {
             end: followed.then(|| End::new(model)),
             trace,
         }
-    }
-
-    /// Where the next run of a chain starts.
-    pub(super) fn carried(&self, model: &Model) -> Option<Carried> {
-        self.end.as_ref()?.carried(model)
     }
 }
 
@@ -162,7 +157,7 @@ impl TraceSink for RunSink {
 }
 
 /// Finds the sample nearest to the end of the last cycle.
-struct End {
+pub(super) struct End {
     /// Turns of the shaft after which the scene is as it was.
     cycle: f64,
     /// Time before which the last cycle cannot end, s.
@@ -193,16 +188,16 @@ impl End {
     /// The first sample is at the end of no cycle.
     fn take(&mut self, sample: &Sample) {
         let cycles = sample.angle / (TAU * self.cycle);
-        let since = self
-            .before
-            .map_or(1.0, |before| (sample.angle - before) / (TAU * self.cycle));
+        let since = |before| (sample.angle - before) / (TAU * self.cycle);
+        let since = self.before.map_or(1.0, since);
         if (cycles - cycles.round()).abs() <= 0.5 * since {
             self.whole = Some(*sample);
         }
         self.before = Some(sample.angle);
     }
 
-    fn carried(&self, model: &Model) -> Option<Carried> {
+    /// Where the next run of a chain starts.
+    pub(super) fn carried(&self, model: &Model) -> Option<Carried> {
         let sample = self.whole?;
         let rotor = &model.rotor;
         let turned = match rotor.cage {
@@ -223,12 +218,10 @@ impl End {
 /// Turns of the shaft after which unbalance or, without one, the balls of the first bearing are where they
 /// were.
 fn cycle(model: &Model) -> f64 {
-    let rotor = &model.rotor;
-    let first = rotor
-        .bearings
-        .first()
-        .filter(|_| !rotor.shaft.is_unbalanced());
-    first.map_or(1.0, |bearing| {
-        1.0 / bearing.bearing.geometry.ball_pass(TAU).outer
-    })
+    match model.rotor.bearings.first() {
+        Some(first) if !model.rotor.shaft.is_unbalanced() => {
+            1.0 / first.bearing.geometry.ball_pass(TAU).outer
+        }
+        _ => 1.0,
+    }
 }

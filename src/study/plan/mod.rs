@@ -128,18 +128,18 @@ impl Axis {
     /// Value number `index` of a grid; NaN where there is none.
     pub fn value(&self, index: u64) -> f64 {
         match self {
-            Self::Listed(values) => {
-                let index = usize::try_from(index).ok();
-                index
-                    .and_then(|index| values.get(index))
-                    .map_or(f64::NAN, |value| *value)
-            }
+            Self::Listed(values) => values.get(index as usize).map_or(f64::NAN, |value| *value),
             Self::Spaced {
                 from,
                 to,
                 count,
                 logarithmic,
-            } => between(*from, *to, *logarithmic, index, count.saturating_sub(1)),
+            } => match (index, count.saturating_sub(1)) {
+                // exact at both ends
+                (0, _) => *from,
+                (_, last) if index >= last => *to,
+                (_, last) => part_way(*from, *to, *logarithmic, index as f64 / last as f64),
+            },
             Self::Drawn(_) => f64::NAN,
         }
     }
@@ -161,15 +161,6 @@ impl Axis {
             } => part_way(*from, *to, *logarithmic, share),
             Self::Drawn(distribution) => distribution.quantile(share),
         }
-    }
-}
-
-/// Value `index` of those that divide a range into `steps`, exact at both ends.
-fn between(from: f64, to: f64, logarithmic: bool, index: u64, steps: u64) -> f64 {
-    match index {
-        0 => from,
-        _ if index >= steps => to,
-        _ => part_way(from, to, logarithmic, index as f64 / steps as f64),
     }
 }
 
