@@ -41,12 +41,11 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let mut findings = Vec::new();
     for file in &arguments.files {
         let checked = check(file);
-        if let (Ok(checked), Some(figure)) = (&checked, &arguments.figure)
-            && !draw(checked, figure)
-        {
-            outcome = Outcome::WrongInput;
-        }
-        if checked.is_err() {
+        let is_right = match (&checked, &arguments.figure) {
+            (Ok(checked), Some(figure)) => draw(checked, figure),
+            (checked, _) => checked.is_ok(),
+        };
+        if !is_right {
             outcome = Outcome::WrongInput;
         }
         let name = name_of(file);

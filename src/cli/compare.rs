@@ -8,8 +8,7 @@ use serde_json::json;
 
 use super::{Outcome, terminal};
 use crate::report::compare::{
-    CompareError, Comparison, Rules, Tolerance, Tolerances, compare, write_comparison_figure,
-    write_comparison_page,
+    CompareError, Comparison, Rules, Tolerance, Tolerances, compare, write_comparison,
 };
 use crate::scenario::ToleranceFile;
 
@@ -123,14 +122,10 @@ fn comparison(arguments: &Arguments) -> Result<Comparison, String> {
     let (first, second) = (&arguments.first, &arguments.second);
     let comparison =
         compare(first, second, &rules).map_err(|error| placed(&error, file.as_ref()))?;
-    if let Some(figure) = &arguments.figure {
-        let drawn = write_comparison_figure(&comparison, first, second, figure);
-        drawn.map_err(|error| message(&error))?;
-    }
-    if let Some(page) = &arguments.report {
-        let written = write_comparison_page(&comparison, first, second, page);
-        written.map_err(|error| message(&error))?;
-    }
+    let (figure, page) = (&arguments.figure, &arguments.report);
+    let files = [figure, page].map(Option::as_deref);
+    let written = write_comparison(&comparison, [first, second], files);
+    written.map_err(|error| message(&error))?;
     Ok(comparison)
 }
 

@@ -1,7 +1,7 @@
 //! `jeffcott new`.
 
 use std::f64::consts::TAU;
-use std::fs::OpenOptions;
+use std::fs::File;
 use std::io::{self, BufRead, ErrorKind, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
@@ -48,7 +48,7 @@ pub struct Arguments {
 /// The answer to a question as it is written and as a number in SI units: what an option gives, or else what
 /// somebody on a terminal says, or else the default. `check` makes the number.
 fn answer(
-    given: Option<&String>,
+    given: &Option<String>,
     question: &str,
     default: &str,
     check: impl Fn(&str) -> Result<f64, Issue>,
@@ -106,14 +106,14 @@ fn quoted(text: &str) -> String {
 struct Answers {
     title: String,
     mass: String,
-    speed: String,
+    /// Also in rad/s.
+    speed: (String, f64),
     bearing: String,
     /// Distance of two bearings, m; zero of one.
     span: f64,
-    radial: String,
-    axial: String,
-    /// Speed, rad/s, radial and axial load, N.
-    numbers: [f64; 3],
+    /// Also in N.
+    radial: (String, f64),
+    axial: (String, f64),
 }
 
 /// Asks, writes the scenario and says what comes next.
@@ -121,22 +121,16 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let file = &arguments.file;
     let name = file.display();
     let is_printed = file == Path::new(STDIN);
-    let refuse = |outcome, message: &str| {
-        terminal::tell(&format!("error: {name}: {message}\n"));
-        Ok(outcome)
-    };
+    let refuse = |message: &str| Ok(terminal::refuse(format!("{name}: {message}")));
     if !is_printed && file.extension().is_none_or(|extension| extension != "toml") {
-        return refuse(
-            Outcome::WrongInput,
-            "a scenario that is written ends in .toml",
-        );
+        return refuse("a scenario that is written ends in .toml");
     }
     if !is_printed && file.exists() {
-        return refuse(Outcome::WrongInput, THERE);
+        return refuse(THERE);
     }
     let answers = match Answers::of(arguments) {
         Ok(answers) => answers,
-        Err(issue) => return refuse(Outcome::WrongInput, &issue.to_string()),
+        Err(issue) => return refuse(&issue.to_string()),
     };
     let (text, scenario) = match answers.scenario() {
         Ok(written) => written,
@@ -152,13 +146,17 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
         terminal::print(&text)?;
         return Ok(Outcome::Done);
     }
-    match write_new(file, &text) {
-        Ok(()) => terminal::summarise(&format!("wrote {name}; next: jeffcott run {name}\n"))
-            .map(|()| Outcome::Done),
-        Err(error) if error.kind() == ErrorKind::AlreadyExists => {
-            refuse(Outcome::WrongInput, THERE)
+    let created = File::create_new(file);
+    match created.and_then(|mut file| file.write_all(text.as_bytes())) {
+        Ok(()) => {
+            terminal::summarise(&format!("wrote {name}; next: jeffcott run {name}\n"))?;
+            Ok(Outcome::Done)
         }
-        Err(error) => refuse(Outcome::Failed, &error.to_string()),
+        Err(error) if error.kind() == ErrorKind::AlreadyExists => refuse(THERE),
+        Err(error) => {
+            terminal::tell(&format!("error: {name}: {error}\n"));
+            Ok(Outcome::Failed)
+        }
     }
 }
 
@@ -168,51 +166,36 @@ const TEMPLATE: &str = include_str!("new.toml");
 /// Why nothing is written over.
 const THERE: &str = "it is there already, and stays as it is: give another name";
 
-fn write_new(file: &Path, text: &str) -> io::Result<()> {
-    let mut options = OpenOptions::new();
-    let mut file = options.write(true).create_new(true).open(file)?;
-    file.write_all(text.as_bytes())
-}
-
 impl Answers {
     fn of(arguments: &Arguments) -> Result<Self, Issue> {
-        let Arguments {
-            mass,
-            speed,
-            bearing,
-            span,
-            radial,
-            axial,
-            ..
-        } = arguments;
         let number = |key, name| move |text: &str| scenario::number(text, key, name);
         let text = "Mass of all that moves with the shaft";
-        let (mass, _) = answer(mass.as_ref(), text, "5 kg", number("shaft.mass", "mass"))?;
+        let key = number("shaft.mass", "mass");
+        let (mass, _) = answer(&arguments.mass, text, "5 kg", key)?;
         let key = number("speed.constant", "speed");
-        let (speed, omega) = answer(speed.as_ref(), "Speed", "3000 rpm", key)?;
+        let speed = answer(&arguments.speed, "Speed", "3000 rpm", key)?;
         let text = "Bearing, as `jeffcott catalogue` lists it";
-        let (bearing, _) = answer(bearing.as_ref(), text, "6205", check_bearing)?;
+        let (bearing, _) = answer(&arguments.bearing, text, "6205", check_bearing)?;
         let text = "Distance of two such bearings; 0 mm for one alone";
-        let (_, span) = answer(span.as_ref(), text, "100 mm", distance)?;
+        let (_, span) = answer(&arguments.span, text, "100 mm", distance)?;
         let text = "Radial load beside the weight, downwards";
         let key = number("load[].constant.y", "radial");
-        let (radial, down) = answer(radial.as_ref(), text, "0 N", key)?;
+        let radial = answer(&arguments.radial, text, "0 N", key)?;
         let default = if span == 0.0 { "200 N" } else { "0 N" };
         let key = number("load[].constant.z", "axial");
-        let (axial, along) = answer(axial.as_ref(), "Axial load", default, key)?;
-        let stem = arguments.file.file_stem().unwrap_or_default();
+        let axial = answer(&arguments.axial, "Axial load", default, key)?;
+        let stem = arguments.file.file_stem().unwrap_or_default().to_str();
         Ok(Self {
-            title: match stem.to_str() {
-                Some(STDIN) | None => "shaft".to_owned(),
-                Some(stem) => stem.to_owned(),
-            },
+            title: stem
+                .filter(|stem| *stem != STDIN)
+                .unwrap_or("shaft")
+                .to_owned(),
             mass,
             speed,
             bearing,
             span,
             radial,
             axial,
-            numbers: [omega, down, along],
         })
     }
 
@@ -233,12 +216,12 @@ impl Answers {
 
     /// The text; two angular contact bearings such as `pair` are set against each other.
     fn text(&self, pair: Option<&MountedBearing>) -> String {
-        let [omega, ..] = self.numbers;
-        let (settle, duration) = times(omega);
-        let (eccentricity, grade, sampling) = match omega > 0.0 {
+        let (speed, omega) = &self.speed;
+        let (settle, duration) = times(*omega);
+        let (eccentricity, grade, sampling) = match *omega > 0.0 {
             true => (
                 6.3e3 / omega,
-                format!("balance grade G 6.3 at {}", self.speed),
+                format!("balance grade G 6.3 at {speed}"),
                 "# samples_per_revolution = 128",
             ),
             false => (
@@ -252,7 +235,7 @@ impl Answers {
             ("mass", quoted(&self.mass)),
             ("eccentricity", format!("{eccentricity:.3}")),
             ("grade", grade),
-            ("speed", quoted(&self.speed)),
+            ("speed", quoted(speed)),
             ("bearings", self.bearings(pair)),
             ("loads", self.loads()),
             ("duration", duration.to_string()),
@@ -295,17 +278,17 @@ impl Answers {
     }
 
     fn loads(&self) -> String {
-        let [_, down, along] = self.numbers;
+        let ((radial, down), (axial, along)) = (&self.radial, &self.axial);
         let mut parts = Vec::new();
-        if down != 0.0 {
-            let turned = match self.radial.strip_prefix('-') {
+        if *down != 0.0 {
+            let turned = match radial.strip_prefix('-') {
                 Some(upwards) => upwards.to_owned(),
-                None => format!("-{}", self.radial.trim_start_matches('+')),
+                None => format!("-{}", radial.trim_start_matches('+')),
             };
             parts.push(format!("y = {}", quoted(&turned)));
         }
-        if along != 0.0 {
-            parts.push(format!("z = {}", quoted(&self.axial)));
+        if *along != 0.0 {
+            parts.push(format!("z = {}", quoted(axial)));
         }
         match &parts[..] {
             [] => "# A load: [[load]] with constant = { y = \"-300 N\", z = \"200 N\" }".to_owned(),

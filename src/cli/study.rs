@@ -119,54 +119,37 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
         Ok(folder) => folder,
         Err(message) => return Ok(terminal::refuse(message)),
     };
-    let made = StudyRuns::new(&study)
-        .map_err(Failure::from)
-        .and_then(|runs| match make.only {
-            Some(number) => only(&study, &runs, &folder, number),
-            None => all(&study, &runs, &folder, make),
-        });
-    let (outcome, message) = match made {
-        Ok(outcome) => return Ok(outcome),
-        Err(Failure::Wrong(message)) => (Outcome::WrongInput, message),
-        Err(Failure::Failed(message)) => (Outcome::Failed, message),
-        Err(Failure::Output(error)) => return Err(error),
-    };
-    terminal::tell(&format!("error: {}: {message}\n", name_of(file)));
-    Ok(outcome)
+    let runs = StudyRuns::new(&study).map_err(unmade);
+    let made = runs.and_then(|runs| match make.only {
+        Some(number) => only(&study, &runs, &folder, number),
+        None => all(&study, &runs, &folder, make),
+    });
+    made.unwrap_or_else(|(outcome, message)| {
+        terminal::tell(&format!("error: {}: {message}\n", name_of(file)));
+        Ok(outcome)
+    })
 }
 
-/// Why a study did not come to its end.
-enum Failure {
-    /// It cannot be made as it is asked for.
-    Wrong(String),
-    /// Something failed on the way.
-    Failed(String),
-    /// What stdout does not take.
-    Output(io::Error),
-}
+/// How a study ended that did not come to its end, and why.
+type Failure = (Outcome, String);
 
-/// What failed on the way, in words.
+/// What failed on the way.
 fn failed(reason: impl ToString) -> Failure {
-    Failure::Failed(reason.to_string())
+    (Outcome::Failed, reason.to_string())
 }
 
-impl From<io::Error> for Failure {
-    fn from(error: io::Error) -> Self {
-        Self::Output(error)
-    }
-}
-
-impl From<MakeError> for Failure {
-    fn from(error: MakeError) -> Self {
-        match error {
-            MakeError::First(_)
-            | MakeError::NoPart { .. }
-            | MakeError::Journal(JournalError::Other { .. } | JournalError::Unreadable { .. }) => {
-                Self::Wrong(error.to_string())
-            }
-            _ => failed(error),
+/// What kept the runs from being made: the study as it is asked for, or something on the way.
+fn unmade(error: impl Into<MakeError>) -> Failure {
+    let error = error.into();
+    let outcome = match error {
+        MakeError::First(_)
+        | MakeError::NoPart { .. }
+        | MakeError::Journal(JournalError::Other { .. } | JournalError::Unreadable { .. }) => {
+            Outcome::WrongInput
         }
-    }
+        _ => Outcome::Failed,
+    };
+    (outcome, error.to_string())
 }
 
 /// Makes all runs, or those of a part.
@@ -175,13 +158,13 @@ fn all(
     runs: &StudyRuns<'_>,
     folder: &Path,
     make: &Make,
-) -> Result<Outcome, Failure> {
+) -> Result<io::Result<Outcome>, Failure> {
     let started = Instant::now();
     let available = || thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
     let threads = make.threads.unwrap_or_else(available).get();
     // what keeps the first run from beginning it tells itself
     if let Ok(size) = RunSize::of(&runs.first) {
-        check_memory(&size, threads).map_err(Failure::Wrong)?;
+        check_memory(&size, threads).map_err(|message| (Outcome::WrongInput, message))?;
     }
     let making = Making {
         folder,
@@ -197,19 +180,17 @@ fn all(
         },
         progress: &mut |part| progress.show(part),
     };
-    let (files, digest) = runs.make(&making, &mut watch)?;
+    let (files, digest) = runs.make(&making, &mut watch).map_err(unmade)?;
     drop(progress);
     let count = runs.runs_of(making.shard.chains(&runs.schedule));
     let seconds = started.elapsed().as_secs_f64();
     if make.open {
         terminal::open_page(&files);
     }
-    let outcome = show(&study.title, &files, digest.as_ref(), make.json)?;
+    let shown = show(&study.title, &files, digest.as_ref(), make.json);
     let rate = count as f64 / seconds;
-    terminal::remark(&format!(
-        "{count} runs in {seconds:.3} s, {rate:.4} a second\n"
-    ));
-    Ok(outcome)
+    let remark = format!("{count} runs in {seconds:.3} s, {rate:.4} a second\n");
+    Ok(shown.inspect(|_| terminal::remark(&remark)))
 }
 
 /// Makes one run with all its files.
@@ -218,16 +199,16 @@ fn only(
     runs: &StudyRuns<'_>,
     folder: &Path,
     number: u64,
-) -> Result<Outcome, Failure> {
+) -> Result<io::Result<Outcome>, Failure> {
     let last = runs.schedule.runs().saturating_sub(1);
     if number > last {
         let message = format!("there is no run {number}: they count from 0 to {last}");
-        return Err(Failure::Wrong(message));
+        return Err((Outcome::WrongInput, message));
     }
     let no_run = |message| failed(format!("run {number}: {message}"));
     let model = |values: &[f64]| study.model(values).map_err(|error| error.message);
     let maker = study.maker(runs.schedule, &model, terminal::stop());
-    let alone = maker.alone(number).map_err(MakeError::from)?;
+    let alone = maker.alone(number).map_err(unmade)?;
     let model = alone.map_err(no_run)?;
     let title = format!("{}, run {number}", study.title);
     let values = study.plan.values(runs.schedule.turn(number).point);
@@ -246,8 +227,8 @@ fn only(
     let run = simulate(&model, &mut report, &mut monitor).map_err(failed)?;
     drop(progress);
     let files = report.finish(&model, &run).map_err(failed)?;
-    terminal::summarise(&report::text(&title, &model, &run, &files))?;
-    Ok(Outcome::Done)
+    let text = report::text(&title, &model, &run, &files);
+    Ok(terminal::summarise(&text).map(|()| Outcome::Done))
 }
 
 impl Merge {

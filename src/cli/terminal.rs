@@ -10,6 +10,7 @@ use std::sync::{Once, OnceLock};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use clap::ColorChoice;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::Outcome;
@@ -26,16 +27,7 @@ pub struct Manner {
     verbose: bool,
     /// Colours of messages; "auto": on a terminal, unless NO_COLOR is set
     #[arg(long, global = true, value_name = "WHEN", value_enum, default_value_t)]
-    color: Color,
-}
-
-/// When messages are coloured.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, clap::ValueEnum)]
-enum Color {
-    #[default]
-    Auto,
-    Always,
-    Never,
+    color: ColorChoice,
 }
 
 static MANNER: OnceLock<Manner> = OnceLock::new();
@@ -57,9 +49,9 @@ impl Manner {
 /// Whether messages are coloured.
 pub fn color() -> bool {
     match manner().color {
-        Color::Always => true,
-        Color::Never => false,
-        Color::Auto => {
+        ColorChoice::Always => true,
+        ColorChoice::Never => false,
+        ColorChoice::Auto => {
             let refused = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
             !refused && io::stderr().is_terminal()
         }

@@ -20,47 +20,41 @@ const SMALLEST: f64 = 1e-7;
 /// Places closer than this part of them are one.
 const SAME_PLACE: f64 = 1e-9;
 
-/// Writes the figure of a comparison; `first` and `second` are what was compared.
+/// Writes into files, where they are named, the figure of a comparison, and a page with it and the worst places;
+/// `compared` is what was compared.
 ///
 /// # Errors
-/// [`CompareError`] where a table cannot be read again, or the figure not be drawn or written.
-pub fn write_comparison_figure(
+/// [`CompareError`] where a table cannot be read again, or figure or page not be drawn or written.
+pub fn write_comparison(
     comparison: &Comparison,
-    first: &Path,
-    second: &Path,
-    file: &Path,
+    compared: [&Path; 2],
+    [figure_file, page_file]: [Option<&Path>; 2],
 ) -> Result<(), CompareError> {
-    let figure = figure(comparison, first, second)?;
-    write_whole(file, &figure.bytes(FigureFormat::of(file))?)?;
+    if figure_file.or(page_file).is_none() {
+        return Ok(());
+    }
+    let figure = figure(comparison, compared)?;
+    if let Some(file) = figure_file {
+        write_whole(file, &figure.bytes(FigureFormat::of(file))?)?;
+    }
+    if let Some(file) = page_file {
+        let lines = comparison.lines();
+        let page = AnswerPage {
+            title: &figure.title,
+            sealed: "the tables that were compared",
+            parts: lines.parts(),
+            figures: std::slice::from_ref(&figure),
+            tables: &[],
+            document: &Value::Null,
+        };
+        page.write_alone(file)?;
+    }
     Ok(())
-}
-
-/// Writes a page with the figure and the worst places of a comparison; `first` and `second` are what was compared.
-///
-/// # Errors
-/// [`CompareError`] where a table cannot be read again, or the page not be written.
-pub fn write_comparison_page(
-    comparison: &Comparison,
-    first: &Path,
-    second: &Path,
-    file: &Path,
-) -> Result<(), CompareError> {
-    let figure = figure(comparison, first, second)?;
-    let lines = comparison.lines();
-    let page = AnswerPage {
-        title: &figure.title,
-        sealed: "the tables that were compared",
-        parts: lines.parts(),
-        figures: std::slice::from_ref(&figure),
-        tables: &[],
-        document: &Value::Null,
-    };
-    Ok(page.write_alone(file)?)
 }
 
 /// The columns that are furthest apart: to the left both curves, to the right their difference, with the places of the
 /// comparison marked. Amplitudes of spectra stand in dB of the largest.
-fn figure(comparison: &Comparison, first: &Path, second: &Path) -> Result<Figure, CompareError> {
+fn figure(comparison: &Comparison, [first, second]: [&Path; 2]) -> Result<Figure, CompareError> {
     let mut panels = Vec::new();
     for (table, column) in furthest(comparison) {
         let inside = |path: &Path| -> PathBuf {

@@ -50,7 +50,7 @@ use self::table::Table;
 
 pub use assertion::{ComparedSpectrum, spectra_close};
 pub use error::CompareError;
-pub(crate) use figure::{write_comparison_figure, write_comparison_page};
+pub(crate) use figure::write_comparison;
 pub use result::{ColumnComparison, Comparison, Difference, TableComparison, Worst};
 pub use rules::{Rules, Tolerance, Tolerances};
 

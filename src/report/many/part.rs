@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::tables::Table;
+use crate::report::{FileAction, ReportError};
 use crate::study::many::Shard;
 
 /// What a whole part says of itself.
@@ -80,7 +81,7 @@ pub enum MergeError {
     },
     /// The file system refused.
     #[error(transparent)]
-    Report(#[from] crate::report::ReportError),
+    Report(#[from] ReportError),
 }
 
 fn listed(numbers: &[u64]) -> String {
@@ -97,10 +98,7 @@ pub(super) fn part_name(stem: &str, shard: Shard, ending: &str) -> String {
 /// The seals of all parts in a folder, in order, if they are one whole: at least one.
 pub(super) fn seals(folder: &Path) -> Result<Vec<PartSeal>, MergeError> {
     let mut found = Vec::new();
-    let entries = fs::read_dir(folder).map_err(crate::report::ReportError::file(
-        crate::report::FileAction::Read,
-        folder,
-    ))?;
+    let entries = fs::read_dir(folder).map_err(ReportError::file(FileAction::Read, folder))?;
     for entry in entries.flatten() {
         let path = entry.path();
         let name = entry.file_name().to_string_lossy().into_owned();
