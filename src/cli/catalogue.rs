@@ -114,36 +114,33 @@ fn all(json: bool) -> String {
     ]);
     let mut sources: Vec<(&str, Vec<&str>)> = Vec::new();
     for (entry, _, estimate) in found() {
-        let line = &entry.line;
+        let (line, inside) = (&entry.line, &estimate.internal);
         let length = |length: f64| format!("{}", (1e6 * length).round() / 1e3);
+        let or_dash =
+            |value: Option<f64>| value.map_or("–".to_owned(), |value| value.to_string());
         let angle = line.contact_angle.to_degrees().round();
+        let [inner, outer] = [inside.groove_factor_inner, inside.groove_factor_outer];
+        let origin = if estimate.is_estimated() {
+            "estimated"
+        } else {
+            "given"
+        };
         table.add_row([
             entry.designation.clone(),
-            estimate.internal.balls.to_string(),
-            length(estimate.internal.ball_diameter),
-            length(estimate.internal.pitch_diameter),
-            if angle > 0.0 {
-                angle.to_string()
-            } else {
-                "–".to_owned()
-            },
-            format!(
-                "{}, {}",
-                estimate.internal.groove_factor_inner, estimate.internal.groove_factor_outer
-            ),
+            inside.balls.to_string(),
+            length(inside.ball_diameter),
+            length(inside.pitch_diameter),
+            or_dash(Some(angle).filter(|angle| *angle > 0.0)),
+            format!("{inner}, {outer}"),
             format!("{} × {}", length(line.bore), length(line.outside_diameter)),
             line.dynamic_rating.to_string(),
-            line.static_rating
-                .map_or("–".to_owned(), |rating| rating.to_string()),
-            match estimate.is_estimated() {
-                true => "estimated".to_owned(),
-                false => "given".to_owned(),
-            },
+            or_dash(line.static_rating),
+            origin.to_owned(),
         ]);
-        match sources
+        let names = sources
             .iter_mut()
-            .find(|(source, _)| *source == entry.source)
-        {
+            .find(|(source, _)| *source == entry.source);
+        match names {
             Some((_, names)) => names.push(&entry.designation),
             None => sources.push((&entry.source, vec![&entry.designation])),
         }

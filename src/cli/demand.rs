@@ -103,16 +103,18 @@ impl fmt::Display for Demand {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (memory, disk) = (bytes(self.size.memory), bytes(self.disk));
         let samples = self.size.samples;
-        match self.runs {
-            None => write!(
-                f,
-                "{samples} samples, about {memory} of memory, {disk} of files"
-            )?,
-            Some(runs) => write!(
-                f,
-                "{runs} runs of {samples} samples, about {memory} of memory for each thread, {disk} of files"
-            )?,
-        }
+        let (runs, each, thread) = match self.runs {
+            None => (String::new(), "", ""),
+            Some(runs) => (
+                format!("{runs} runs of "),
+                " for each thread",
+                " on one thread",
+            ),
+        };
+        write!(
+            f,
+            "{runs}{samples} samples, about {memory} of memory{each}, {disk} of files"
+        )?;
         match self.time {
             Some(time) if time < 1.0 => write!(f, ", less than a second")?,
             Some(time) if time < 100.0 => write!(f, ", {time:.0} s")?,
@@ -120,11 +122,6 @@ impl fmt::Display for Demand {
             Some(time) => write!(f, ", {:.0} h", time / 3600.0)?,
             None => return Ok(()),
         }
-        let thread = if self.runs.is_some() {
-            " on one thread"
-        } else {
-            ""
-        };
         write!(f, "{thread} at the pace of its start")
     }
 }
@@ -196,11 +193,8 @@ fn disk(scenario: &Scenario, model: &Model, size: &RunSize) -> f64 {
         columns += DRIVE;
     }
     if output.balls {
-        let balls = model
-            .rotor
-            .bearings
-            .iter()
-            .map(|bearing| bearing.bearing.geometry.balls());
+        let bearings = model.rotor.bearings.iter();
+        let balls = bearings.map(|bearing| bearing.bearing.geometry.balls());
         columns += BALL * balls.sum::<usize>() as f64;
     }
     let mut numbers = columns * rows;

@@ -10,7 +10,7 @@ use super::Issue;
 use super::key::{Key, KeyPaths};
 use super::problems::Problems;
 use crate::study::Variable;
-use crate::study::plan::{Axis, Distribution, MOST_RUNS};
+use crate::study::plan::{Axis, Distribution, MOST_RUNS, Shape};
 
 /// How many standard deviations a normal distribution reaches: beyond lies less than one draw in 10¹⁶.
 const REACH: f64 = 8.3;
@@ -212,36 +212,33 @@ impl AxisReader<'_, '_> {
 
     fn drawn(&mut self, kind: DistributionKind) -> Option<Distribution> {
         self.refuse_whole("distribution")?;
-        let distribution = match kind {
+        let (lowest, highest, shape) = match kind {
             DistributionKind::Uniform => {
                 let [lowest, highest] = self.needed(["from", "to"])?;
-                Distribution::Uniform { lowest, highest }
+                (lowest, highest, Shape::Uniform)
             }
-            DistributionKind::Normal => self.normal()?,
+            DistributionKind::Normal => {
+                let [mean, deviation] = self.needed(["mean", "deviation"])?;
+                let [least, most] = [mean - REACH * deviation, mean + REACH * deviation];
+                let lowest = self.bound("lowest", &self.input.lowest, least)?;
+                let highest = self.bound("highest", &self.input.highest, most)?;
+                (lowest, highest, Shape::Normal { mean, deviation })
+            }
             DistributionKind::Triangular => {
                 let [lowest, mode, highest] = self.needed(["lowest", "mode", "highest"])?;
-                Distribution::Triangular {
-                    lowest,
-                    mode,
-                    highest,
-                }
+                (lowest, highest, Shape::Triangular { mode })
             }
+        };
+        let distribution = Distribution {
+            lowest,
+            highest,
+            shape,
         };
         let checked = distribution.checked().map_err(|error| {
             let issue = Issue::new(".distribution", error.to_string());
             issue.help("numbers in SI units; change its bounds")
         });
         self.problems.take(checked)
-    }
-
-    fn normal(&mut self) -> Option<Distribution> {
-        let [mean, deviation] = self.needed(["mean", "deviation"])?;
-        Some(Distribution::Normal {
-            mean,
-            deviation,
-            lowest: self.bound("lowest", &self.input.lowest, mean - REACH * deviation)?,
-            highest: self.bound("highest", &self.input.highest, mean + REACH * deviation)?,
-        })
     }
 
     /// A bound of a normal distribution; where none is given, how far it reaches, if the key can have that

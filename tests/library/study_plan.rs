@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::analysis::SectionKind;
 use crate::study::many::{Cycles, Schedule, Shard, Sweep};
-use crate::study::plan::{Axis, Distribution, Plan, Sampling, sobol};
+use crate::study::plan::{Axis, Distribution, Plan, Sampling, Shape, sobol};
 
 /// scipy.stats.qmc.Sobol(d=16, scramble=False, bits=32) of SciPy 1.17.
 #[test]
@@ -101,11 +101,13 @@ fn a_latin_hypercube_meets_every_part_once() {
 /// variance 1 − 2 φ(1)/(2 Φ(1) − 1) = 0.291 124 72.
 #[test]
 fn draws_have_the_moments_of_their_distribution() {
-    let axis = Axis::Drawn(Distribution::Normal {
-        mean: 3.0,
-        deviation: 2.0,
+    let axis = Axis::Drawn(Distribution {
         lowest: 1.0,
         highest: 5.0,
+        shape: Shape::Normal {
+            mean: 3.0,
+            deviation: 2.0,
+        },
     });
     let runs = 4096;
     let plan = Plan::new(vec![axis], Sampling::Sobol(runs), 9);
@@ -120,9 +122,10 @@ fn draws_have_the_moments_of_their_distribution() {
 /// The values of a run depend on its number and the seed alone.
 #[test]
 fn another_seed_draws_other_values() {
-    let axis = Axis::Drawn(Distribution::Uniform {
+    let axis = Axis::Drawn(Distribution {
         lowest: 0.0,
         highest: 1.0,
+        shape: Shape::Uniform,
     });
     for sampling in [
         Sampling::MonteCarlo(100),

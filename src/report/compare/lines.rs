@@ -47,10 +47,7 @@ pub(super) fn compare_lines(
     count: usize,
     rules: &Rules,
 ) -> TableComparison {
-    let alone = Table::alone(spectra).filter(|(_, name)| has_lines(name));
-    let mut differences: Vec<_> = alone
-        .map(|(table, name)| Difference::column(&table.path, name))
-        .collect();
+    let mut differences = Table::alone(spectra, has_lines);
     let scales = Scales::of(spectra);
     let names = spectra[0].names.iter().filter(|name| has_lines(name));
     let shared = names.filter(|name| spectra[1].column(name).is_some());

@@ -1,7 +1,6 @@
 //! What a comparison found: of two results, their tables, columns and places.
 
 use std::fmt;
-use std::path::Path;
 
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -31,10 +30,10 @@ impl Comparison {
         rules: &Rules,
     ) -> Result<Self, CompareError> {
         let known = || tables.iter().flat_map(|table| &table.known);
-        for name in rules.tolerances.named() {
+        for (name, _) in &rules.tolerances.columns {
             if !known().any(|column| column == name) {
                 return Err(CompareError::UnknownColumn {
-                    name: name.to_owned(),
+                    name: name.clone(),
                     known: known().cloned().collect(),
                 });
             }
@@ -89,11 +88,6 @@ impl Difference {
             message,
             only_in_one: true,
         }
-    }
-
-    /// A column that only one table has.
-    pub(super) fn column(path: &Path, name: &str) -> Self {
-        Self::partial(format!("only {} has the column {name}", path.display()))
     }
 }
 

@@ -9,10 +9,7 @@ use crate::analysis::{Channel, NoiseFloor};
 
 /// Compares two tables row by row; `name` is what the result calls them.
 pub(super) fn compare_rows(name: String, tables: &[Table; 2], rules: &Rules) -> TableComparison {
-    let alone = Table::alone(tables);
-    let mut differences: Vec<_> = alone
-        .map(|(table, name)| Difference::column(&table.path, name))
-        .collect();
+    let mut differences = Table::alone(tables, |_| true);
     let rows = MatchedRows::of(tables);
     differences.extend(rows.difference(tables));
     let scales = Scales::of(tables);

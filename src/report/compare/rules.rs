@@ -65,7 +65,8 @@ impl Allowance {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tolerances {
     default: Tolerance,
-    columns: Vec<(String, Tolerance)>,
+    /// Of the columns that have one of their own.
+    pub(super) columns: Vec<(String, Tolerance)>,
 }
 
 impl Tolerances {
@@ -89,11 +90,6 @@ impl Tolerances {
         let mut own = self.columns.iter().rev();
         own.find(|(column, _)| column == name)
             .map_or(self.default, |(_, tolerance)| *tolerance)
-    }
-
-    /// Names of the columns that have a tolerance of their own.
-    pub(super) fn named(&self) -> impl Iterator<Item = &str> {
-        self.columns.iter().map(|(name, _)| name.as_str())
     }
 }
 

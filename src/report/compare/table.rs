@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
-use super::CompareError;
+use super::{CompareError, Difference};
 use crate::analysis::Spectrum;
 use crate::report::spectra::spectrum_table;
 
@@ -79,13 +79,16 @@ impl Table {
         sizes.filter(|size| size.is_finite()).fold(0.0, f64::max)
     }
 
-    /// What only one of two tables has, with the table that has it.
-    pub fn alone(tables: &[Self; 2]) -> impl Iterator<Item = (&Self, &String)> {
-        [(0, 1), (1, 0)].into_iter().flat_map(move |(own, other)| {
-            let names = tables[own].names.iter();
-            let alone = names.filter(move |name| !tables[other].names.contains(name));
-            alone.map(move |name| (&tables[own], name))
-        })
+    /// Columns that count and that only one of two tables has.
+    pub fn alone([first, second]: &[Self; 2], counts: fn(&str) -> bool) -> Vec<Difference> {
+        let alone = |own: &Self, other: &Self| {
+            let names = own.names.iter();
+            let names = names.filter(|name| counts(name) && !other.names.contains(name));
+            let path = own.path.display();
+            let only = |name| Difference::partial(format!("only {path} has the column {name}"));
+            names.map(only).collect::<Vec<_>>()
+        };
+        [alone(first, second), alone(second, first)].concat()
     }
 
     /// Names of the columns of both tables, in the order of the first.

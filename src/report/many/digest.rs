@@ -65,7 +65,7 @@ pub(super) struct Row {
 }
 
 /// One number over all runs.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub(super) struct ColumnDigest {
     #[serde(skip)]
     pub name: String,
@@ -106,7 +106,7 @@ pub struct DigestSummary<'a> {
 }
 
 /// The table of runs in short.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Digest {
     /// Number of runs.
     pub runs: u64,
@@ -165,21 +165,14 @@ impl Digest {
         let columns = names.iter().skip(2 + axes).take(numbers);
         let named = study["keep"]["numbers"].as_array();
         Self {
-            runs: 0,
-            failed: 0,
-            failures: Vec::new(),
-            warnings: Vec::new(),
             axes: names.iter().skip(2).take(axes).map(own).collect(),
             labels: labels.collect(),
             columns: columns.map(ColumnDigest::new).collect(),
-            first: Vec::new(),
-            rows: Vec::new(),
             stride: 1,
             named: named.map(|names| names.iter().filter_map(Value::as_str).map(own).collect()),
             drawn: study["sampling"] != "grid",
-            sensitivities: Vec::new(),
-            peaks: Vec::new(),
             names,
+            ..Self::default()
         }
     }
 
@@ -369,13 +362,9 @@ impl ColumnDigest {
     fn new(name: &str) -> Self {
         Self {
             name: name.to_owned(),
-            known: 0,
-            mean: 0.0,
             lowest: f64::INFINITY,
             highest: f64::NEG_INFINITY,
-            lowest_in_run: 0,
-            highest_in_run: 0,
-            quantiles: None,
+            ..Self::default()
         }
     }
 

@@ -104,8 +104,10 @@ pub enum JournalError {
 #[derive(Debug)]
 pub struct Journal {
     file: File,
-    path: PathBuf,
-    done: Done,
+    /// Its path.
+    pub(super) path: PathBuf,
+    /// Tasks that are done.
+    pub(super) done: Done,
     first: u64,
 }
 
@@ -148,19 +150,9 @@ impl Journal {
         })
     }
 
-    /// Its path.
-    pub(super) fn path(&self) -> &Path {
-        &self.path
-    }
-
     /// Removes the file: what it held stands elsewhere.
     pub(super) fn remove(self) -> Result<(), ReportError> {
         fs::remove_file(&self.path).map_err(ReportError::file(FileAction::Remove, &self.path))
-    }
-
-    /// Tasks that are done.
-    pub fn done(&self) -> &Done {
-        &self.done
     }
 
     /// Notes a task with its content, a single line; one that is noted already is left as it was.
@@ -353,7 +345,7 @@ mod tests {
         let file = OpenOptions::new().write(true).open(&path).unwrap();
         file.set_len(length - 3).unwrap();
         let mut journal = Journal::open(&path, &json!({}), 0, false).unwrap();
-        assert!(journal.done().holds(0) && !journal.done().holds(1));
+        assert!(journal.done.holds(0) && !journal.done.holds(1));
         journal.add(1, "one").unwrap();
         assert_eq!(contents(&journal), ["zero", "one"]);
     }

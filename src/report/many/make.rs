@@ -5,7 +5,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
-use super::{Digest, JournalError, StudyReport};
+use super::{Digest, JournalError, StudyReport, Traces};
 use crate::report::ReportError;
 use crate::scenario::StudyFile;
 use crate::simulate::Model;
@@ -81,7 +81,7 @@ impl<'a> StudyRuns<'a> {
     pub fn new(study: &'a StudyFile) -> Result<Self, MakeError> {
         let plan = &study.plan;
         let points = plan.runs().unwrap_or(u64::MAX);
-        let last = plan.axes().last().map_or(1, |axis| axis.length());
+        let last = plan.axes.last().map_or(1, |axis| axis.length());
         let first = study.model(&plan.values(0));
         Ok(Self {
             study,
@@ -119,14 +119,15 @@ impl<'a> StudyRuns<'a> {
         let mut report = StudyReport::open(self, making)?;
         let chains = shard.chains(&self.schedule);
         let count = chains.end - chains.start;
-        let kept = report.done().clone();
+        let kept = report.journal.done.clone();
         let is_done = |chain: &u64| kept.holds(*chain);
         let mut done = chains.clone().filter(is_done).count() as u64;
         if done > 0 {
             let runs = chains.clone().filter(is_done);
             (watch.resumed)(runs.map(|chain| self.runs_of(chain..chain + 1)).sum());
         }
-        let traces = report.traces()?;
+        let traces = study.keep.traces.then(|| Traces::open(making.folder));
+        let traces = traces.transpose()?;
         let keep = |run| match &traces {
             Some(traces) => traces.begin(run),
             None => Err(io::ErrorKind::Unsupported.into()),

@@ -16,11 +16,9 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 
-use serde::Serialize;
 use serde_json::{Value, json};
 
 pub use self::digest::Digest;
-use self::digest::DigestSummary;
 use self::journal::Journal;
 pub use self::journal::{Done, JournalError};
 pub use self::make::{MakeError, Making, StudyRuns, StudyWatch};
@@ -31,7 +29,6 @@ use self::ross::ross_files;
 use self::tables::{Table, content, header, write_header, write_rows};
 pub use self::traces::Traces;
 use self::traces::{has_traces, remove_stale, remove_unfinished, sync_traces};
-use super::destination::value;
 use crate::report::figure::Figure;
 use crate::report::{FileAction, FileSet, PartialFile, ReportError, RunFolder, WholeFile};
 use crate::study::many::{RunRecord, Shard};
@@ -67,7 +64,7 @@ impl<'a> StudyReport<'a> {
         let journal = Journal::open(&path, &known, first, making.anew)?;
         remove_unfinished(folder.path(), &own)?;
         let has_traces = study.keep.traces || has_traces(folder.path());
-        if has_traces && *journal.done() == Done::none(first) {
+        if has_traces && journal.done == Done::none(first) {
             // traces are put in place one by one: what sealed those of an earlier study goes before them
             folder.unseal(&[FileSet::RUNS.seal, &part_name("study", shard, "json")])?;
             remove_stale(folder.path(), &own, schedule.runs())?;
@@ -80,27 +77,13 @@ impl<'a> StudyReport<'a> {
         })
     }
 
-    /// Where the traces of the runs are kept, if they are.
-    ///
-    /// # Errors
-    /// [`ReportError`] where their folder cannot be made.
-    pub fn traces(&self) -> Result<Option<Traces>, ReportError> {
-        let keep = self.runs.study.keep.traces;
-        keep.then(|| Traces::open(self.folder.path())).transpose()
-    }
-
-    /// Chains that are done.
-    pub fn done(&self) -> &Done {
-        self.journal.done()
-    }
-
     /// Notes the runs of a chain.
     ///
     /// # Errors
     /// [`ReportError`] where they cannot be written; those before them stay.
     pub fn add(&mut self, chain: u64, records: &[RunRecord]) -> Result<(), ReportError> {
         let content = content(self.runs, records)
-            .map_err(ReportError::file(FileAction::Write, self.journal.path()))?;
+            .map_err(ReportError::file(FileAction::Write, &self.journal.path))?;
         self.journal.add(chain, &content)
     }
 
@@ -151,7 +134,7 @@ impl<'a> StudyReport<'a> {
             count: self.shard.count,
             tables: tables.map(|table| table.stem().to_owned()).collect(),
         };
-        let text = value(seal);
+        let text = json!(seal);
         let name = part_name("study", self.shard, "json");
         let seal = self.folder.write(&name, format!("{text:#}\n").as_bytes())?;
         let paths = self.folder.put(files, seal, [])?;
@@ -239,24 +222,14 @@ fn seal(
             files.push(folder.write(&name, text.as_bytes())?);
         }
     }
-    let summary = value(Summary {
-        jeffcott: env!("CARGO_PKG_VERSION"),
-        title,
-        study: identity,
-        digest: digest.summary(),
+    let summary = json!({
+        "jeffcott": env!("CARGO_PKG_VERSION"),
+        "title": title,
+        "study": identity,
+        "digest": digest.summary(),
     });
     let paths = folder.commit(files, format!("{summary:#}\n").as_bytes())?;
     Ok((paths, digest))
-}
-
-/// What `runs.json` says.
-#[derive(Serialize)]
-struct Summary<'a> {
-    jeffcott: &'static str,
-    title: &'a str,
-    /// The study and its scenario.
-    study: &'a Value,
-    digest: DigestSummary<'a>,
 }
 
 /// Shows the rows of a table that stands in a file, each with the line of names.

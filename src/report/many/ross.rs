@@ -40,8 +40,7 @@ pub(super) fn ross_files(
     if digest.drawn || !digest.is_complete() {
         return Ok(Vec::new());
     }
-    let mut tables = tables(identity, digest, stiffness)?;
-    tables.truncate(MOST_FILES);
+    let tables = tables(identity, digest, stiffness)?;
     let bearings = tables.iter().map(|table| table.bearing).max().unwrap_or(0);
     let mut places = vec![0; bearings];
     let alone = tables.len() <= bearings;

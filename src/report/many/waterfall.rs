@@ -22,11 +22,8 @@ struct Spectra {
     amplitudes: Vec<Vec<f64>>,
 }
 
-/// Cells of one run: of every channel by rising frequency.
-struct Column {
-    at: f64,
-    channels: Vec<Vec<f64>>,
-}
+/// Value of the axis in one run, and its cells: of every channel by rising frequency.
+type Column = (f64, Vec<Vec<f64>>);
 
 impl Digest {
     /// Amplitudes of the displacements over the only axis of a grid and frequency, every channel a row.
@@ -42,7 +39,7 @@ impl Digest {
         each_run(self, spectra, |run| highest = highest.max(run.end()))?;
         let mut columns = Vec::new();
         let names = each_run(self, spectra, |run| columns.push(run.column(highest)))?;
-        columns.sort_by(|a, b| a.at.total_cmp(&b.at));
+        columns.sort_by(|a: &Column, b| a.0.total_cmp(&b.0));
         let raster = |channel| raster(&columns, channel, ends, highest);
         let channels = names.iter().enumerate();
         let channels = channels.filter(|(_, name)| name.ends_with("_amplitude_m"));
@@ -122,10 +119,7 @@ impl Spectra {
             }]
         };
         let cells = |channel: &Vec<f64>| (0..MOST_CELLS).map(|k| cell(k, channel)).collect();
-        Column {
-            at: self.at,
-            channels: self.amplitudes.iter().map(cells).collect(),
-        }
+        (self.at, self.amplitudes.iter().map(cells).collect())
     }
 }
 
@@ -135,11 +129,11 @@ fn raster(columns: &[Column], channel: usize, ends: [f64; 2], highest: f64) -> R
     let step = (high - low) / MOST_CELLS as f64;
     let nearest = |cell: usize| {
         let middle = low + (cell as f64 + 0.5) * step;
-        let place = columns.partition_point(|column| column.at < middle);
+        let place = columns.partition_point(|(at, _)| *at < middle);
         let around = columns[place.saturating_sub(1)..].iter().take(2);
-        around.min_by(|a, b| (a.at - middle).abs().total_cmp(&(b.at - middle).abs()))
+        around.min_by(|a, b| (a.0 - middle).abs().total_cmp(&(b.0 - middle).abs()))
     };
     let cells = (0..MOST_CELLS).filter_map(nearest);
-    let cells = cells.map(|column| column.channels[channel].clone());
+    let cells = cells.map(|(_, channels)| channels[channel].clone());
     Raster::of(ends, [0.0, highest], cells.collect())
 }

@@ -12,7 +12,8 @@ use serde_json::json;
 
 use super::reference::{Cost, Trial, measure as measure_cost, observe, with};
 use super::trace::View;
-use super::{Errors, Norm, Scale, is_interrupted};
+use super::{Errors, Scale, unless_stopped};
+use crate::analysis::Moments;
 use crate::bearing::Oil;
 use crate::keys;
 use crate::rotor::{CageMotion, Freedoms, Rotor, RotorDefinition, check_constraints};
@@ -195,18 +196,17 @@ pub(super) fn measure(
     for level in levels {
         let result = match level.model {
             Err(reason) => Err(reason),
-            Ok(model) => match run(&model, truth.as_ref(), settle, stop) {
-                Err(error) if is_interrupted(&error) => return Err(error),
-                Err(error) => Err(error.to_string()),
-                Ok((cost, errors, trial)) => {
+            Ok(model) => {
+                let run = unless_stopped(run(&model, truth.as_ref(), settle, stop))?;
+                run.map(|(cost, errors, trial)| {
                     if truth.is_none() {
                         top = Some(level.configuration);
                         let scale = vibration(&trial);
                         truth = Some((trial, scale));
                     }
-                    Ok((cost, errors))
-                }
-            },
+                    (cost, errors)
+                })
+            }
         };
         rows.push(FidelityRow {
             configuration: level.configuration,
@@ -229,9 +229,11 @@ fn run(
     let scale = rotor.motion_scale(model.integrator.tolerance);
     let view = View::new(&rotor, &scale, model);
     let trial = observe(model, view, stop)?;
+    // about the mean of the difference
+    let rms = Moments::rms;
     let errors = match truth {
-        Some((truth, scale)) => Errors::between(&trial, truth, scale, Norm::Vibration, from),
-        None => Errors::between(&trial, &trial, &vibration(&trial), Norm::Vibration, from),
+        Some((truth, scale)) => Errors::between(&trial, truth, scale, rms, from),
+        None => Errors::between(&trial, &trial, &vibration(&trial), rms, from),
     };
     Ok((measure_cost(model, stop)?, errors, trial))
 }

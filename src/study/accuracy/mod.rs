@@ -11,6 +11,7 @@ mod trace;
 
 use serde::Serialize;
 
+use crate::analysis::Moments;
 use crate::bearing::Oil;
 use crate::integrate::{IntegrateError, Method};
 use crate::rotor::{MotionScale, Rotor};
@@ -107,12 +108,12 @@ impl Question<'_> {
     }
 }
 
-/// Whether somebody asked the run to stop.
-fn is_interrupted(error: &SimulateError) -> bool {
-    matches!(
-        error,
-        SimulateError::Integrate(IntegrateError::Interrupted { .. })
-    )
+/// A run, or in words why it failed; that somebody stopped it ends all.
+fn unless_stopped<T>(result: Result<T, SimulateError>) -> Result<Result<T, String>, SimulateError> {
+    match result {
+        Err(error @ SimulateError::Integrate(IntegrateError::Interrupted { .. })) => Err(error),
+        result => Ok(result.map_err(|error| error.to_string())),
+    }
 }
 
 /// What errors are relative to.
@@ -171,24 +172,17 @@ pub struct Errors {
     pub force_statistics: Statistics,
 }
 
-/// Which distance of two traces counts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Norm {
-    /// The largest at any instant.
-    Largest,
-    /// The root mean square over time, about the mean of the difference.
-    Vibration,
-}
-
 impl Errors {
-    /// Distance of a trial from the truth, from a time on.
-    fn between(trial: &Trial, truth: &Trial, scale: &Scale, norm: Norm, from: f64) -> Self {
-        let distance = trial.trace.distance(&truth.trace, from);
-        let [displacement, force] = match norm {
-            Norm::Largest => distance.largest,
-            Norm::Vibration => distance.vibration,
-        };
-        let [statistics, force_statistics] = distance.statistics;
+    /// Distance of a trial from the truth, by a norm of their differences from a time on.
+    fn between(
+        trial: &Trial,
+        truth: &Trial,
+        scale: &Scale,
+        norm: fn(&Moments) -> f64,
+        from: f64,
+    ) -> Self {
+        let (largest, statistics) = trial.trace.distance(&truth.trace, norm, from);
+        let ([displacement, force], [statistics, force_statistics]) = (largest, statistics);
         Self {
             displacement,
             displacement_relative: displacement / scale.displacement,

@@ -8,8 +8,8 @@ use serde::{Serialize, Serializer};
 use serde_json::json;
 
 use super::trace::Trace;
-use super::{AccuracyError, Errors, Norm, Question, Scale, View, is_interrupted};
-use crate::analysis::Peak;
+use super::{AccuracyError, Errors, Question, Scale, View, unless_stopped};
+use crate::analysis::{Moments, Peak};
 use crate::integrate::{Counters, Method};
 use crate::keys;
 use crate::rotor::{MotionScale, Rotor};
@@ -128,7 +128,7 @@ impl Reference {
     fn of(first: Taken, second: Taken, rotor: &Rotor, scale: &MotionScale) -> Self {
         let scale = Scale::of(&first.best, rotor, scale);
         let between =
-            |trial: &Trial| Errors::between(trial, &first.best, &scale, Norm::Largest, 0.0);
+            |trial: &Trial| Errors::between(trial, &first.best, &scale, Moments::magnitude, 0.0);
         let uncertainty = between(&second.best);
         let others = first.others.iter().chain(&second.others);
         let scatter = others
@@ -167,7 +167,7 @@ fn take(
         {
             break;
         }
-        match observe(&with(model, method, tolerance), view, stop) {
+        match unless_stopped(observe(&with(model, method, tolerance), view, stop))? {
             Ok(best) => {
                 let others = taken.take().map_or_else(Vec::new, |mut before| {
                     before.best.trace.forget_points();
@@ -181,8 +181,7 @@ fn take(
                     others,
                 });
             }
-            Err(error) if is_interrupted(&error) => return Err(error.into()),
-            Err(error) if taken.is_none() => return Ok(Err(error.to_string())),
+            Err(failure) if taken.is_none() => return Ok(Err(failure)),
             Err(_) => break,
         }
     }
@@ -237,10 +236,7 @@ pub(super) fn rows(
             ))
         } else {
             let model = with(question.model, method, tolerance);
-            match measured(&model, reference, view, stop) {
-                Err(error) if is_interrupted(&error) => return Err(error.into()),
-                result => result.map_err(|error| error.to_string()),
-            }
+            unless_stopped(measured(&model, reference, view, stop))?
         };
         if let Ok(measured) = &result {
             let seconds = measured.cost.seconds;
@@ -269,7 +265,7 @@ fn measured(
         &trial,
         &reference.trial,
         &agreement.scale,
-        Norm::Largest,
+        Moments::magnitude,
         0.0,
     );
     Ok(Measured {

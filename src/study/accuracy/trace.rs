@@ -56,16 +56,6 @@ impl Statistics {
     }
 }
 
-impl From<&Moments> for Statistics {
-    fn from(moments: &Moments) -> Self {
-        Self {
-            mean: moments.mean(),
-            rms: moments.rms(),
-            peak: 0.5 * moments.peak_to_peak(),
-        }
-    }
-}
-
 /// What is compared of a scene, the same for all its runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct View {
@@ -110,17 +100,6 @@ pub(super) struct Trace {
     moments: [[Moments; FREEDOMS]; 2],
 }
 
-/// Distance of two traces: of displacements in m, of forces in N.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Distance {
-    /// Largest at any instant.
-    pub largest: [f64; 2],
-    /// Root mean square of the difference about its mean, of the freedom where it is largest.
-    pub vibration: [f64; 2],
-    /// Of the statistics, the freedom where it is largest.
-    pub statistics: [Statistics; 2],
-}
-
 impl Trace {
     pub fn new(view: View) -> Self {
         Self {
@@ -132,45 +111,48 @@ impl Trace {
         }
     }
 
-    /// Axes of both quantities with their levers.
-    fn channels(&self) -> impl Iterator<Item = (usize, usize, f64)> + use<> {
-        let view = self.view;
-        (0..2).flat_map(move |quantity| {
-            (0..view.active).map(move |axis| (quantity, axis, view.lever(quantity, axis)))
+    /// Largest value of displacements and of forces over the freedoms that move, by quantity, axis and lever.
+    fn largest(&self, value: impl Fn(usize, usize, f64) -> f64) -> [f64; 2] {
+        [0, 1].map(|quantity| {
+            let axes = 0..self.view.active;
+            let values = axes.map(|axis| value(quantity, axis, self.view.lever(quantity, axis)));
+            values.fold(0.0, f64::max)
         })
     }
 
     /// Largest distance of displacement and force from those at `rest`.
     pub fn excursion(&self, rest: &Point) -> [f64; 2] {
-        let mut largest = [0.0_f64; 2];
-        for (quantity, axis, lever) in self.channels() {
-            for point in &self.points {
-                let shift = lever * (point[quantity][axis] - rest[quantity][axis]).abs();
-                largest[quantity] = largest[quantity].max(shift);
-            }
-        }
-        largest
+        self.largest(|quantity, axis, lever| {
+            let at_rest = rest[quantity][axis];
+            let shifts = self.points.iter();
+            let shifts = shifts.map(|point| lever * (point[quantity][axis] - at_rest).abs());
+            shifts.fold(0.0, f64::max)
+        })
     }
 
-    /// Distance from the true trace of the same samples, from a time on, over the freedoms that move
-    /// there.
-    pub fn distance(&self, truth: &Self, from: f64) -> Distance {
-        let mut distance = Distance::default();
+    /// Distance of displacements in m and forces in N from the true trace of the same samples, over the freedoms that
+    /// move there: the largest `norm` of their differences from a time on, and the largest differences of the statistics.
+    pub fn distance(
+        &self,
+        truth: &Self,
+        norm: fn(&Moments) -> f64,
+        from: f64,
+    ) -> ([f64; 2], [Statistics; 2]) {
         let first = self.times.partition_point(|time| *time < from);
-        for (quantity, axis, lever) in truth.channels() {
+        let largest = truth.largest(|quantity, axis, lever| {
             let pairs = self.points.iter().zip(&truth.points).skip(first);
             let differences =
                 pairs.map(|(left, right)| lever * (left[quantity][axis] - right[quantity][axis]));
-            let apart: Moments = differences.collect();
-            let (largest, vibration) = (apart.magnitude(), apart.rms());
-            let statistics = self.statistics(quantity, axis);
-            let statistics = statistics.distance(&truth.statistics(quantity, axis));
-            let statistics = statistics.times(lever);
-            distance.largest[quantity] = distance.largest[quantity].max(largest);
-            distance.vibration[quantity] = distance.vibration[quantity].max(vibration);
-            distance.statistics[quantity] = distance.statistics[quantity].larger(&statistics);
-        }
-        distance
+            norm(&differences.collect())
+        });
+        let statistics = [0, 1].map(|quantity| {
+            let differences = (0..truth.view.active).map(|axis| {
+                let [own, other] = [self, truth].map(|trace| trace.statistics(quantity, axis));
+                own.distance(&other).times(truth.view.lever(quantity, axis))
+            });
+            differences.fold(Statistics::default(), |largest, next| largest.larger(&next))
+        });
+        (largest, statistics)
     }
 
     /// By how much the difference of displacements grows: of its largest values in `parts` equal parts of the time, the
@@ -199,17 +181,17 @@ impl Trace {
     /// Largest root mean square of a displacement and of a force about their means, from the settle
     /// time on.
     pub fn vibration(&self) -> [f64; 2] {
-        let mut largest = [0.0_f64; 2];
-        for (quantity, axis, lever) in self.channels() {
-            let rms = lever * self.statistics(quantity, axis).rms;
-            largest[quantity] = largest[quantity].max(rms);
-        }
-        largest
+        self.largest(|quantity, axis, lever| lever * self.statistics(quantity, axis).rms)
     }
 
     /// Statistics of one channel from the settle time on.
     fn statistics(&self, quantity: usize, axis: usize) -> Statistics {
-        Statistics::from(&self.moments[quantity][axis])
+        let moments = &self.moments[quantity][axis];
+        Statistics {
+            mean: moments.mean(),
+            rms: moments.rms(),
+            peak: 0.5 * moments.peak_to_peak(),
+        }
     }
 }
 

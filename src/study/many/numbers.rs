@@ -56,72 +56,65 @@ impl NumberColumn {
     }
 }
 
-/// Columns as they are put together.
-#[derive(Default)]
-struct Columns(Vec<NumberColumn>);
-
-impl Columns {
-    fn add(
-        &mut self,
-        name: impl Into<String>,
-        ask: fn(&mut Analyses),
-        value: impl Fn(&Run) -> Option<f64> + Send + Sync + 'static,
-    ) {
-        self.0.push(NumberColumn {
-            name: name.into(),
-            order: None,
-            ask,
-            value: Arc::new(value),
-        });
+fn column(
+    name: impl Into<String>,
+    ask: fn(&mut Analyses),
+    value: impl Fn(&Run) -> Option<f64> + Send + Sync + 'static,
+) -> NumberColumn {
+    NumberColumn {
+        name: name.into(),
+        order: None,
+        ask,
+        value: Arc::new(value),
     }
+}
 
-    /// Mean, RMS and range of a channel.
-    fn add_moments(&mut self, channel: Channel) {
-        for (what, moment) in MOMENTS {
-            self.add(of(channel, what), STATISTICS, move |run| {
-                let mut statistics = run.motion.as_ref()?.statistics.iter();
-                let found = statistics.find(|entry| entry.channel == channel);
-                found.map(|entry| moment(&entry.moments))
-            });
-        }
-    }
+/// Mean, RMS and range of a channel.
+fn moments(channel: Channel) -> [NumberColumn; MOMENTS.len()] {
+    MOMENTS.map(|(what, moment)| {
+        column(of(channel, what), STATISTICS, move |run| {
+            let mut statistics = run.motion.as_ref()?.statistics.iter();
+            let found = statistics.find(|entry| entry.channel == channel);
+            found.map(|entry| moment(&entry.moments))
+        })
+    })
+}
 
-    /// Amplitude of a displacement at a multiple of the shaft frequency.
-    fn add_line(&mut self, freedom: usize, order: u32) {
-        let name = of(Channel::Displacement(freedom), &format!("order_{order}"));
-        self.add(name, NOTHING, move |run| {
-            order_line(run.spectrum.as_ref()?, freedom, order)
-        });
-        if let Some(added) = self.0.last_mut() {
-            added.order = Some(order);
-        }
+/// Amplitude of a displacement at a multiple of the shaft frequency.
+fn line(freedom: usize, order: u32) -> NumberColumn {
+    let name = of(Channel::Displacement(freedom), &format!("order_{order}"));
+    let amplitude = move |run: &Run| order_line(run.spectrum.as_ref()?, freedom, order);
+    NumberColumn {
+        order: Some(order),
+        ..column(name, NOTHING, amplitude)
     }
+}
 
-    /// What is observed of a bearing.
-    fn add_bearing(&mut self, bearing: usize) {
-        let name = |what: &str| format!("bearing_{}_{what}", bearing + 1);
-        let zone = move |run: &Run| Some(run.bearings.get(bearing)?.load_zone?.balls.smallest);
-        let lost = move |run: &Run| {
-            let history = run.bearings.get(bearing)?;
-            Some(history.events(EventKind::ContactLost).count as f64)
-        };
-        let life = move |run: &Run| run.bearings.get(bearing)?.life?.after_settle.hours();
-        self.add(name("fewest_loaded"), NOTHING, zone);
-        self.add(
-            name("contact_lost"),
-            |asked| asked.settled_only = false,
-            lost,
-        );
-        self.add(name("life_h"), NOTHING, life);
-        let modified = move |run: &Run| run.bearings.get(bearing)?.life?.modified?.hours;
-        self.add(name("modified_life_h"), NOTHING, modified);
-    }
+/// What is observed of a bearing.
+fn of_bearing(bearing: usize) -> [NumberColumn; 4] {
+    let name = |what: &str| format!("bearing_{}_{what}", bearing + 1);
+    let zone = move |run: &Run| Some(run.bearings.get(bearing)?.load_zone?.balls.smallest);
+    let lost = move |run: &Run| {
+        let history = run.bearings.get(bearing)?;
+        Some(history.events(EventKind::ContactLost).count as f64)
+    };
+    let life = move |run: &Run| run.bearings.get(bearing)?.life?.after_settle.hours();
+    let modified = move |run: &Run| run.bearings.get(bearing)?.life?.modified?.hours;
+    [
+        column(name("fewest_loaded"), NOTHING, zone),
+        column(name("contact_lost"), WHOLE, lost),
+        column(name("life_h"), NOTHING, life),
+        column(name("modified_life_h"), NOTHING, modified),
+    ]
 }
 
 /// Of a number that every run has.
 const NOTHING: fn(&mut Analyses) = |_| {};
 /// Of a number of the motion after the settle time.
 const STATISTICS: fn(&mut Analyses) = |asked| asked.motion = asked.motion.with_statistics();
+
+/// Of a number of the whole motion.
+const WHOLE: fn(&mut Analyses) = |asked| asked.settled_only = false;
 
 /// `x_rms_m`.
 fn of(channel: Channel, what: &str) -> String {
@@ -131,59 +124,58 @@ fn of(channel: Channel, what: &str) -> String {
 /// Columns for scenes of so many freedoms and bearings.
 pub fn number_columns(freedoms: usize, bearings: usize) -> Vec<NumberColumn> {
     let freedoms = freedoms.min(FREEDOMS);
-    let mut columns = Columns::default();
+    let mut columns = Vec::new();
     for freedom in 0..freedoms {
         let name = of(Channel::Displacement(freedom), "equilibrium");
-        columns.add(name, NOTHING, move |run| {
+        columns.push(column(name, NOTHING, move |run| {
             Some(run.equilibrium.displacement[freedom])
-        });
+        }));
     }
     for freedom in 0..freedoms {
         let (channel, force) = (Channel::Displacement(freedom), Channel::Force(freedom));
         let units = [force, channel].map(|channel| column_unit(channel.unit()));
         let name = format!("stiffness_{channel}_{}", units.join("_"));
-        columns.add(name, NOTHING, move |run| {
+        columns.push(column(name, NOTHING, move |run| {
             Some(run.equilibrium.stiffness[freedom][freedom])
-        });
+        }));
     }
     for mode in 0..freedoms {
         let found = move |run: &Run| run.equilibrium.natural_frequencies.get(mode).copied();
+        let frequency = move |run: &Run| Some(found(run)?.frequency);
         let name = format!("natural_frequency_{}_Hz", mode + 1);
-        columns.add(name, NOTHING, move |run| Some(found(run)?.frequency));
+        columns.push(column(name, NOTHING, frequency));
+        let ratio = move |run: &Run| Some(found(run)?.damping_ratio);
         let name = format!("damping_ratio_{}", mode + 1);
-        columns.add(name, NOTHING, move |run| Some(found(run)?.damping_ratio));
+        columns.push(column(name, NOTHING, ratio));
     }
-    let channels = Channel::of_freedoms(freedoms).into_iter();
-    channels.for_each(|channel| columns.add_moments(channel));
+    columns.extend(Channel::of_freedoms(freedoms).into_iter().flat_map(moments));
     for freedom in 0..freedoms {
-        ORDERS
-            .into_iter()
-            .for_each(|order| columns.add_line(freedom, order));
+        columns.extend(ORDERS.map(|order| line(freedom, order)));
     }
     for freedom in 0..freedoms.min(LENGTHS) {
         let name = of(Channel::Velocity(freedom), "rms");
-        let level = move |run: &Run| {
+        columns.push(column(name, STATISTICS, move |run| {
             let level = run.motion.as_ref()?.velocity.get(freedom)?.as_ref();
             level.map(|level| level.rms)
-        };
-        columns.add(name, STATISTICS, level);
+        }));
     }
     let kind = |asked: &mut Analyses| asked.motion = MotionAnalysis::Kind;
-    columns.add("period_cycles", kind, |run| run.motion.as_ref().map(period));
-    columns.add("drift", STATISTICS, |run| {
-        let drift = run.motion.as_ref()?.drift.as_ref();
-        drift.map(|drift| drift.largest())
-    });
-    columns.add("largest_ball_load_N", NOTHING, |run| run.largest_ball_load);
-    (0..bearings).for_each(|bearing| columns.add_bearing(bearing));
-    columns.add(MEASURED_ERROR, NOTHING, |run| {
-        let error = run.measured_error.as_ref();
-        error.map(|error| error.relative)
-    });
-    columns.add("evaluations", NOTHING, |run| {
-        Some(run.counters.evaluations as f64)
-    });
-    columns.0
+    let cycles = |run: &Run| run.motion.as_ref().map(period);
+    let drift = |run: &Run| Some(run.motion.as_ref()?.drift.as_ref()?.largest());
+    let load = |run: &Run| run.largest_ball_load;
+    columns.extend([
+        column("period_cycles", kind, cycles),
+        column("drift", STATISTICS, drift),
+        column("largest_ball_load_N", NOTHING, load),
+    ]);
+    columns.extend((0..bearings).flat_map(of_bearing));
+    let error = |run: &Run| Some(run.measured_error.as_ref()?.relative);
+    let evaluations = |run: &Run| Some(run.counters.evaluations as f64);
+    columns.extend([
+        column(MEASURED_ERROR, NOTHING, error),
+        column("evaluations", NOTHING, evaluations),
+    ]);
+    columns
 }
 
 /// Amplitude at a multiple of the shaft frequency, where that is a bin.

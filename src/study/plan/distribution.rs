@@ -4,35 +4,33 @@ use std::cmp::Ordering;
 
 use statrs::distribution::{ContinuousCDF, Normal};
 
-/// A distribution.
+/// A distribution between two values.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Distribution {
-    /// Every value between two equally likely.
-    Uniform {
-        /// Least value.
-        lowest: f64,
-        /// Largest value.
-        highest: f64,
-    },
-    /// Normal, cut off at two values.
+pub struct Distribution {
+    /// Least value; −∞ cuts off nothing of a normal distribution.
+    pub lowest: f64,
+    /// Largest value; ∞ cuts off nothing of a normal distribution.
+    pub highest: f64,
+    /// How the values between them are distributed.
+    pub shape: Shape,
+}
+
+/// How the values between two bounds are distributed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Shape {
+    /// All equally likely.
+    Uniform,
+    /// Normal, cut off at the bounds.
     Normal {
         /// Mean before it is cut off.
         mean: f64,
         /// Standard deviation before it is cut off, above zero.
         deviation: f64,
-        /// Least value; −∞ cuts off nothing.
-        lowest: f64,
-        /// Largest value; ∞ cuts off nothing.
-        highest: f64,
     },
     /// Of a density that rises in a line to its mode and falls in a line from there.
     Triangular {
-        /// Least value.
-        lowest: f64,
         /// Most likely value.
         mode: f64,
-        /// Largest value.
-        highest: f64,
     },
 }
 
@@ -84,19 +82,19 @@ impl Distribution {
     /// # Errors
     /// [`DistributionError`] says which number does not.
     pub fn checked(self) -> Result<Self, DistributionError> {
-        let (lowest, highest) = self.bounds();
+        let (lowest, highest) = (self.lowest, self.highest);
         if lowest.partial_cmp(&highest) != Some(Ordering::Less) {
             return Err(DistributionError::Bounds { lowest, highest });
         }
-        match self {
-            Self::Normal { deviation, .. } if !(deviation > 0.0 && deviation.is_finite()) => {
+        match self.shape {
+            Shape::Normal { deviation, .. } if !(deviation > 0.0 && deviation.is_finite()) => {
                 Err(DistributionError::Deviation { deviation })
             }
-            Self::Normal { .. } => match self.cut() {
+            Shape::Normal { mean, deviation } => match self.cut(mean, deviation) {
                 Some((_, [below, above])) if above - below > LEAST_PART => Ok(self),
                 _ => Err(DistributionError::Empty { lowest, highest }),
             },
-            Self::Triangular { mode, .. } if !(lowest <= mode && mode <= highest) => {
+            Shape::Triangular { mode } if !(lowest <= mode && mode <= highest) => {
                 Err(DistributionError::Mode {
                     mode,
                     lowest,
@@ -107,43 +105,19 @@ impl Distribution {
         }
     }
 
-    /// Least and largest value.
-    pub fn bounds(&self) -> (f64, f64) {
-        match *self {
-            Self::Uniform { lowest, highest }
-            | Self::Normal {
-                lowest, highest, ..
-            }
-            | Self::Triangular {
-                lowest, highest, ..
-            } => (lowest, highest),
-        }
-    }
-
-    /// The normal distribution, and the shares of it below the bounds.
-    fn cut(&self) -> Option<(Normal, [f64; 2])> {
-        let Self::Normal {
-            mean,
-            deviation,
-            lowest,
-            highest,
-        } = *self
-        else {
-            return None;
-        };
+    /// The normal distribution of a mean and a deviation, and the shares of it below the bounds.
+    fn cut(&self, mean: f64, deviation: f64) -> Option<(Normal, [f64; 2])> {
         let normal = Normal::new(mean, deviation).ok()?;
-        Some((normal, [normal.cdf(lowest), normal.cdf(highest)]))
+        let shares = [self.lowest, self.highest].map(|bound| normal.cdf(bound));
+        Some((normal, shares))
     }
 
     /// Value that a share of all draws, between 0 and 1, does not exceed.
     pub fn quantile(&self, share: f64) -> f64 {
-        match *self {
-            Self::Uniform { lowest, highest } => lowest * (1.0 - share) + highest * share,
-            Self::Triangular {
-                lowest,
-                mode,
-                highest,
-            } => {
+        let (lowest, highest) = (self.lowest, self.highest);
+        match self.shape {
+            Shape::Uniform => lowest * (1.0 - share) + highest * share,
+            Shape::Triangular { mode } => {
                 let width = highest - lowest;
                 let rising = (mode - lowest) / width;
                 if share <= rising {
@@ -152,12 +126,13 @@ impl Distribution {
                     highest - ((1.0 - share) * width * (highest - mode)).sqrt()
                 }
             }
-            Self::Normal {
-                lowest, highest, ..
-            } => self.cut().map_or(f64::NAN, |(normal, [below, above])| {
-                let share = below * (1.0 - share) + above * share;
-                normal.inverse_cdf(share).clamp(lowest, highest)
-            }),
+            Shape::Normal { mean, deviation } => {
+                let cut = self.cut(mean, deviation);
+                cut.map_or(f64::NAN, |(normal, [below, above])| {
+                    let share = below * (1.0 - share) + above * share;
+                    normal.inverse_cdf(share).clamp(lowest, highest)
+                })
+            }
         }
     }
 }
@@ -168,12 +143,13 @@ mod tests {
 
     #[test]
     fn the_normal_quantile_is_that_of_tables() {
-        let infinite = (f64::NEG_INFINITY, f64::INFINITY);
-        let normal = Distribution::Normal {
-            mean: 1.0,
-            deviation: 2.0,
-            lowest: infinite.0,
-            highest: infinite.1,
+        let normal = Distribution {
+            lowest: f64::NEG_INFINITY,
+            highest: f64::INFINITY,
+            shape: Shape::Normal {
+                mean: 1.0,
+                deviation: 2.0,
+            },
         };
         assert!((normal.quantile(0.975) - (1.0 + 2.0 * 1.959_963_984_540_054)).abs() < 1e-9);
     }

@@ -4,7 +4,7 @@ mod distribution;
 
 use crate::rotor::load::SplitMix64;
 
-pub use distribution::Distribution;
+pub use distribution::{Distribution, Shape};
 
 /// Most runs of a study.
 pub const MOST_RUNS: u64 = 1_000_000_000;
@@ -26,7 +26,8 @@ pub enum Sampling {
 /// The values of every run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
-    axes: Vec<Axis>,
+    /// The axes.
+    pub axes: Vec<Axis>,
     sampling: Sampling,
     seed: u64,
 }
@@ -39,11 +40,6 @@ impl Plan {
             sampling,
             seed,
         }
-    }
-
-    /// The axes.
-    pub fn axes(&self) -> &[Axis] {
-        &self.axes
     }
 
     /// Number of runs; `None` where it is beyond 64 bits.
