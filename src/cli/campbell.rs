@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::io;
 
 use super::jobs::{Answer, Failure, Files, Job};
-use super::{Outcome, terminal};
+use super::{Outcome, terminal, without_repeats};
 use crate::physics::BallPass;
 use crate::report;
 use crate::scenario;
@@ -109,29 +109,21 @@ fn answer(job: &Job, arguments: &Arguments) -> Result<Answer, Failure> {
 /// The orders as numbers, each once; says which number an order of the bearings is.
 fn orders(job: &Job, arguments: &Arguments) -> Vec<f64> {
     let mut orders: Vec<f64> = Vec::new();
-    let mut put = |order: f64| {
-        let is_new = !orders.contains(&order);
-        if is_new {
-            orders.push(order);
-        }
-        is_new
-    };
     for order in &arguments.orders {
         match order {
-            Order::Number(number) => drop(put(*number)),
+            Order::Number(number) => orders.push(*number),
             Order::OfBearings(name, of) => {
                 let bearings = job.scenario.question.rotor.bearings.iter();
                 for (number, mounted) in (1..).zip(bearings) {
                     // of a shaft that turns once a second
-                    let number_of = of(&mounted.bearing.geometry.ball_pass(TAU));
-                    if put(number_of) {
-                        job.note(&format!(
-                            "{name} of bearing {number} is order {number_of:.4}"
-                        ));
+                    let order = of(&mounted.bearing.geometry.ball_pass(TAU));
+                    if !orders.contains(&order) {
+                        orders.push(order);
+                        job.note(&format!("{name} of bearing {number} is order {order:.4}"));
                     }
                 }
             }
         }
     }
-    orders
+    without_repeats(orders)
 }
