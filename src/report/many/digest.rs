@@ -29,7 +29,7 @@ const QUANTILES: [f64; 5] = [0.05, 0.25, 0.5, 0.75, 0.95];
 
 /// A run that failed.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Failure {
+pub struct FailedRun {
     /// Its number.
     pub run: u64,
     /// Values of the axes, in the units of their columns.
@@ -89,7 +89,7 @@ pub struct DigestSummary<'a> {
     /// Number of those that failed.
     failed: u64,
     /// The first of them.
-    failures: &'a [Failure],
+    failures: &'a [FailedRun],
     /// Warnings of the runs; those that differ by their numbers alone are one.
     warnings: &'a [RunsWarned],
     /// The largest measured error of all runs that have one.
@@ -113,7 +113,7 @@ pub struct Digest {
     /// Number of those that failed.
     pub failed: u64,
     /// The first of them.
-    pub failures: Vec<Failure>,
+    pub failures: Vec<FailedRun>,
     /// Warnings of the runs.
     pub warnings: Vec<RunsWarned>,
     /// The line of names.
@@ -191,7 +191,7 @@ impl Digest {
                 self.failed += 1;
                 if self.failures.len() < MOST_FAILURES {
                     let error = error.unwrap_or_default().to_owned();
-                    self.failures.push(Failure { run, values, error });
+                    self.failures.push(FailedRun { run, values, error });
                 }
             }
             _ => {
@@ -295,7 +295,7 @@ impl Digest {
             text += &format!(", {} failed; alone again by --only I", self.failed);
         }
         text.push('\n');
-        for Failure { run, error, .. } in &self.failures {
+        for FailedRun { run, error, .. } in &self.failures {
             text += &format!("    run {run}: {error}\n");
         }
         if let Some(error) = self.largest_error() {
