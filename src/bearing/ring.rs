@@ -3,7 +3,7 @@
 use fearless_simd::{Level, Simd, SimdBase};
 use nalgebra::SMatrix;
 
-use super::number::{LANES, Lanes};
+use super::number::{LANES, Lanes, Number};
 use super::surface::{ImperfectSurfaces, Imperfections};
 use super::{Angle, Ball, BearingRotation, Geometry};
 
@@ -22,7 +22,7 @@ pub(super) type LaneVector<S> = [Lanes<S>; 5];
 /// A1_j = A sin α0 + z + R_i (θx sin φ_j − θy cos φ_j)   A2_j = A cos α0 + x cos φ_j + y sin φ_j
 /// ```
 ///
-/// `Ring::visit` hands these positions to a `Consumer`, four balls at a time, with the drops of the surfaces
+/// `Ring::visit` hands these positions to a consumer, four balls at a time, with the drops of the surfaces
 /// under them: forces, stiffness, damping, lift-off, loads and life are consumers.
 ///
 /// The balls never move in the tables: cosines and sines of their azimuths are constants, turned with
@@ -83,51 +83,6 @@ impl<S: Simd> Balls<S> {
     }
 }
 
-/// Takes the balls of a ring, some side by side after the other.
-pub(super) trait Consumer<S: Simd> {
-    fn take(&mut self, balls: &Balls<S>);
-}
-
-/// How much lower the surfaces of both races lie under balls.
-trait Surfaces {
-    /// Drops at the inner and the outer race, m, of balls in directions (cos φ, sin φ), the first of which has a
-    /// number.
-    fn drops<S: Simd>(
-        &self,
-        first: usize,
-        direction: [Lanes<S>; 2],
-        rotation: &BearingRotation,
-    ) -> [Lanes<S>; 2];
-}
-
-/// Races without defects: what they add is nothing, and folded away.
-struct Perfect;
-
-impl Surfaces for Perfect {
-    #[inline(always)]
-    fn drops<S: Simd>(
-        &self,
-        _: usize,
-        [cos, _]: [Lanes<S>; 2],
-        _: &BearingRotation,
-    ) -> [Lanes<S>; 2] {
-        [Lanes::splat(cos.witness(), 0.0); 2]
-    }
-}
-
-impl Surfaces for ImperfectSurfaces {
-    #[inline(always)]
-    fn drops<S: Simd>(
-        &self,
-        first: usize,
-        [cos, sin]: [Lanes<S>; 2],
-        rotation: &BearingRotation,
-    ) -> [Lanes<S>; 2] {
-        let drops = ImperfectSurfaces::drops(self, first, [&cos, &sin], rotation);
-        drops.map(|drops| cos.witness().load_array_f64x4(drops))
-    }
-}
-
 impl Ring {
     /// Places the balls of `geometry` evenly from azimuth `first_ball` in rad.
     pub fn new(geometry: &Geometry, first_ball: f64, imperfections: &Imperfections) -> Self {
@@ -156,20 +111,27 @@ impl Ring {
         &self.azimuths
     }
 
-    /// Hands the positions of all balls to a consumer.
+    /// Hands the positions of all balls to a consumer, some balls side by side after the other. A consumer whose speed
+    /// counts must be inlined.
     #[inline(always)]
     pub(super) fn visit<S: Simd>(
         &self,
         simd: S,
         displacement: &LaneVector<S>,
         rotation: &BearingRotation,
-        consumer: &mut impl Consumer<S>,
+        take: impl FnMut(&Balls<S>),
     ) {
         match &self.surfaces {
-            None => self.visit_on(simd, &Perfect, displacement, rotation, consumer),
-            Some(surfaces) => {
-                self.visit_imperfect(simd, surfaces, displacement, rotation, consumer);
-            }
+            // a drop of nothing is folded away
+            None => self.visit_on(
+                simd,
+                displacement,
+                rotation,
+                #[inline(always)]
+                |_, _| [Lanes::splat(simd, 0.0); 2],
+                take,
+            ),
+            Some(surfaces) => self.visit_imperfect(simd, surfaces, displacement, rotation, take),
         }
     }
 
@@ -181,29 +143,42 @@ impl Ring {
         surfaces: &ImperfectSurfaces,
         displacement: &LaneVector<S>,
         rotation: &BearingRotation,
-        consumer: &mut impl Consumer<S>,
+        take: impl FnMut(&Balls<S>),
     ) {
         simd.vectorize(
             #[inline(always)]
-            || self.visit_on(simd, surfaces, displacement, rotation, consumer),
+            || {
+                self.visit_on(
+                    simd,
+                    displacement,
+                    rotation,
+                    #[inline(always)]
+                    |first, [cos, sin]| {
+                        let drops = surfaces.drops(first, [&cos, &sin], rotation);
+                        drops.map(|drops| simd.load_array_f64x4(drops))
+                    },
+                    take,
+                );
+            },
         );
     }
 
-    /// The same on given surfaces: chosen outside the loop, so that perfect ones cost nothing.
+    /// The same with drops, m, at the inner and the outer race of balls in directions (cos φ, sin φ), the first of which
+    /// has a number: chosen outside the loop, so that perfect surfaces cost nothing.
     #[inline(always)]
     fn visit_on<S: Simd>(
         &self,
         simd: S,
-        surfaces: &impl Surfaces,
         displacement: &LaneVector<S>,
         rotation: &BearingRotation,
-        consumer: &mut impl Consumer<S>,
+        drops: impl Fn(usize, [Lanes<S>; 2]) -> [Lanes<S>; 2],
+        mut take: impl FnMut(&Balls<S>),
     ) {
         for (group, azimuths) in self.groups.iter().enumerate() {
             let [cos, sin] = azimuths.turned(simd, rotation.cage);
             let start = [self.free_axial, self.free_radial];
             let [axial, radial] = self.components(start, displacement, [cos, sin]);
-            consumer.take(&Balls {
+            take(&Balls {
                 first: LANES * group,
                 cos,
                 sin,
@@ -211,23 +186,24 @@ impl Ring {
                 ball: Ball {
                     axial,
                     radial,
-                    drop: surfaces.drops(LANES * group, [cos, sin], rotation),
+                    drop: drops(LANES * group, [cos, sin]),
                 },
             });
         }
     }
 
-    /// Axial and radial component, where the balls are, of a ring's displacement or velocity, from a start on.
+    /// Axial and radial component, where balls are, of a ring's displacement or velocity, from a start on.
     #[inline(always)]
-    pub(super) fn components<S: Simd>(
+    pub(super) fn components<T: Number>(
         &self,
         [axial, radial]: [f64; 2],
-        [x, y, z, tilt_x, tilt_y]: &LaneVector<S>,
-        [cos, sin]: [Lanes<S>; 2],
-    ) -> [Lanes<S>; 2] {
+        [x, y, z, tilt_x, tilt_y]: &[T; 5],
+        [cos, sin]: [T; 2],
+    ) -> [T; 2] {
+        let arm = self.arm;
         [
-            (axial + *z) + (self.arm * *tilt_x * sin - self.arm * *tilt_y * cos),
-            radial + (*x * cos + *y * sin),
+            (*z + axial) + (*tilt_x * arm * sin - *tilt_y * arm * cos),
+            (*x * cos + *y * sin) + radial,
         ]
     }
 
@@ -255,19 +231,18 @@ impl Ring {
         rotation: &BearingRotation,
     ) -> Ball {
         let (sin, cos) = azimuth.sin_cos();
-        let [x, y, z, tilt_x, tilt_y] = *displacement;
+        let start = [self.free_axial, self.free_radial];
+        let [axial, radial] = self.components(start, displacement, [cos, sin]);
         let drop = self.surfaces.as_ref().map_or([0.0; 2], |surfaces| {
             let alone = [cos, sin].map(|part| [part, 0.0, 0.0, 0.0]);
             let first = number.unwrap_or(usize::MAX);
-            let drops = ImperfectSurfaces::drops(surfaces, first, alone.each_ref(), rotation);
+            let drops = surfaces.drops(first, alone.each_ref(), rotation);
             drops.map(|[drop, ..]| drop)
         });
         Ball {
+            axial,
+            radial,
             drop,
-            ..Ball::at(
-                (self.free_axial + z) + (self.arm * tilt_x * sin - self.arm * tilt_y * cos),
-                self.free_radial + (x * cos + y * sin),
-            )
         }
     }
 

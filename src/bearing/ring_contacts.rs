@@ -3,7 +3,7 @@
 use fearless_simd::{Fallback, Simd, SimdBase, SimdFloat};
 
 use super::number::{LANES, Lanes};
-use super::ring::{Balls, Consumer, side_by_side};
+use super::ring::{Balls, side_by_side};
 use super::ring_forces::{ForceSums, total};
 use super::{BallContact, BallLaw, BearingRotation, ForceLaw, Ring, Vector5};
 use crate::registers::in_wide_registers;
@@ -65,9 +65,14 @@ impl Ring {
         past: &mut [f64],
     ) {
         in_wide_registers!(self.level, simd => {
-            let speed = rotation.speed;
-            let mut lift_off = LiftOff { law, speed, past };
-            self.visit(simd, &side_by_side(simd, displacement), rotation, &mut lift_off);
+            let displacement = side_by_side(simd, displacement);
+            self.visit(
+                simd,
+                &displacement,
+                rotation,
+                #[inline(always)]
+                |at| store(law.distance_past_lift_off(&at.ball, rotation.speed), at.first, past),
+            );
         });
     }
 
@@ -80,17 +85,36 @@ impl Ring {
         loads: &mut BallLoads,
     ) -> Vector5 {
         in_wide_registers!(self.level, simd => {
-            let mut found = Loads {
-                law,
-                speed: rotation.speed,
-                arm: self.arm,
-                loads,
-                powers: [Lanes::splat(simd, 0.0); 2],
-                largest: [Lanes::splat(simd, 0.0); 2],
-                sums: ForceSums::new(simd),
-            };
-            self.visit(simd, &side_by_side(simd, displacement), rotation, &mut found);
-            found.finish()
+            let zero = Lanes::splat(simd, 0.0);
+            let (mut powers, mut largest) = ([zero; 2], [zero; 2]);
+            let mut sums = ForceSums::new(simd, self.arm);
+            let displacement = side_by_side(simd, displacement);
+            self.visit(
+                simd,
+                &displacement,
+                rotation,
+                #[inline(always)]
+                |at| {
+                    let response = law.response(&at.ball, rotation.speed);
+                    sums.add_force(at, law, &response.force);
+                    let life_powers = law.life_powers(&response);
+                    for race in 0..2 {
+                        powers[race] += life_powers[race] * at.weight;
+                        largest[race] = (response.load[race] * at.weight).max(largest[race]);
+                        store(response.load[race], at.first, &mut loads.load[race]);
+                    }
+                    store(response.approach, at.first, &mut loads.approach);
+                    if !loads.angle[0].is_empty() {
+                        store_angles(law, at, rotation.speed, loads);
+                    }
+                },
+            );
+            for race in 0..2 {
+                loads.life_powers[race] = total(&powers[race]);
+                let [a, b, c, d] = *largest[race];
+                loads.largest[race] = a.max(b).max(c.max(d));
+            }
+            sums.force()
         })
     }
 
@@ -102,27 +126,20 @@ impl Ring {
         rotation: &BearingRotation,
     ) -> f64 {
         let simd = Fallback::new();
-        let mut energy = Energy {
-            law,
-            speed: rotation.speed,
-            balls: self.balls(),
-            sum: 0.0,
-        };
-        self.visit(
-            simd,
-            &side_by_side(simd, displacement),
-            rotation,
-            &mut energy,
-        );
-        energy.sum
+        let mut energy = 0.0;
+        self.visit(simd, &side_by_side(simd, displacement), rotation, |at| {
+            for (_, ball) in at.single(self.balls()) {
+                energy += law.stored_energy(&ball, rotation.speed);
+            }
+        });
+        energy
     }
 }
 
 /// Copies the lanes that stand for balls to their places among all.
 #[inline(always)]
 fn store<S: Simd>(lanes: Lanes<S>, first: usize, all: &mut [f64]) {
-    let count = LANES.min(all.len().saturating_sub(first));
-    let Some(places) = all.get_mut(first..first + count) else {
+    let Some(places) = all.get_mut(first..) else {
         return;
     };
     if let Some(places) = places.first_chunk_mut::<LANES>() {
@@ -134,84 +151,12 @@ fn store<S: Simd>(lanes: Lanes<S>, first: usize, all: &mut [f64]) {
     }
 }
 
-/// Distances past the lift-off.
-struct LiftOff<'a, L> {
-    law: &'a L,
-    speed: f64,
-    past: &'a mut [f64],
-}
-
-impl<L: ForceLaw, S: Simd> Consumer<S> for LiftOff<'_, L> {
-    #[inline(always)]
-    fn take(&mut self, at: &Balls<S>) {
-        let past = self.law.distance_past_lift_off(&at.ball, self.speed);
-        store(past, at.first, self.past);
-    }
-}
-
-/// Loads, approaches and powers of loads, with the force.
-struct Loads<'a, L, S: Simd> {
-    law: &'a L,
-    speed: f64,
-    arm: f64,
-    loads: &'a mut BallLoads,
-    powers: [Lanes<S>; 2],
-    largest: [Lanes<S>; 2],
-    sums: ForceSums<S>,
-}
-
-impl<L: BallLaw, S: Simd> Consumer<S> for Loads<'_, L, S> {
-    #[inline(always)]
-    fn take(&mut self, at: &Balls<S>) {
-        let response = self.law.response(&at.ball, self.speed);
-        self.sums.add_force(at, self.law, &response.force, self.arm);
-        let powers = self.law.life_powers(&response);
-        for (race, power) in powers.into_iter().enumerate() {
-            self.powers[race] += power * at.weight;
-            self.largest[race] = (response.load[race] * at.weight).max(self.largest[race]);
-            store(response.load[race], at.first, &mut self.loads.load[race]);
-        }
-        store(response.approach, at.first, &mut self.loads.approach);
-        if !self.loads.angle[0].is_empty() {
-            self.angles(at);
-        }
-    }
-}
-
-impl<L: BallLaw, S: Simd> Loads<'_, L, S> {
-    #[inline(never)]
-    fn angles(&mut self, at: &Balls<S>) {
-        let count = self.loads.balls();
-        for (number, ball) in at.single(count) {
-            let contact = self.law.contact(&ball, self.speed);
-            self.loads.angle[0][number] = contact.angle_inner;
-            self.loads.angle[1][number] = contact.angle_outer;
-        }
-    }
-
-    #[inline(always)]
-    fn finish(&mut self) -> Vector5 {
-        for race in 0..2 {
-            self.loads.life_powers[race] = total(&self.powers[race]);
-            let [a, b, c, d] = *self.largest[race];
-            self.loads.largest[race] = a.max(b).max(c.max(d));
-        }
-        self.sums.force(self.arm)
-    }
-}
-
-/// Stored energy, ball by ball.
-struct Energy<'a, L> {
-    law: &'a L,
-    speed: f64,
-    balls: usize,
-    sum: f64,
-}
-
-impl<L: BallLaw, S: Simd> Consumer<S> for Energy<'_, L> {
-    fn take(&mut self, at: &Balls<S>) {
-        for (_, ball) in at.single(self.balls) {
-            self.sum += self.law.stored_energy(&ball, self.speed);
-        }
+/// Leaves the contact angles of balls in `loads`.
+#[inline(never)]
+fn store_angles<S: Simd>(law: &impl BallLaw, at: &Balls<S>, speed: f64, loads: &mut BallLoads) {
+    for (number, ball) in at.single(loads.balls()) {
+        let contact = law.contact(&ball, speed);
+        loads.angle[0][number] = contact.angle_inner;
+        loads.angle[1][number] = contact.angle_outer;
     }
 }

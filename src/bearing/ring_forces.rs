@@ -3,7 +3,7 @@
 use fearless_simd::{Simd, SimdBase, SimdFloat};
 
 use super::number::{Dual, Lanes};
-use super::ring::{Balls, Consumer, LaneVector, side_by_side};
+use super::ring::{Balls, LaneVector, side_by_side};
 use super::{BallForce, BallLaw, BearingRotation, ForceLaw, Matrix5, Ring, Vector5};
 use crate::registers::in_wide_registers;
 
@@ -34,14 +34,15 @@ impl Ring {
         displacement: &LaneVector<S>,
         rotation: &BearingRotation,
     ) -> Vector5 {
-        let mut force = Force {
-            law,
-            speed: rotation.speed,
-            arm: self.arm,
-            sums: ForceSums::new(simd),
-        };
-        self.visit(simd, displacement, rotation, &mut force);
-        force.sums.force(self.arm)
+        let mut sums = ForceSums::new(simd, self.arm);
+        self.visit(
+            simd,
+            displacement,
+            rotation,
+            #[inline(always)]
+            |at| sums.add_force(at, law, &law.force(&at.ball, rotation.speed)),
+        );
+        sums.force()
     }
 
     /// Force as by [`Ring::force`] and its exact derivative K = ∂F/∂q.
@@ -52,21 +53,39 @@ impl Ring {
         rotation: &BearingRotation,
     ) -> (Vector5, Matrix5) {
         in_wide_registers!(self.level, simd => {
-            let mut stiffness = Stiffness {
-                law,
-                speed: rotation.speed,
-                arm: self.arm,
-                sums: ForceSums::new(simd),
-                slopes: [[Lanes::splat(simd, 0.0); 5]; 5],
-            };
-            self.visit(simd, &side_by_side(simd, displacement), rotation, &mut stiffness);
-            let mut matrix = Matrix5::zeros();
-            for row in 0..5 {
-                for column in 0..5 {
-                    matrix[(row, column)] = total(&stiffness.slopes[row][column]);
-                }
-            }
-            (stiffness.sums.force(self.arm), matrix)
+            let arm = self.arm;
+            let zero = Lanes::splat(simd, 0.0);
+            let (mut sums, mut slopes) = (ForceSums::new(simd, arm), [[zero; 5]; 5]);
+            let displacement = side_by_side(simd, displacement);
+            self.visit(
+                simd,
+                &displacement,
+                rotation,
+                #[inline(always)]
+                |at| {
+                    let force = law.force(&at.ball.with_slopes(), rotation.speed);
+                    sums.add_force(at, law, &force.value());
+                    let moment: Dual<_, 2> = force.axial * arm + force.couple;
+                    // ∂(A1, A2)/∂q
+                    let axial_slopes = [zero, zero, at.weight, arm * at.sin, -arm * at.cos];
+                    let radial_slopes = [at.cos, at.sin, zero, zero, zero];
+                    let rows = [
+                        (at.cos, force.radial),
+                        (at.sin, force.radial),
+                        (at.weight, force.axial),
+                        (at.sin, moment),
+                        (-at.cos, moment),
+                    ];
+                    for (row, (factor, force)) in rows.into_iter().enumerate() {
+                        let [by_axial, by_radial] = [factor * force.slopes[0], factor * force.slopes[1]];
+                        for column in 0..5 {
+                            slopes[row][column] +=
+                                by_axial * axial_slopes[column] + by_radial * radial_slopes[column];
+                        }
+                    }
+                },
+            );
+            (sums.force(), Matrix5::from_fn(|row, column| total(&slopes[row][column])))
         })
     }
 
@@ -99,69 +118,92 @@ impl Ring {
         [displacement, rate]: [&LaneVector<S>; 2],
         rotation: &BearingRotation,
     ) -> [Vector5; 2] {
-        let mut damped = DampedForce::<_, S, D> {
-            ring: self,
-            law,
-            coefficients,
-            rate,
+        let zero = Lanes::splat(simd, 0.0);
+        let [mut elastic, mut damping] = [
+            ForceSums::new(simd, self.arm),
+            ForceSums::new(simd, self.arm),
+        ];
+        self.visit(
+            simd,
+            displacement,
             rotation,
-            elastic: ForceSums::new(simd),
-            damping: ForceSums::new(simd),
-        };
-        self.visit(simd, displacement, rotation, &mut damped);
-        [
-            damped.elastic.force(self.arm),
-            damped.damping.force(self.arm),
-        ]
+            #[inline(always)]
+            |at| {
+                let ball = at.ball.with_slopes::<D>();
+                let response = law.response(&ball, rotation.speed);
+                elastic.add_force(at, law, &response.force.value());
+                let approaches = law.elastic_approaches(&response);
+                let [axial_rate, radial_rate] = self.components([0.0; 2], rate, [at.cos, at.sin]);
+                let drop_rates = if D == 4 {
+                    self.drop_rates(at, rotation)
+                } else {
+                    [zero; 2]
+                };
+                let [mut axial, mut radial] = [zero; 2];
+                for (race, approach) in approaches.into_iter().enumerate() {
+                    // F_d = Σ Q max(c δ̇, −1) ∂δ/∂A
+                    let [by_axial, by_radial] = [approach.slopes[0], approach.slopes[1]];
+                    let mut rate = by_axial * axial_rate + by_radial * radial_rate;
+                    for (slope, drop_rate) in approach.slopes[2..].iter().zip(&drop_rates) {
+                        rate += *slope * *drop_rate;
+                    }
+                    let limited = (coefficients[race] * rate).max(Lanes::splat(simd, -1.0));
+                    let damped = response.load[race].value * limited;
+                    axial += damped * by_axial;
+                    radial += damped * by_radial;
+                }
+                damping.add(at, [radial, axial, axial]);
+            },
+        );
+        [elastic.force(), damping.force()]
     }
 }
 
 /// Sums over balls side by side of what each bears.
-pub(super) struct ForceSums<S: Simd>([Lanes<S>; 5]);
+pub(super) struct ForceSums<S: Simd> {
+    sums: [Lanes<S>; 5],
+    arm: f64,
+}
 
 impl<S: Simd> ForceSums<S> {
+    /// Of a ring whose inner groove centres lie on a circle of a radius in m.
     #[inline(always)]
-    pub fn new(simd: S) -> Self {
-        Self([Lanes::splat(simd, 0.0); 5])
+    pub fn new(simd: S, arm: f64) -> Self {
+        let sums = [Lanes::splat(simd, 0.0); 5];
+        Self { sums, arm }
     }
 
     /// Adds the forces of balls; moments are summed over the arm, so that without a couple it stays out of the loop.
     #[inline(always)]
-    pub fn add_force<L: ForceLaw>(
-        &mut self,
-        at: &Balls<S>,
-        _law: &L,
-        force: &BallForce<Lanes<S>>,
-        arm: f64,
-    ) {
+    pub fn add_force<L: ForceLaw>(&mut self, at: &Balls<S>, _law: &L, force: &BallForce<Lanes<S>>) {
         let moment = if L::HAS_COUPLE {
-            force.axial + force.couple / arm
+            force.axial + force.couple / self.arm
         } else {
             force.axial
         };
         self.add(at, [force.radial, force.axial, moment]);
     }
 
-    /// Adds radial and axial forces in N, and moments over the arm that [`ForceSums::force`] is given.
+    /// Adds radial and axial forces in N, and moments over the arm.
     #[inline(always)]
     fn add(&mut self, at: &Balls<S>, [radial, axial, moment]: [Lanes<S>; 3]) {
-        self.0[0] += radial * at.cos;
-        self.0[1] += radial * at.sin;
-        self.0[2] += axial * at.weight;
-        self.0[3] += moment * at.sin;
-        self.0[4] += moment * at.cos;
+        self.sums[0] += radial * at.cos;
+        self.sums[1] += radial * at.sin;
+        self.sums[2] += axial * at.weight;
+        self.sums[3] += moment * at.sin;
+        self.sums[4] += moment * at.cos;
     }
 
     /// Force on the ring and its moment, N and N m. A loop: closures that are handed on are not compiled
     /// for wide registers.
     #[inline(always)]
-    pub fn force(&self, arm: f64) -> Vector5 {
+    pub fn force(&self) -> Vector5 {
         let mut sums = [0.0; 5];
-        for (sum, lanes) in sums.iter_mut().zip(&self.0) {
+        for (sum, lanes) in sums.iter_mut().zip(&self.sums) {
             *sum = total(lanes);
         }
         let [x, y, z, tilt_x, tilt_y] = sums;
-        [x, y, z, arm * tilt_x, -arm * tilt_y]
+        [x, y, z, self.arm * tilt_x, -self.arm * tilt_y]
     }
 }
 
@@ -170,106 +212,4 @@ impl<S: Simd> ForceSums<S> {
 pub(super) fn total<S: Simd>(lanes: &Lanes<S>) -> f64 {
     let [a, b, c, d] = **lanes;
     (a + b) + (c + d)
-}
-
-/// The force of a law.
-struct Force<'a, L, S: Simd> {
-    law: &'a L,
-    speed: f64,
-    arm: f64,
-    sums: ForceSums<S>,
-}
-
-impl<L: ForceLaw, S: Simd> Consumer<S> for Force<'_, L, S> {
-    #[inline(always)]
-    fn take(&mut self, at: &Balls<S>) {
-        let force = self.law.force(&at.ball, self.speed);
-        self.sums.add_force(at, self.law, &force, self.arm);
-    }
-}
-
-/// The force of a law and its slopes by the displacement.
-struct Stiffness<'a, L, S: Simd> {
-    law: &'a L,
-    speed: f64,
-    arm: f64,
-    sums: ForceSums<S>,
-    slopes: [[Lanes<S>; 5]; 5],
-}
-
-impl<L: ForceLaw, S: Simd> Consumer<S> for Stiffness<'_, L, S> {
-    #[inline(always)]
-    fn take(&mut self, at: &Balls<S>) {
-        let force = self.law.force(&at.ball.with_slopes(), self.speed);
-        self.sums.add_force(at, self.law, &force.value(), self.arm);
-        let BallForce {
-            axial,
-            radial,
-            couple,
-        } = force;
-        let moment: Dual<Lanes<S>, 2> = axial * self.arm + couple;
-        // ∂(A1, A2)/∂q
-        let zero = Lanes::splat(at.cos.witness(), 0.0);
-        let [tilt_x, tilt_y] = [self.arm * at.sin, -self.arm * at.cos];
-        let axial_slopes = [zero, zero, at.weight, tilt_x, tilt_y];
-        let radial_slopes = [at.cos, at.sin, zero, zero, zero];
-        let rows = [
-            (at.cos, radial),
-            (at.sin, radial),
-            (at.weight, axial),
-            (at.sin, moment),
-            (-at.cos, moment),
-        ];
-        for (row, (factor, force)) in rows.into_iter().enumerate() {
-            let [by_axial, by_radial] = [factor * force.slopes[0], factor * force.slopes[1]];
-            for column in 0..5 {
-                self.slopes[row][column] +=
-                    by_axial * axial_slopes[column] + by_radial * radial_slopes[column];
-            }
-        }
-    }
-}
-
-/// The force of a law and that against the damping of the contacts, [`super::ContactDamping`].
-struct DampedForce<'a, L, S: Simd, const D: usize> {
-    ring: &'a Ring,
-    law: &'a L,
-    /// c of both races, inner first, s/m.
-    coefficients: [f64; 2],
-    rate: &'a LaneVector<S>,
-    rotation: &'a BearingRotation,
-    elastic: ForceSums<S>,
-    damping: ForceSums<S>,
-}
-
-impl<L: BallLaw, S: Simd, const D: usize> Consumer<S> for DampedForce<'_, L, S, D> {
-    #[inline(always)]
-    fn take(&mut self, at: &Balls<S>) {
-        let ball = at.ball.with_slopes_by::<D>();
-        let response = self.law.response(&ball, self.rotation.speed);
-        let force = response.force.value();
-        self.elastic.add_force(at, self.law, &force, self.ring.arm);
-        let approaches = self.law.elastic_approaches(&response);
-        let [axial_rate, radial_rate] = self.ring.components([0.0; 2], self.rate, [at.cos, at.sin]);
-        let zero = Lanes::splat(at.cos.witness(), 0.0);
-        let drop_rates = if D == 4 {
-            self.ring.drop_rates(at, self.rotation)
-        } else {
-            [zero; 2]
-        };
-        let [mut axial, mut radial] = [zero; 2];
-        for (race, approach) in approaches.into_iter().enumerate() {
-            // F_d = Σ Q max(c δ̇, −1) ∂δ/∂A
-            let [by_axial, by_radial] = [approach.slopes[0], approach.slopes[1]];
-            let mut rate = by_axial * axial_rate + by_radial * radial_rate;
-            for (slope, drop_rate) in approach.slopes[2..].iter().zip(&drop_rates) {
-                rate += *slope * *drop_rate;
-            }
-            let limit = Lanes::splat(at.cos.witness(), -1.0);
-            let damped = response.load[race].value * (self.coefficients[race] * rate).max(limit);
-            axial += damped * by_axial;
-            radial += damped * by_radial;
-        }
-        self.damping.add(at, [radial, axial, axial]);
-    }
 }

@@ -1,12 +1,13 @@
 //! What the surfaces of a mounted bearing add where they are not perfect.
 
-use fearless_simd::{Fallback, Simd};
+use fearless_simd::Fallback;
 
 use super::law::with_law;
-use super::ring::{Balls, Consumer, LaneVector, side_by_side};
+use super::number::LANES;
+use super::ring::side_by_side;
 use super::support::Support;
 use super::surface::{ImperfectSurfaces, TurningSurfaces};
-use super::{BallLaw, BearingRotation, Passing, RacePass, Ring, Vector5};
+use super::{BallLaw, BearingRotation, Passing, RacePass, Vector5};
 
 impl Support {
     /// Whether any surface of the bearing differs from a perfect one.
@@ -64,18 +65,31 @@ impl Support {
         with_law!(&self.law, law => {
             let simd = Fallback::new();
             let [place, rate] = motion.map(|vector| side_by_side(simd, &vector));
-            let mut moments = SurfaceMoments {
-                law,
-                ring: &self.ring,
-                surfaces,
-                coefficients,
-                rate: &rate,
-                rotation,
-                cage_ratio,
-                sums: [0.0; 2],
-            };
-            self.ring.visit(simd, &place, rotation, &mut moments);
-            moments.sums
+            let mut moments = [0.0; 2];
+            self.ring.visit(simd, &place, rotation, |at| {
+                let [axial, radial] = self.ring.components([0.0; 2], &rate, [at.cos, at.sin]);
+                let directions: [&[f64; LANES]; 2] = [&at.cos, &at.sin];
+                let ratios = [cage_ratio, 1.0];
+                let [by_inner, by_outer] = surfaces.rates(at.first, directions, rotation, ratios);
+                for (number, ball) in at.single(self.ring.balls()) {
+                    let lane = number - at.first;
+                    let by_angle = [by_inner[lane], by_outer[lane]];
+                    let [inner, outer] = by_angle.map(|by_angle| rotation.speed * by_angle);
+                    let rates = [axial[lane], radial[lane], inner, outer];
+                    let response = law.response(&ball.with_slopes::<4>(), rotation.speed);
+                    let approaches = law.elastic_approaches(&response);
+                    for race in 0..2 {
+                        let load = response.load[race].value;
+                        moments[0] += load * by_angle[race];
+                        let slopes = approaches[race].slopes;
+                        let parts = slopes.iter().zip(rates);
+                        let rate: f64 = parts.map(|(slope, rate)| slope * rate).sum();
+                        let damped = load * (coefficients[race] * rate).max(-1.0);
+                        moments[1] -= damped * (slopes[2] * by_angle[0] + slopes[3] * by_angle[1]);
+                    }
+                }
+            });
+            moments
         })
     }
 
@@ -84,49 +98,5 @@ impl Support {
         // slopes of drops stay below one: no ball of a bearing sinks into a slot as steep as that
         let [drop, further] = [0.0, distance].map(|distance| self.largest_drop() + distance);
         self.load_past_lift_off(further, speed) - self.load_past_lift_off(drop, speed)
-    }
-}
-
-/// The moments, ball by ball.
-struct SurfaceMoments<'a, L, S: Simd> {
-    law: &'a L,
-    ring: &'a Ring,
-    surfaces: &'a ImperfectSurfaces,
-    coefficients: [f64; 2],
-    rate: &'a LaneVector<S>,
-    rotation: &'a BearingRotation,
-    cage_ratio: f64,
-    sums: [f64; 2],
-}
-
-impl<L: BallLaw, S: Simd> Consumer<S> for SurfaceMoments<'_, L, S> {
-    fn take(&mut self, at: &Balls<S>) {
-        let [axial, radial] = self.ring.components([0.0; 2], self.rate, [at.cos, at.sin]);
-        let per_angle = self.surfaces.rates(
-            at.first,
-            [&at.cos, &at.sin],
-            self.rotation,
-            [self.cage_ratio, 1.0],
-        );
-        let speed = self.rotation.speed;
-        for (number, ball) in at.single(self.ring.balls()) {
-            let lane = number - at.first;
-            let [inner, outer] = [per_angle[0][lane], per_angle[1][lane]];
-            let rates = [axial[lane], radial[lane], speed * inner, speed * outer];
-            let response = self.law.response(&ball.with_slopes_by::<4>(), speed);
-            let approaches = self.law.elastic_approaches(&response);
-            for (race, by_angle) in [inner, outer].into_iter().enumerate() {
-                let load = response.load[race].value;
-                self.sums[0] += load * by_angle;
-                let slopes = approaches[race].slopes;
-                let rate: f64 = slopes
-                    .iter()
-                    .zip(rates)
-                    .map(|(slope, rate)| slope * rate)
-                    .sum();
-                let damped = load * (self.coefficients[race] * rate).max(-1.0);
-                self.sums[1] -= damped * (slopes[2] * inner + slopes[3] * outer);
-            }
-        }
     }
 }

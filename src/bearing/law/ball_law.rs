@@ -29,15 +29,9 @@ impl Ball {
 }
 
 impl<T: Plain> Ball<T> {
-    /// The same with slopes by A1 and A2.
-    #[inline(always)]
-    pub fn with_slopes(&self) -> Ball<Dual<T, 2>> {
-        self.with_slopes_by()
-    }
-
     /// The same with slopes by the first D, 2 or 4, of A1, A2 and both drops.
     #[inline(always)]
-    pub fn with_slopes_by<const D: usize>(&self) -> Ball<Dual<T, D>> {
+    pub fn with_slopes<const D: usize>(&self) -> Ball<Dual<T, D>> {
         let [inner, outer] = self.drop;
         Ball {
             axial: Dual::variable(self.axial, 0),
