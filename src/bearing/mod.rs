@@ -36,7 +36,6 @@ mod support_lift_off;
 mod support_surfaces;
 mod support_table;
 pub(crate) mod surface;
-mod thrust;
 mod warnings;
 
 pub(crate) use assessment::LOADED_SHARE;

@@ -224,9 +224,9 @@ impl<T: Plain, const D: usize> Dual<T, D> {
         dual
     }
 
-    /// A value whose slopes are these, each times a factor.
+    /// A function of it with this value, and with this slope by it.
     #[inline(always)]
-    fn chained(mut self, value: T, factor: T) -> Self {
+    pub fn chained(mut self, value: T, factor: T) -> Self {
         for slope in &mut self.slopes {
             *slope = *slope * factor;
         }

@@ -1,7 +1,7 @@
 //! How the outer ring of a mounted bearing is held axially.
 
-use super::law::Law;
-use super::{BearingError, Matrix5, MountedBearing, Preload, Vector5};
+use super::law::{Law, with_law};
+use super::{BearingError, ForceLaw, Geometry, Matrix5, MountedBearing, Preload, Vector5};
 
 /// Component z.
 const AXIAL: usize = 2;
@@ -18,15 +18,17 @@ pub(super) enum Seat {
 impl Seat {
     /// The seat that gives the preload of a bearing, at standstill.
     pub fn new(definition: &MountedBearing, law: &Law) -> Result<Self, BearingError> {
+        let geometry = &definition.bearing.geometry;
+        let displacement = |force| with_law!(law, law => thrust_displacement(geometry, law, force));
         Ok(match definition.preload {
             Preload::AxialOffset(offset) => Self::Fixed { offset },
             Preload::Force(force) => Self::Fixed {
-                offset: law.thrust_displacement(definition, force, 0.0)?,
+                offset: displacement(force)?,
             },
             Preload::Spring(force) => Self::Spring {
                 force,
-                start: law.thrust_displacement(definition, force, 0.0)?,
-                reach: 0.25 * definition.bearing.geometry.groove_centre_distance(),
+                start: displacement(force)?,
+                reach: 0.25 * geometry.groove_centre_distance(),
             },
         })
     }
@@ -124,4 +126,51 @@ fn pressed(
         place[AXIAL] = next;
     }
     place[AXIAL]
+}
+
+/// Axial displacement in m of a bearing at rest under a centred axial force in N, all balls alike: Newton in a bracket.
+///
+/// `F_z = Z F_a(A sin α0 + z, A cos α0)`
+///
+/// Source: Harris & Kotzalas, *Rolling Bearing Analysis*, 5th ed. (2007), eqs. 7.33–7.36.
+///
+/// # Errors
+/// [`BearingError::Preload`] where no displacement up to the distance of the groove centres
+/// gives the force.
+fn thrust_displacement(
+    geometry: &Geometry,
+    law: &impl ForceLaw,
+    force: f64,
+) -> Result<f64, BearingError> {
+    let unreachable = BearingError::Preload { preload: force };
+    let (free_axial, distance) = (geometry.free_axial(), geometry.groove_centre_distance());
+    let (mut low, mut high) = (-free_axial, distance);
+    let balls = geometry.balls() as f64;
+    let excess = |z: f64| {
+        let (ball, tangent) = law.force_and_tangent(free_axial + z, geometry.free_radial(), 0.0);
+        (balls * ball.axial - force, balls * tangent[0][0])
+    };
+    if !(force >= 0.0 && excess(high).0 >= 0.0) {
+        return Err(unreachable);
+    }
+    let mut z = 0.1 * high;
+    for _ in 0..200 {
+        let (residual, slope) = excess(z);
+        if residual > 0.0 {
+            high = z;
+        } else {
+            low = z;
+        }
+        let newton = z - residual / slope;
+        let next = if newton > low && newton < high {
+            newton
+        } else {
+            0.5 * (low + high)
+        };
+        if (next - z).abs() <= f64::EPSILON * distance {
+            return Ok(next);
+        }
+        z = next;
+    }
+    Err(unreachable)
 }

@@ -57,6 +57,17 @@ pub struct BallForce<T = f64> {
     pub couple: T,
 }
 
+impl<T> From<[T; 3]> for BallForce<T> {
+    #[inline(always)]
+    fn from([axial, radial, couple]: [T; 3]) -> Self {
+        Self {
+            axial,
+            radial,
+            couple,
+        }
+    }
+}
+
 impl<T: Plain, const D: usize> BallForce<Dual<T, D>> {
     /// The force without its slopes.
     #[inline(always)]
@@ -118,7 +129,9 @@ pub trait ForceLaw {
 
     /// How far a ball is pressed past where it leaves the inner race, m, negative where they are
     /// apart: there the force is not smooth. Infinite where the law is smooth throughout.
-    fn distance_past_lift_off<T: Plain>(&self, ball: &Ball<T>, speed: f64) -> T;
+    fn distance_past_lift_off<T: Plain>(&self, ball: &Ball<T>, _speed: f64) -> T {
+        ball.axial.constant(f64::INFINITY)
+    }
 
     /// Force on a single ball of perfect races and its exact derivative by position.
     fn force_and_tangent(&self, axial: f64, radial: f64, speed: f64) -> (BallForce, BallTangent) {
@@ -132,13 +145,11 @@ pub trait ForceLaw {
 pub trait BallLaw {
     /// Whether the ball has inertia: then its force has a couple, and where it lifts off depends on the speed.
     const HAS_INERTIA: bool = false;
-    /// Whether its force is not smooth where a ball leaves the inner race.
-    const LIFTS_OFF: bool;
 
     /// Force, loads and approach of a ball at a shaft speed in rad/s. Free of branches where its speed counts.
     fn response<T: Number>(&self, ball: &Ball<T>, speed: f64) -> BallResponse<T>;
 
-    /// How far a ball is pressed past its lift-off, m; asked where [`BallLaw::LIFTS_OFF`] only.
+    /// How far a ball is pressed past its lift-off on dry races, m; not asked of a law with films.
     fn past_lift_off<T: Plain>(&self, ball: &Ball<T>, _speed: f64) -> T {
         ball.axial.constant(f64::INFINITY)
     }
@@ -157,7 +168,7 @@ pub trait BallLaw {
         0.0
     }
 
-    /// Oil films of both races, where the law has them.
+    /// Oil films of both races, where the law has them: its force is then smooth where a ball leaves the inner race.
     fn films(&self) -> Option<&RaceFilms> {
         None
     }
@@ -167,9 +178,9 @@ pub trait BallLaw {
         None
     }
 
-    /// Derivatives of the force with rigid films and with rigid contacts; none without films.
-    fn share_tangents(&self, _ball: &Ball, _speed: f64) -> Option<[BallTangent; 2]> {
-        None
+    /// Derivative of the force with rigid films; asked of a law with films only.
+    fn contact_tangent(&self, _ball: &Ball, _speed: f64) -> BallTangent {
+        BallTangent::default()
     }
 
     /// Energy, J, that the contacts of a ball store behind their films.
@@ -217,10 +228,9 @@ impl<L: BallLaw> ForceLaw for L {
 
     #[inline(always)]
     fn distance_past_lift_off<T: Plain>(&self, ball: &Ball<T>, speed: f64) -> T {
-        if L::LIFTS_OFF {
-            self.past_lift_off(ball, speed)
-        } else {
-            ball.axial.constant(f64::INFINITY)
+        match self.films() {
+            None => self.past_lift_off(ball, speed),
+            Some(_) => ball.axial.constant(f64::INFINITY),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The two contacts of a ball, dry or lubricated, ready for a speed.
 
-use super::film::{FilmSpring, LubricatedContact, PreparedContacts};
-use crate::bearing::number::Function;
+use super::film::{FilmSpring, LubricatedContact};
+use crate::bearing::number::{Function, Number};
 use crate::bearing::{Bearing, BearingError, Oil};
 use crate::physics::{FilmContact, FilmInputs, HertzContact, contact_modulus, entrainment_speed};
 
@@ -9,9 +9,6 @@ use crate::physics::{FilmContact, FilmInputs, HertzContact, contact_modulus, ent
 pub trait Races {
     /// What a contact is at one speed.
     type Spring: ContactSpring;
-
-    /// Whether there is no oil: the load then sets in where the surfaces touch.
-    const DRY: bool;
 
     /// Springs of the inner and the outer race at a shaft speed in rad/s.
     fn at_speed(&self, speed: f64) -> [Self::Spring; 2];
@@ -25,20 +22,10 @@ pub trait Races {
 
 /// Hertz contacts without oil.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct DryRaces([HertzSpring; 2]);
-
-impl DryRaces {
-    pub(super) fn new(contacts: &[HertzContact; 2]) -> Self {
-        Self(contacts.each_ref().map(|contact| HertzSpring {
-            stiffness: contact.stiffness(),
-        }))
-    }
-}
+pub struct DryRaces(pub(super) [HertzSpring; 2]);
 
 impl Races for DryRaces {
     type Spring = HertzSpring;
-
-    const DRY: bool = true;
 
     #[inline]
     fn at_speed(&self, _speed: f64) -> [HertzSpring; 2] {
@@ -57,19 +44,17 @@ impl Races for DryRaces {
 /// Hertz contacts behind oil films.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LubricatedRaces {
-    contacts: PreparedContacts<2>,
+    contacts: [LubricatedContact; 2],
     films: RaceFilms,
 }
 
 impl LubricatedRaces {
     /// Fastest at a shaft speed in rad/s, right at every speed.
-    pub(super) fn new(contacts: &[HertzContact; 2], films: RaceFilms, speed: f64) -> Self {
+    pub(super) fn new(springs: [HertzSpring; 2], films: RaceFilms, speed: f64) -> Self {
         let constants = films.central_constants();
-        let lubricated = std::array::from_fn(|race| {
-            LubricatedContact::new(contacts[race].stiffness(), constants[race])
-        });
+        let contact = |race: usize| LubricatedContact::new(springs[race], constants[race], speed);
         Self {
-            contacts: PreparedContacts::new(lubricated, speed),
+            contacts: [0, 1].map(contact),
             films,
         }
     }
@@ -78,16 +63,15 @@ impl LubricatedRaces {
 impl Races for LubricatedRaces {
     type Spring = FilmSpring;
 
-    const DRY: bool = false;
-
     #[inline]
     fn at_speed(&self, speed: f64) -> [FilmSpring; 2] {
-        self.contacts.at_speed(speed)
+        self.contacts
+            .each_ref()
+            .map(|contact| contact.at_speed(speed))
     }
 
     fn elastic(&self) -> [HertzSpring; 2] {
-        let contacts = self.contacts.contacts.each_ref();
-        contacts.map(LubricatedContact::elastic)
+        self.contacts.each_ref().map(|contact| contact.elastic)
     }
 
     fn films(&self) -> Option<&RaceFilms> {
@@ -205,6 +189,13 @@ pub(super) fn race_springs(bearing: &Bearing, contacts: &[HertzContact; 2]) -> [
         None => contacts.each_ref().map(HertzContact::stiffness),
     };
     stiffness.map(|stiffness| HertzSpring { stiffness })
+}
+
+/// Elastic approaches of both contacts under their loads in N, m.
+pub(super) fn approaches_under<T: Number>(springs: &[HertzSpring; 2], load: [T; 2]) -> [T; 2] {
+    let [inner] = T::apply(&springs[0], [load[0]]);
+    let [outer] = T::apply(&springs[1], [load[1]]);
+    [inner, outer]
 }
 
 /// From the load to the elastic approach.

@@ -2,7 +2,7 @@
 
 use super::contacts::{ContactSpring, HertzSpring};
 use super::{Ball, BallContact, BallForce, BallLaw, BallTangent, ForceLaw, RaceFilms};
-use crate::bearing::number::{Function, Number, Plain};
+use crate::bearing::number::{Function, Number};
 use crate::physics::FilmContact;
 
 /// Exponent of the load in Hertz's approach.
@@ -10,74 +10,35 @@ const HERTZ: f64 = 2.0 / 3.0;
 /// Exponent of the load in the film thickness, without its minus sign.
 const FILM: f64 = FilmContact::LOAD_EXPONENT;
 
-/// A contact with film, before the speed is known.
+/// A contact with film, prepared for one speed and right at every speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct LubricatedContact {
-    stiffness: f64,
+    /// The contact without its film.
+    pub(super) elastic: HertzSpring,
     load_scale: f64,
+    /// Speed for which it is prepared, rad/s, and the spring there.
+    prepared: (f64, FilmSpring),
 }
 
 impl LubricatedContact {
-    /// `stiffness` K in N/m^1.5; `film` c in m, the constant of `h = c ω^0.67 Q^(−0.067)` for the
-    /// shaft speed ω in rad/s and the load Q in N.
-    pub(super) fn new(stiffness: f64, film: f64) -> Self {
+    /// `film` is c in m, the constant of `h = c ω^0.67 Q^(−0.067)` for the
+    /// shaft speed ω in rad/s and the load Q in N; fastest at `speed` in rad/s.
+    pub(super) fn new(elastic: HertzSpring, film: f64, speed: f64) -> Self {
+        // (Q*/K)^(2/3) = c Q*^(−0.067)
+        let load_scale = (film * elastic.stiffness.powf(HERTZ)).powf(1.0 / (HERTZ + FILM));
         Self {
-            stiffness,
-            // (Q*/K)^(2/3) = c Q*^(−0.067)
-            load_scale: (film * stiffness.powf(HERTZ)).powf(1.0 / (HERTZ + FILM)),
-        }
-    }
-
-    /// The contact without its film.
-    pub(super) fn elastic(&self) -> HertzSpring {
-        HertzSpring {
-            stiffness: self.stiffness,
-        }
-    }
-
-    /// The spring at a shaft speed in rad/s. Out of line: inlined, its power would be taken in advance
-    /// of loops that may need it, and so by dry bearings, too.
-    #[inline(never)]
-    fn at_speed(&self, speed: f64) -> FilmSpring {
-        // Q* grows as c^(1/(2/3 + 0.067)), c as ω^0.67
-        let growth = speed
-            .abs()
-            .powf(FilmContact::SPEED_EXPONENT / (HERTZ + FILM));
-        let load_scale = self.load_scale * growth;
-        let film_scale = (load_scale / self.stiffness).cbrt().powi(2);
-        FilmSpring {
-            dry: self.elastic(),
+            elastic,
             load_scale,
-            film_scale,
-        }
-    }
-}
-
-/// Lubricated contacts, prepared for one speed and right at every speed.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct PreparedContacts<const N: usize> {
-    pub contacts: [LubricatedContact; N],
-    speed: f64,
-    springs: [FilmSpring; N],
-}
-
-impl<const N: usize> PreparedContacts<N> {
-    /// For a shaft speed in rad/s.
-    pub(super) fn new(contacts: [LubricatedContact; N], speed: f64) -> Self {
-        Self {
-            contacts,
-            speed,
-            springs: contacts.map(|contact| contact.at_speed(speed)),
+            prepared: (speed, FilmSpring::new(elastic, load_scale, speed)),
         }
     }
 
-    /// Their springs at a shaft speed in rad/s.
+    /// The spring at a shaft speed in rad/s.
     #[inline]
-    pub(super) fn at_speed(&self, speed: f64) -> [FilmSpring; N] {
-        if speed == self.speed {
-            self.springs
-        } else {
-            self.contacts.map(|contact| contact.at_speed(speed))
+    pub(super) fn at_speed(&self, speed: f64) -> FilmSpring {
+        match self.prepared {
+            (prepared, spring) if speed == prepared => spring,
+            _ => FilmSpring::new(self.elastic, self.load_scale, speed),
         }
     }
 }
@@ -97,6 +58,22 @@ pub struct FilmSpring {
     dry: HertzSpring,
     load_scale: f64,
     film_scale: f64,
+}
+
+impl FilmSpring {
+    /// With the scale Q* at 1 rad/s, at a shaft speed in rad/s. Out of line: inlined, its power would be taken in
+    /// advance of loops that may need it, and so by dry bearings, too.
+    #[inline(never)]
+    fn new(dry: HertzSpring, load_scale: f64, speed: f64) -> Self {
+        // Q* grows as c^(1/(2/3 + 0.067)), c as ω^0.67
+        let exponent = FilmContact::SPEED_EXPONENT / (HERTZ + FILM);
+        let load_scale = load_scale * speed.abs().powf(exponent);
+        Self {
+            dry,
+            load_scale,
+            film_scale: (load_scale / dry.stiffness).cbrt().powi(2),
+        }
+    }
 }
 
 impl ContactSpring for FilmSpring {
@@ -194,24 +171,27 @@ fn reduced_load_start(sigma: f64) -> f64 {
 /// Along the normal the compliances of both add up to that of the law exactly without inertia.
 pub(in crate::bearing) struct Share<'a, L> {
     law: &'a L,
-    /// 0: the contacts; 1: the films.
-    part: usize,
+    /// The films, where they are the part that is asked for.
+    films: Option<&'a RaceFilms>,
     speed: f64,
 }
 
 impl<'a, L: BallLaw> Share<'a, L> {
     /// The contacts and the films at a speed in rad/s; none without films, or at rest.
     pub fn of(law: &'a L, speed: f64) -> Option<[Self; 2]> {
-        let share = |part| Self { law, part, speed };
-        (law.films().is_some() && speed != 0.0).then(|| [share(0), share(1)])
+        let films = law.films().filter(|_| speed != 0.0)?;
+        Some([None, Some(films)].map(|films| Self { law, films, speed }))
     }
 }
 
 impl<L: BallLaw> Function<2, 3> for Share<'_, L> {
     fn with_slopes(&self, [axial, radial]: [f64; 2]) -> ([f64; 3], BallTangent) {
-        let ball = Ball::at(axial, radial);
-        let tangents = self.law.share_tangents(&ball, self.speed);
-        ([0.0; 3], tangents.unwrap_or_default()[self.part])
+        let (ball, speed) = (Ball::at(axial, radial), self.speed);
+        let tangent = match self.films {
+            None => self.law.contact_tangent(&ball, speed),
+            Some(films) => film_tangent(films, &self.law.contact(&ball, speed), speed),
+        };
+        ([0.0; 3], tangent)
     }
 }
 
@@ -219,29 +199,15 @@ impl<L: BallLaw> ForceLaw for Share<'_, L> {
     const HAS_COUPLE: bool = L::HAS_INERTIA;
 
     fn force<T: Number>(&self, ball: &Ball<T>, _speed: f64) -> BallForce<T> {
-        let [axial, radial, couple] = T::apply(self, [ball.axial, ball.radial]);
-        BallForce {
-            axial,
-            radial,
-            couple,
-        }
-    }
-
-    fn distance_past_lift_off<T: Plain>(&self, ball: &Ball<T>, _speed: f64) -> T {
-        ball.axial.constant(f64::INFINITY)
+        T::apply(self, [ball.axial, ball.radial]).into()
     }
 }
 
 /// Tangent of the films of both races with rigid contacts.
-pub(super) fn film_tangent(films: &RaceFilms, contact: &BallContact, speed: f64) -> BallTangent {
-    let loads = [contact.load_inner, contact.load_outer];
-    let stiffness = in_series(films.stiffness(loads, speed));
-    spring_tangent(contact.angle_inner, stiffness, 0.0)
-}
-
-fn in_series(stiffness: [f64; 2]) -> f64 {
+fn film_tangent(films: &RaceFilms, contact: &BallContact, speed: f64) -> BallTangent {
+    let [inner, outer] = films.stiffness([contact.load_inner, contact.load_outer], speed);
     // 1/k = 1/k_i + 1/k_o
-    1.0 / (1.0 / stiffness[0] + 1.0 / stiffness[1])
+    spring_tangent(contact.angle_inner, 1.0 / (1.0 / inner + 1.0 / outer), 0.0)
 }
 
 /// `k n nᵀ + k_t t tᵀ`, n = (sin α, cos α), t = (cos α, −sin α).

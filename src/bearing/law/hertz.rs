@@ -88,8 +88,6 @@ pub(super) fn on_line_of_centres<T: Number>(
 }
 
 impl BallLaw for HertzLaw {
-    const LIFTS_OFF: bool = true;
-
     #[inline(always)]
     fn response<T: Number>(&self, ball: &Ball<T>, _speed: f64) -> BallResponse<T> {
         let (distance, approach) = distance_and_approach(ball, self.distance);

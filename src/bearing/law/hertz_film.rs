@@ -1,7 +1,7 @@
 //! Hertz contact and oil film of both races in series: the law of a ball without inertia.
 
-use super::contacts::{ContactSpring, HertzSpring, RaceFilms, race_springs};
-use super::film::{FilmSpring, LubricatedContact, PreparedContacts, film_tangent, spring_tangent};
+use super::contacts::{ContactSpring, HertzSpring, RaceFilms, approaches_under, race_springs};
+use super::film::{LubricatedContact, spring_tangent};
 use super::hertz::{distance_and_approach, on_line_of_centres, without_inertia};
 use super::{Ball, BallContact, BallLaw, BallResponse, BallTangent};
 use crate::bearing::number::Number;
@@ -32,7 +32,7 @@ use crate::bearing::{Bearing, BearingError, Oil};
 pub struct HertzFilmLaw {
     free_distance: f64,
     /// Both races in series.
-    contact: PreparedContacts<1>,
+    contact: LubricatedContact,
     /// Elastic contacts, inner race first.
     springs: [HertzSpring; 2],
     films: RaceFilms,
@@ -47,33 +47,22 @@ impl HertzFilmLaw {
         let contacts = bearing.contacts()?;
         let films = RaceFilms::new(bearing, &contacts, &oil)?;
         // equal loads and equal exponents: the two films add up to one
-        let contact = LubricatedContact::new(
-            bearing.load_deflection_constant_by(&contacts),
-            films.central_constants().iter().sum(),
-        );
+        let film = films.central_constants().iter().sum();
+        let stiffness = bearing.load_deflection_constant_by(&contacts);
         Ok(Self {
             free_distance: bearing.geometry.groove_centre_distance(),
-            contact: PreparedContacts::new([contact], prepared_speed),
+            contact: LubricatedContact::new(HertzSpring { stiffness }, film, prepared_speed),
             springs: race_springs(bearing, &contacts),
             films,
         })
     }
-
-    /// Both races and their films in series at a shaft speed in rad/s.
-    #[inline]
-    fn spring(&self, speed: f64) -> FilmSpring {
-        let [spring] = self.contact.at_speed(speed);
-        spring
-    }
 }
 
 impl BallLaw for HertzFilmLaw {
-    const LIFTS_OFF: bool = false;
-
     #[inline(always)]
     fn response<T: Number>(&self, ball: &Ball<T>, speed: f64) -> BallResponse<T> {
         let (distance, approach) = distance_and_approach(ball, self.free_distance);
-        let [load] = T::apply(&self.spring(speed), [approach]);
+        let [load] = T::apply(&self.contact.at_speed(speed), [approach]);
         on_line_of_centres(ball, distance, load, approach)
     }
 
@@ -82,26 +71,23 @@ impl BallLaw for HertzFilmLaw {
     }
 
     fn elastic_approaches<T: Number>(&self, response: &BallResponse<T>) -> [T; 2] {
-        let [inner] = T::apply(&self.springs[0], [response.load[0]]);
-        let [outer] = T::apply(&self.springs[1], [response.load[1]]);
-        [inner, outer]
+        approaches_under(&self.springs, response.load)
     }
 
     fn approach_under(&self, load: f64, speed: f64) -> f64 {
-        self.spring(speed).approach(load)
+        self.contact.at_speed(speed).approach(load)
     }
 
     fn films(&self) -> Option<&RaceFilms> {
         Some(&self.films)
     }
 
-    fn share_tangents(&self, ball: &Ball, speed: f64) -> Option<[BallTangent; 2]> {
+    fn contact_tangent(&self, ball: &Ball, speed: f64) -> BallTangent {
         let contact = self.contact(ball, speed);
         let load = contact.load_inner;
         let distance = ball.axial.hypot(ball.radial).max(f64::MIN_POSITIVE);
-        let stiffness = self.contact.contacts[0].elastic().stiffness_under(load);
-        let contacts = spring_tangent(contact.angle_inner, stiffness, load / distance);
-        Some([contacts, film_tangent(&self.films, &contact, speed)])
+        let stiffness = self.contact.elastic.stiffness_under(load);
+        spring_tangent(contact.angle_inner, stiffness, load / distance)
     }
 }
 

@@ -19,7 +19,6 @@ pub use hertz_film::HertzFilmLaw;
 pub use jones::{BallState, JonesFilmLaw, JonesLaw};
 pub use table::{BallRegion, BallTable, TableError, TableReport};
 
-use super::thrust::thrust_displacement;
 use super::{BearingError, MountedBearing};
 use crate::physics::{HertzContact, RaceControl};
 
@@ -86,10 +85,7 @@ impl Law {
 
     /// Whether the force of its balls is not smooth where they lift off.
     pub fn lifts_off(&self) -> bool {
-        fn of<L: BallLaw>(_: &L) -> bool {
-            L::LIFTS_OFF
-        }
-        with_law!(self, law => of(law))
+        with_law!(self, law => law.films()).is_none()
     }
 
     /// Whether the force of its balls has a potential, at a steady speed or one that changes.
@@ -99,20 +95,6 @@ impl Law {
 
     /// Whether its balls have inertia: where they lift off then depends on the speed.
     pub fn has_inertia(&self) -> bool {
-        fn of<L: BallLaw>(_: &L) -> bool {
-            L::HAS_INERTIA
-        }
-        with_law!(self, law => of(law))
-    }
-
-    /// Axial displacement under a centred thrust at a speed.
-    pub fn thrust_displacement(
-        &self,
-        definition: &MountedBearing,
-        thrust: f64,
-        speed: f64,
-    ) -> Result<f64, BearingError> {
-        let geometry = &definition.bearing.geometry;
-        with_law!(self, law => thrust_displacement(geometry, law, thrust, speed))
+        matches!(self, Self::Jones(_) | Self::JonesFilm(_))
     }
 }

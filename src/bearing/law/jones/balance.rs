@@ -1,7 +1,6 @@
 //! The two contacts of a ball at a trial position, and the balance of forces on it.
 
 use super::inertia::{InertiaForces, InertiaLaw};
-use crate::bearing::law::ContactSpring;
 use crate::bearing::number::{Dual, Number};
 
 /// Dimensions of a ball's plane, and its inertia.
@@ -9,10 +8,8 @@ use crate::bearing::number::{Dual, Number};
 pub(super) struct Ball {
     /// D, m.
     pub(super) diameter: f64,
-    /// (f_i − 1/2)D, m.
-    pub(super) free_inner: f64,
-    /// (f_o − 1/2)D, m.
-    pub(super) free_outer: f64,
+    /// (f_i − 1/2)D and (f_o − 1/2)D, m.
+    pub(super) free: [f64; 2],
     /// Radius of the inner groove f_i D: arm of T_i about the groove centre, m.
     pub(super) groove_radius: f64,
     pub(super) inertia: InertiaLaw,
@@ -32,8 +29,8 @@ pub(super) struct Positions<T = f64> {
 /// Forces on a ball at a trial position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Balance<T> {
-    pub(super) inner: Contact<T>,
-    pub(super) outer: Contact<T>,
+    /// With the inner and the outer race.
+    pub(super) contacts: [Contact<T>; 2],
     pub(super) inertia: InertiaForces<T>,
     /// Force that the inner race presses onto the ball, N.
     ring_force: Plane<T>,
@@ -46,8 +43,7 @@ impl<T: Copy> Balance<T> {
     #[inline(always)]
     pub(super) fn map<U>(&self, to: impl Fn(T) -> U + Copy) -> Balance<U> {
         Balance {
-            inner: self.inner.map(to),
-            outer: self.outer.map(to),
+            contacts: self.contacts.each_ref().map(|contact| contact.map(to)),
             inertia: InertiaForces {
                 centrifugal: to(self.inertia.centrifugal),
                 friction: self.inertia.friction.map(to),
@@ -62,97 +58,89 @@ impl<T: Copy> Balance<T> {
 pub(super) type Response<T> = [T; 6];
 
 impl Ball {
-    /// Balance in some positions; `force_scale` is F_0 = ½ m_b d_m ω² in N. Where `stiffness` is given, in N/m, the
-    /// loads have it in place of that of the springs.
+    /// Balance in some positions; `load` has load, N, and stiffness, N/m, of the inner (0) and the outer contact (1) at
+    /// an approach in m, `force_scale` is F_0 = ½ m_b d_m ω² in N.
     ///
     /// ```text
     /// r = Q_i n_i + T_i t_i − Q_o n_o − T_o t_o + (0, F_c)
     /// n = (sin α, cos α)   t = (cos α, −sin α)
     /// ```
     #[inline(always)]
-    pub(super) fn balance<T: Scalar>(
+    pub(super) fn balance<const D: usize>(
         &self,
-        positions: &Positions<T>,
-        springs: &[impl ContactSpring; 2],
-        stiffness: Option<[f64; 2]>,
+        positions: &Positions<Dual<f64, D>>,
+        load: impl Fn(usize, f64) -> (f64, f64),
         force_scale: f64,
-    ) -> Balance<T> {
+    ) -> Balance<Dual<f64, D>> {
         let Positions {
             centre: [x, y],
             groove: [axial, radial],
-            drop: [drop_inner, drop_outer],
+            drop,
         } = *positions;
-        let free = [drop_inner + self.free_inner, drop_outer + self.free_outer];
-        let mut inner = Contact::new([axial - x, radial - y], free[0], &springs[0]);
-        let mut outer = Contact::new([x, y], free[1], &springs[1]);
-        if let Some([of_inner, of_outer]) = stiffness {
-            inner = inner.with_stiffness(of_inner);
-            outer = outer.with_stiffness(of_outer);
-        }
-        let inertia = self.inertia.forces(&inner, &outer, force_scale);
+        let free = [drop[0] + self.free[0], drop[1] + self.free[1]];
+        let contacts = [
+            Contact::new([axial - x, radial - y], free[0], 0, &load),
+            Contact::new([x, y], free[1], 1, &load),
+        ];
+        let inertia = self.inertia.forces(&contacts, force_scale);
+        let [inner, outer] = inertia.friction;
         let [ring_force, outer_force] =
-            [(&inner, inertia.friction[0]), (&outer, inertia.friction[1])].map(
-                |(contact, friction)| {
-                    [
-                        contact.load * contact.sin + friction * contact.cos,
-                        contact.load * contact.cos - friction * contact.sin,
-                    ]
-                },
-            );
+            [(&contacts[0], inner), (&contacts[1], outer)].map(|(contact, friction)| {
+                [
+                    contact.load * contact.sin + friction * contact.cos,
+                    contact.load * contact.cos - friction * contact.sin,
+                ]
+            });
         Balance {
             residual: [
                 ring_force[0] - outer_force[0],
                 ring_force[1] - outer_force[1] + inertia.centrifugal,
             ],
             ring_force,
-            inner,
-            outer,
+            contacts,
             inertia,
         }
     }
 
     /// What the ball answers in balance.
     #[inline(always)]
-    pub(super) fn response<T: Scalar>(&self, balance: &Balance<T>) -> Response<T> {
+    pub(super) fn response<T: Number>(&self, balance: &Balance<T>) -> Response<T> {
         let [axial, radial] = balance.ring_force;
+        let [inner, outer] = &balance.contacts;
         [
             axial,
             radial,
             // λ_i f_i M_g = f_i D T_i
             balance.inertia.friction[0] * -self.groove_radius,
-            balance.inner.load,
-            balance.outer.load,
-            balance.inner.approach,
+            inner.load,
+            outer.load,
+            inner.approach,
         ]
     }
 
     /// Derivatives of the response in balance by the position of the inner groove centre, axial and radial, and by the
     /// drops of both surfaces, the ball's centre following so that its balance keeps: `dX/da = −(∂r/∂X)⁻¹ ∂r/∂a`.
-    /// Zero where no load holds the ball. `stiffness` as for [`Ball::balance`].
+    /// Zero where no load holds the ball. `load` and `force_scale` as for [`Ball::balance`].
     pub(super) fn slopes(
         &self,
         positions: &Positions,
-        springs: &[impl ContactSpring; 2],
-        stiffness: Option<[f64; 2]>,
+        load: impl Fn(usize, f64) -> (f64, f64),
         force_scale: f64,
     ) -> [[f64; 4]; 6] {
         // the centre's position first, then what it follows
-        let variable = |value: [f64; 2], first: usize| -> Plane<Dual<f64, 6>> {
-            [
-                Dual::variable(value[0], first),
-                Dual::variable(value[1], first + 1),
-            ]
+        let variable = |[x, y]: Plane<f64>, first: usize| -> Plane<Dual<f64, 6>> {
+            [Dual::variable(x, first), Dual::variable(y, first + 1)]
         };
         let positions = Positions {
             centre: variable(positions.centre, 0),
             groove: variable(positions.groove, 2),
             drop: variable(positions.drop, 4),
         };
-        let balance = self.balance(&positions, springs, stiffness, force_scale);
+        let balance = self.balance(&positions, load, force_scale);
         let residual = balance.residual.map(|residual| residual.slopes);
         let by_centre = residual.map(|[x, y, ..]| [x, y]);
         // no load, no force; and without inertia nothing then holds the ball anywhere
-        let loaded = balance.inner.load.value > 0.0;
+        let loaded = balance.contacts[0].load.value > 0.0;
         let Some(inverse) = inverse(&by_centre).filter(|_| loaded) else {
             return [[0.0; 4]; 6];
         };
@@ -178,42 +166,6 @@ pub(super) fn inverse(&[[a, b], [c, d]]: &[Plane<f64>; 2]) -> Option<[Plane<f64>
     scale
         .is_finite()
         .then(|| [[d * scale, -b * scale], [-c * scale, a * scale]])
-}
-
-/// A single number, plain or with slopes.
-pub(super) trait Scalar: Number {
-    /// The number without its slopes.
-    fn value(self) -> f64;
-
-    /// A function of it with this value and slope.
-    fn chained(self, value: f64, slope: f64) -> Self;
-}
-
-impl Scalar for f64 {
-    #[inline(always)]
-    fn value(self) -> f64 {
-        self
-    }
-
-    #[inline(always)]
-    fn chained(self, value: f64, _slope: f64) -> Self {
-        value
-    }
-}
-
-impl<const D: usize> Scalar for Dual<f64, D> {
-    #[inline(always)]
-    fn value(self) -> f64 {
-        self.value
-    }
-
-    #[inline(always)]
-    fn chained(self, value: f64, slope: f64) -> Self {
-        Self {
-            value,
-            slopes: self.slopes.map(|part| slope * part),
-        }
-    }
 }
 
 /// Axial and radial component.
@@ -250,25 +202,30 @@ impl<T: Copy> Contact<T> {
     }
 }
 
-impl<T: Scalar> Contact<T> {
-    /// Contact along a vector in m, the centres at first touch at a distance of `free` in m; a vanishing vector is
-    /// taken for radial.
+impl<const D: usize> Contact<Dual<f64, D>> {
+    /// Contact of a race along a vector in m, the centres at first touch at a distance of `free` in m; a vanishing
+    /// vector is taken for radial.
     #[inline(always)]
-    pub(super) fn new([axial, radial]: Plane<T>, free: T, spring: &impl ContactSpring) -> Self {
+    fn new(
+        [axial, radial]: Plane<Dual<f64, D>>,
+        free: Dual<f64, D>,
+        race: usize,
+        load: &impl Fn(usize, f64) -> (f64, f64),
+    ) -> Self {
         let square = axial * axial + radial * radial;
-        let (length, sin, cos) = if square.value() > 0.0 {
+        let (length, sin, cos) = if square.value > 0.0 {
             // L and 1/L by one division
-            let value = square.value().sqrt();
+            let value = square.value.sqrt();
             let inverse = 1.0 / value;
             let length = square.chained(value, 0.5 * inverse);
             let inverse = square.chained(inverse, -0.5 * inverse * inverse * inverse);
             (length, axial * inverse, radial * inverse)
         } else {
-            let constant = |value| axial.constant(value);
-            (constant(f64::MIN_POSITIVE), constant(0.0), constant(1.0))
+            let [length, sin, cos] = [f64::MIN_POSITIVE, 0.0, 1.0].map(Dual::fixed);
+            (length, sin, cos)
         };
         let approach = length - free;
-        let (load, stiffness) = spring.load_and_stiffness(approach.value());
+        let (load, stiffness) = load(race, approach.value);
         Self {
             length,
             approach,
@@ -276,14 +233,6 @@ impl<T: Scalar> Contact<T> {
             cos,
             load: approach.chained(load, stiffness),
             stiffness,
-        }
-    }
-
-    /// The same load with another stiffness in N/m.
-    pub(super) fn with_stiffness(self, stiffness: f64) -> Self {
-        Self {
-            load: self.approach.chained(self.load.value(), stiffness),
-            ..self
         }
     }
 }

@@ -1,7 +1,7 @@
 //! What the motion of a ball asks of its contacts: centrifugal force and friction forces.
 
-use super::balance::{Contact, Scalar};
-use crate::bearing::number::Number;
+use super::balance::Contact;
+use crate::bearing::number::{Dual, Number};
 use crate::physics::RaceControl;
 
 /// Inertia forces of a ball, N.
@@ -47,38 +47,32 @@ pub(super) struct InertiaLaw {
 }
 
 impl InertiaLaw {
-    /// Inertia forces of a ball between two contacts; `force_scale` is F_0 in N.
+    /// Inertia forces of a ball between its contacts with the inner and the outer race; `force_scale` is F_0 in N.
     #[inline(always)]
-    pub(super) fn forces<T: Scalar>(
+    pub(super) fn forces<const D: usize>(
         &self,
-        inner: &Contact<T>,
-        outer: &Contact<T>,
+        contacts: &[Contact<Dual<f64, D>>; 2],
         force_scale: f64,
-    ) -> InertiaForces<T> {
-        let zero = inner.load.constant(0.0);
-        let free = self.outer_control(inner, outer, force_scale);
-        let [centrifugal, friction] = self.carried_where_far(inner, outer, free, force_scale);
-        let grip = || grip(inner, force_scale);
-        match self.control {
-            RaceControl::Outer => InertiaForces {
-                centrifugal,
-                friction: [zero, friction],
-            },
+    ) -> InertiaForces<Dual<f64, D>> {
+        let zero = Dual::fixed(0.0);
+        let [centrifugal, friction] = self.outer_control(contacts, force_scale);
+        let grip = || grip(&contacts[0], force_scale);
+        let (centrifugal, friction) = match self.control {
+            RaceControl::Outer => (centrifugal, [zero, friction]),
             RaceControl::Even => {
                 let held = grip() * friction * 0.5;
-                InertiaForces {
-                    centrifugal,
-                    friction: [held, friction - held],
-                }
+                (centrifugal, [held, friction - held])
             }
             RaceControl::Inner => {
                 let grip = grip();
-                let [held, inner_friction] = self.inner_control(inner, outer, force_scale);
-                InertiaForces {
-                    centrifugal: blend(held, centrifugal, grip),
-                    friction: [inner_friction * grip, blend(zero, friction, grip)],
-                }
+                let [held, inner_friction] = self.inner_control(contacts, force_scale);
+                let friction = [inner_friction * grip, blend(zero, friction, grip)];
+                (blend(held, centrifugal, grip), friction)
             }
+        };
+        InertiaForces {
+            centrifugal,
+            friction,
         }
     }
 
@@ -90,68 +84,54 @@ impl InertiaLaw {
         orbit * orbit
     }
 
-    /// F_c and 2 M_g/D under outer race control.
+    /// F_c and 2 M_g/D under outer race control; far from the inner race more and more those of a ball that the cage
+    /// carries round: outer control with α_i = α_o.
     #[inline(always)]
-    fn outer_control<T: Scalar>(
+    fn outer_control<const D: usize>(
         &self,
-        inner: &Contact<T>,
-        outer: &Contact<T>,
+        contacts: &[Contact<Dual<f64, D>>; 2],
         force_scale: f64,
-    ) -> [T; 2] {
+    ) -> [Dual<f64, D>; 2] {
+        let [inner, outer] = contacts;
+        // F_c = F_0 (ω_m/ω)², 2 M_g/D = (2/5) F_c sin α_o, for here p = (ω_m/ω) sin α_o
+        let forces = |orbit: Dual<f64, D>| {
+            let centrifugal = orbit * orbit * force_scale;
+            [centrifugal, centrifugal * outer.sin * 0.4]
+        };
         // ω_m/ω = (1 − γ' cos α_i)/(1 + c)
-        let orbit = (inner.cos * -self.diameter_ratio + 1.0) * share(inner, outer);
-        // F_c = F_0 (ω_m/ω)²
-        let centrifugal = orbit * orbit * force_scale;
-        // 2 M_g/D = (2/5) F_c sin α_o, for here p = (ω_m/ω) sin α_o
-        [centrifugal, centrifugal * outer.sin * 0.4]
+        let free = forces((inner.cos * -self.diameter_ratio + 1.0) * share(contacts));
+        let near = (inner.length - inner.approach) * NEAR;
+        if inner.length.value >= near.value {
+            return free;
+        }
+        // ω_m/ω = (1 − γ' cos α_o)/2
+        let carried = forces((outer.cos * -self.diameter_ratio + 1.0) * 0.5);
+        let near = smooth_step(inner.length / near);
+        [0, 1].map(|part| blend(free[part], carried[part], near))
     }
 
     /// F_c and 2 M_g/D under inner race control.
     #[inline(always)]
-    fn inner_control<T: Scalar>(
+    fn inner_control<const D: usize>(
         &self,
-        inner: &Contact<T>,
-        outer: &Contact<T>,
+        contacts: &[Contact<Dual<f64, D>>; 2],
         force_scale: f64,
-    ) -> [T; 2] {
+    ) -> [Dual<f64, D>; 2] {
+        let [inner, outer] = contacts;
         // ω_m/ω = (c − γ' cos α_o)/(1 + c) = 1 − (1 + γ' cos α_o)/(1 + c)
-        let rest = (outer.cos * self.diameter_ratio + 1.0) * share(inner, outer);
+        let rest = (outer.cos * self.diameter_ratio + 1.0) * share(contacts);
         let orbit = rest * -1.0 + 1.0;
         // 2 M_g/D = (2/5) F_0 (ω_m/ω) p,  p = sin α_i (1 + γ' cos α_o)/(1 + c)
         let friction = inner.sin * orbit * rest * (0.4 * force_scale);
         [orbit * orbit * force_scale, friction]
     }
-
-    /// These forces, and far from the inner race more and more those of a ball that the cage carries round: outer
-    /// control with α_i = α_o.
-    #[inline(always)]
-    fn carried_where_far<T: Scalar>(
-        &self,
-        inner: &Contact<T>,
-        outer: &Contact<T>,
-        [centrifugal, friction]: [T; 2],
-        force_scale: f64,
-    ) -> [T; 2] {
-        let near = (inner.length - inner.approach) * NEAR;
-        if inner.length.value() >= near.value() {
-            return [centrifugal, friction];
-        }
-        // ω_m/ω = (1 − γ' cos α_o)/2
-        let orbit = (outer.cos * -self.diameter_ratio + 1.0) * 0.5;
-        let carried = orbit * orbit * force_scale;
-        let near = smooth_step(inner.length / near);
-        [
-            blend(centrifugal, carried, near),
-            blend(friction, carried * outer.sin * 0.4, near),
-        ]
-    }
 }
 
 /// 1/(1 + c) with a bounded c = cos(α_i − α_o).
 #[inline(always)]
-fn share<T: Scalar>(inner: &Contact<T>, outer: &Contact<T>) -> T {
+fn share<const D: usize>([inner, outer]: &[Contact<Dual<f64, D>>; 2]) -> Dual<f64, D> {
     let bounded = bounded(inner.cos * outer.cos + inner.sin * outer.sin);
-    let share = 1.0 / (1.0 + bounded.value());
+    let share = 1.0 / (1.0 + bounded.value);
     bounded.chained(share, -share * share)
 }
 
@@ -165,10 +145,10 @@ fn bounded<T: Number>(c: T) -> T {
 
 /// Share of the inner race's friction that its load can hold: 1 above a small load, 0 at none.
 #[inline(always)]
-fn grip<T: Scalar>(inner: &Contact<T>, force_scale: f64) -> T {
+fn grip<const D: usize>(inner: &Contact<Dual<f64, D>>, force_scale: f64) -> Dual<f64, D> {
     let full = FULL_GRIP * force_scale;
-    if inner.load.value() >= full {
-        inner.load.constant(1.0)
+    if inner.load.value >= full {
+        Dual::fixed(1.0)
     } else {
         smooth_step(inner.load * (1.0 / full))
     }
@@ -176,12 +156,12 @@ fn grip<T: Scalar>(inner: &Contact<T>, force_scale: f64) -> T {
 
 /// `weight` × `one` + (1 − `weight`) × `other`.
 #[inline(always)]
-fn blend<T: Scalar>(one: T, other: T, weight: T) -> T {
+fn blend<T: Number>(one: T, other: T, weight: T) -> T {
     other + weight * (one - other)
 }
 
 /// 3x² − 2x³ of x in 0 … 1: from 0 to 1 without a kink.
 #[inline(always)]
-fn smooth_step<T: Scalar>(x: T) -> T {
+fn smooth_step<T: Number>(x: T) -> T {
     x * x * (x * -2.0 + 3.0)
 }

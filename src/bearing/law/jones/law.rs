@@ -3,9 +3,9 @@
 use super::balance::{self, Balance, Contact, Positions, Response};
 use super::inertia::InertiaLaw;
 use super::solve::{Rest, StartConstants};
-use crate::bearing::law::film::film_tangent;
+use crate::bearing::law::contacts::{approaches_under, race_springs};
 use crate::bearing::law::{
-    Ball, BallContact, BallForce, BallLaw, BallResponse, BallTangent, ContactSpring, DryRaces,
+    Ball, BallContact, BallLaw, BallResponse, BallTangent, ContactSpring, DryRaces, HertzSpring,
     LubricatedRaces, RaceFilms, Races,
 };
 use crate::bearing::number::{Function, Number, Plain};
@@ -71,8 +71,7 @@ impl JonesLaw<DryRaces> {
     /// [`BearingError`] where ball and races form no contacts, where one stiffness is given for
     /// both of them together, or where the ball has no mass.
     pub fn new(bearing: &Bearing, control: RaceControl) -> Result<Self, BearingError> {
-        let contacts = contacts(bearing)?;
-        Self::with_races(bearing, control, &contacts, DryRaces::new(&contacts))
+        Self::with_races(bearing, control, |_, springs| Ok(DryRaces(springs)))
     }
 }
 
@@ -88,28 +87,26 @@ impl JonesLaw<LubricatedRaces> {
         oil: Oil,
         prepared_speed: f64,
     ) -> Result<Self, BearingError> {
-        let contacts = contacts(bearing)?;
-        let films = RaceFilms::new(bearing, &contacts, &oil)?;
-        let races = LubricatedRaces::new(&contacts, films, prepared_speed);
-        Self::with_races(bearing, control, &contacts, races)
+        Self::with_races(bearing, control, |contacts, springs| {
+            let films = RaceFilms::new(bearing, contacts, &oil)?;
+            Ok(LubricatedRaces::new(springs, films, prepared_speed))
+        })
     }
-}
-
-/// Contacts with the inner and the outer race.
-fn contacts(bearing: &Bearing) -> Result<[HertzContact; 2], BearingError> {
-    if let Some(stiffness) = bearing.contact_stiffness {
-        return Err(BearingError::SeriesStiffness { stiffness });
-    }
-    bearing.contacts()
 }
 
 impl<R: Races> JonesLaw<R> {
+    /// With races by the Hertz contacts of the bearing and their springs.
     fn with_races(
         bearing: &Bearing,
         control: RaceControl,
-        contacts: &[HertzContact; 2],
-        races: R,
+        races: impl FnOnce(&[HertzContact; 2], [HertzSpring; 2]) -> Result<R, BearingError>,
     ) -> Result<Self, BearingError> {
+        if let Some(stiffness) = bearing.contact_stiffness {
+            return Err(BearingError::SeriesStiffness { stiffness });
+        }
+        let contacts = bearing.contacts()?;
+        let springs = race_springs(bearing, &contacts);
+        let races = races(&contacts, springs)?;
         let geometry = &bearing.geometry;
         let density = bearing.ball_material.density;
         if !(density > 0.0 && density.is_finite()) {
@@ -120,8 +117,10 @@ impl<R: Races> JonesLaw<R> {
         Ok(Self {
             ball: balance::Ball {
                 diameter,
-                free_inner: (geometry.groove_factor_inner() - 0.5) * diameter,
-                free_outer: (geometry.groove_factor_outer() - 0.5) * diameter,
+                free: [
+                    (geometry.groove_factor_inner() - 0.5) * diameter,
+                    (geometry.groove_factor_outer() - 0.5) * diameter,
+                ],
                 groove_radius: geometry.groove_factor_inner() * diameter,
                 inertia: InertiaLaw {
                     control,
@@ -129,8 +128,8 @@ impl<R: Races> JonesLaw<R> {
                     scale: 0.5 * mass * geometry.pitch_diameter(),
                 },
             },
-            start: StartConstants::new(contacts[0].stiffness(), contacts[1].stiffness()),
-            resistance: SpinResistance::new(contacts),
+            start: StartConstants::new(springs[0].stiffness, springs[1].stiffness),
+            resistance: SpinResistance::new(&contacts),
             races,
         })
     }
@@ -141,21 +140,13 @@ impl<R: Races> JonesLaw<R> {
         self.ball.inertia.scale * speed * speed
     }
 
-    /// The ball with the surfaces lower by their drops.
-    #[inline(always)]
-    fn over(&self, [inner, outer]: [f64; 2]) -> balance::Ball {
-        balance::Ball {
-            free_inner: self.ball.free_inner + inner,
-            free_outer: self.ball.free_outer + outer,
-            ..self.ball
-        }
-    }
-
     #[inline]
     fn solve(&self, ball: &Ball, speed: f64) -> Rest {
         let groove = [ball.axial, ball.radial];
         let (springs, force_scale) = (self.races.at_speed(speed), self.force_scale(speed));
-        let over = self.over(ball.drop);
+        // with the surfaces lower by their drops
+        let free = [0, 1].map(|race| self.ball.free[race] + ball.drop[race]);
+        let over = balance::Ball { free, ..self.ball };
         let start = Positions {
             centre: over.start(&self.start, groove, &springs, force_scale),
             groove,
@@ -174,11 +165,9 @@ struct InBalance<'a, R> {
 impl<R: Races> InBalance<'_, R> {
     #[inline(always)]
     fn rest(&self, [axial, radial, inner, outer]: [f64; 4]) -> Rest {
-        let drop = [inner, outer];
         let ball = Ball {
-            axial,
-            radial,
-            drop,
+            drop: [inner, outer],
+            ..Ball::at(axial, radial)
         };
         self.law.solve(&ball, self.speed)
     }
@@ -189,9 +178,8 @@ impl<R: Races> Function<4, 6> for InBalance<'_, R> {
         let (law, rest) = (self.law, self.rest(at));
         let springs = law.races.at_speed(self.speed);
         let force_scale = law.force_scale(self.speed);
-        let slopes = law
-            .ball
-            .slopes(&rest.positions, &springs, None, force_scale);
+        let load = |race: usize, approach| springs[race].load_and_stiffness(approach);
+        let slopes = law.ball.slopes(&rest.positions, load, force_scale);
         (law.ball.response(&rest.balance), slopes)
     }
 
@@ -202,7 +190,6 @@ impl<R: Races> Function<4, 6> for InBalance<'_, R> {
 
 impl<R: Races> BallLaw for JonesLaw<R> {
     const HAS_INERTIA: bool = true;
-    const LIFTS_OFF: bool = R::DRY;
 
     #[inline(always)]
     fn response<T: Number>(&self, ball: &Ball<T>, speed: f64) -> BallResponse<T> {
@@ -211,11 +198,7 @@ impl<R: Races> BallLaw for JonesLaw<R> {
         let [axial, radial, couple, load_inner, load_outer, approach] =
             T::apply(&balance, [ball.axial, ball.radial, inner, outer]);
         BallResponse {
-            force: BallForce {
-                axial,
-                radial,
-                couple,
-            },
+            force: [axial, radial, couple].into(),
             load: [load_inner, load_outer],
             approach,
         }
@@ -234,10 +217,7 @@ impl<R: Races> BallLaw for JonesLaw<R> {
     }
 
     fn elastic_approaches<T: Number>(&self, response: &BallResponse<T>) -> [T; 2] {
-        let [inner, outer] = self.races.elastic();
-        let [inner] = T::apply(&inner, [response.load[0]]);
-        let [outer] = T::apply(&outer, [response.load[1]]);
-        [inner, outer]
+        approaches_under(&self.races.elastic(), response.load)
     }
 
     fn approach_under(&self, load: f64, speed: f64) -> f64 {
@@ -246,7 +226,7 @@ impl<R: Races> BallLaw for JonesLaw<R> {
     }
 
     fn load_past_lift_off(&self, distance: f64, speed: f64) -> f64 {
-        if !R::DRY {
+        if self.films().is_some() {
             return 0.0;
         }
         let [inner, _] = self.races.at_speed(speed);
@@ -259,25 +239,38 @@ impl<R: Races> BallLaw for JonesLaw<R> {
 
     fn state(&self, ball: &Ball, speed: f64) -> Option<BallState> {
         let rest = self.solve(ball, speed);
-        Some(BallState::new(&self.ball, &self.resistance, &rest))
+        let contact = contact_of(&rest.balance);
+        let Balance { inertia, .. } = rest.balance;
+        Some(BallState {
+            contact,
+            centrifugal_force: inertia.centrifugal,
+            // T_i + T_o = 2 M_g/D
+            gyroscopic_moment: 0.5
+                * self.ball.diameter
+                * (inertia.friction[0] + inertia.friction[1]),
+            motion: BallMotion::new(
+                self.ball.inertia.control,
+                self.ball.inertia.diameter_ratio,
+                contact.angle_inner,
+                contact.angle_outer,
+            ),
+            controlling_race: self.resistance.controlling_race(&contact),
+            trials: rest.trials,
+        })
     }
 
-    fn share_tangents(&self, ball: &Ball, speed: f64) -> Option<[BallTangent; 2]> {
-        let films = self.races.films()?;
+    fn contact_tangent(&self, ball: &Ball, speed: f64) -> BallTangent {
         let rest = self.solve(ball, speed);
-        let contact = contact_of(&rest.balance);
-        let elastic = self.races.elastic();
+        let (springs, elastic) = (self.races.at_speed(speed), self.races.elastic());
         // the films rigid
-        let stiffness = [
-            elastic[0].stiffness_under(contact.load_inner),
-            elastic[1].stiffness_under(contact.load_outer),
-        ];
-        let (springs, force_scale) = (self.races.at_speed(speed), self.force_scale(speed));
-        let [axial, radial, couple, ..] =
-            self.ball
-                .slopes(&rest.positions, &springs, Some(stiffness), force_scale);
-        let contacts = [axial, radial, couple].map(|[axial, radial, ..]| [axial, radial]);
-        Some([contacts, film_tangent(films, &contact, speed)])
+        let load = |race: usize, approach| {
+            let load = rest.balance.contacts[race].load;
+            let (behind_film, _) = springs[race].load_and_stiffness(approach);
+            (behind_film, elastic[race].stiffness_under(load))
+        };
+        let force_scale = self.force_scale(speed);
+        let [axial, radial, couple, ..] = self.ball.slopes(&rest.positions, load, force_scale);
+        [axial, radial, couple].map(|[axial, radial, ..]| [axial, radial])
     }
 }
 
@@ -298,29 +291,8 @@ pub struct BallState {
     pub trials: usize,
 }
 
-impl BallState {
-    fn new(ball: &balance::Ball, resistance: &SpinResistance, rest: &Rest) -> Self {
-        let contact = contact_of(&rest.balance);
-        let inertia = &rest.balance.inertia;
-        Self {
-            contact,
-            centrifugal_force: inertia.centrifugal,
-            // T_i + T_o = 2 M_g/D
-            gyroscopic_moment: 0.5 * ball.diameter * (inertia.friction[0] + inertia.friction[1]),
-            motion: BallMotion::new(
-                ball.inertia.control,
-                ball.inertia.diameter_ratio,
-                contact.angle_inner,
-                contact.angle_outer,
-            ),
-            controlling_race: resistance.controlling_race(&contact),
-            trials: rest.trials,
-        }
-    }
-}
-
 fn contact_of(balance: &Balance<f64>) -> BallContact {
-    let (inner, outer) = (&balance.inner, &balance.outer);
+    let [inner, outer] = &balance.contacts;
     let angle = |contact: &Contact<f64>| contact.sin.atan2(contact.cos);
     BallContact {
         load_inner: inner.load,

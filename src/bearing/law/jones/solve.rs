@@ -98,15 +98,20 @@ impl Ball {
             groove: groove.map(Dual::fixed),
             drop: drop.map(Dual::fixed),
         };
-        self.balance(&positions, springs, None, force_scale)
+        self.balance(
+            &positions,
+            #[inline(always)]
+            |race, approach| springs[race].load_and_stiffness(approach),
+            force_scale,
+        )
     }
 
     /// Square of the step in m² whose sagitta is as large as the present approaches: a longer one
     /// leaves the slopes it was computed from.
     #[inline(always)]
     fn longest_step(&self, balance: &Balance<Dual<f64, 2>>) -> f64 {
-        let approach = balance.inner.approach.value.abs() + balance.outer.approach.value.abs();
-        4.0 * self.free_inner.min(self.free_outer) * approach
+        let [inner, outer] = balance.approaches();
+        4.0 * self.free[0].min(self.free[1]) * (inner + outer)
     }
 }
 
@@ -117,11 +122,18 @@ impl Balance<Dual<f64, 2>> {
         self.map(|part| part.value + (part.slopes[0] * x + part.slopes[1] * y))
     }
 
+    /// Sizes of the approaches at both races, m.
+    #[inline(always)]
+    fn approaches(&self) -> [f64; 2] {
+        let contacts = self.contacts.each_ref();
+        contacts.map(|contact| contact.approach.value.abs())
+    }
+
     /// Square of the longest step in m² over which everything is linear to round-off.
     #[inline(always)]
     fn linear_step(&self) -> f64 {
-        let approaches = [&self.inner, &self.outer].map(|contact| contact.approach.value.abs());
-        (LINEAR * approaches[0].min(approaches[1])).powi(2)
+        let [inner, outer] = self.approaches();
+        (LINEAR * inner.min(outer)).powi(2)
     }
 
     /// `(∂r/∂X)⁻¹`; nothing where the residual is round-off already, or there is none.
@@ -136,8 +148,8 @@ impl Balance<Dual<f64, 2>> {
 
     /// Residual in N that rounding of lengths and loads alone can leave.
     #[inline(always)]
-    pub(super) fn round_off(&self) -> f64 {
-        let (inner, outer) = (&self.inner, &self.outer);
+    fn round_off(&self) -> f64 {
+        let [inner, outer] = &self.contacts;
         let stiffness = inner.stiffness + outer.stiffness;
         let length = inner.length.value + outer.length.value;
         f64::EPSILON * (stiffness * length + inner.load.value + outer.load.value)
@@ -189,8 +201,8 @@ impl Ball {
         springs: &[impl ContactSpring; 2],
         force_scale: f64,
     ) -> Plane<f64> {
-        let free_inner = self.free_inner - springs[0].lift();
-        let free_outer = self.free_outer - springs[1].lift();
+        let free_inner = self.free[0] - springs[0].lift();
+        let free_outer = self.free[1] - springs[1].lift();
         let distance = square(groove).sqrt().max(f64::MIN_POSITIVE);
         let [sin, cos] = groove.map(|part| part / distance);
         // (ω_m/ω)² at equal contact angles
@@ -200,7 +212,7 @@ impl Ball {
         // K_o δ^(3/2) > F_c: no outward yielding of the ball can undo the overlap
         let floor = overlap.max(0.0);
         if constants.outer * floor * floor.sqrt() <= centrifugal {
-            let thrown = self.free_outer + springs[1].approach(centrifugal);
+            let thrown = self.free[1] + springs[1].approach(centrifugal);
             if square([groove[0], groove[1] - thrown]) <= free_inner * free_inner {
                 return [0.0, thrown];
             }
@@ -245,7 +257,7 @@ impl Ball {
         outer: &HertzSpring,
         force_scale: f64,
     ) -> T {
-        let (free_inner, free_outer) = (drop_inner + self.free_inner, drop_outer + self.free_outer);
+        let (free_inner, free_outer) = (drop_inner + self.free[0], drop_outer + self.free[1]);
         if force_scale == 0.0 {
             // nothing throws it: it gives way into the line of the groove centres
             return (axial * axial + radial * radial).sqrt() - free_inner - free_outer;

@@ -125,12 +125,7 @@ impl ForceLaw for BallTable {
 
     #[inline(always)]
     fn force<T: Number>(&self, ball: &Ball<T>, _speed: f64) -> BallForce<T> {
-        let [axial, radial, couple] = T::apply(self, [ball.axial, ball.radial]);
-        BallForce {
-            axial,
-            radial,
-            couple,
-        }
+        T::apply(self, [ball.axial, ball.radial]).into()
     }
 
     #[inline(always)]
