@@ -122,20 +122,17 @@ pub(crate) fn answer_on(
     let found = static_place(rotor, supports, question.unbalance, &question.displacement)?;
     let bearings = found.bearing_states(supports, rotor.speed);
     let (free, equilibrium) = (found.free, found.equilibrium);
-    let friction = bearings
+    let moments = bearings
         .iter()
-        .map(|bearing| bearing.friction_moment.total())
-        .sum();
+        .map(|bearing| bearing.friction_moment.total());
+    let friction = moments.sum();
+    let arm = Support::largest(supports, Geometry::inner_groove_radius);
     Ok(QuasiStatic {
         displacement: equilibrium.displacement,
         force: equilibrium.force,
         free,
         stiffness: equilibrium.stiffness,
-        condition: condition(
-            &equilibrium.stiffness,
-            &free,
-            Support::largest(supports, Geometry::inner_groove_radius),
-        ),
+        condition: condition(&equilibrium.stiffness, &free, arm),
         residual: equilibrium.residual,
         newton_steps: equilibrium.newton_steps,
         twist: question.torsion.map(|torsion| torsion.twist(friction)),
@@ -160,13 +157,10 @@ fn condition(stiffness: &Matrix5, free: &[bool; FREEDOMS], arm: f64) -> f64 {
         stiffness[(row, column)] / (lengths[row] * lengths[column])
     });
     let values = scaled.singular_values();
-    match (
-        values.iter().copied().reduce(f64::max),
-        values.iter().copied().reduce(f64::min),
-    ) {
-        (Some(_), Some(0.0)) => f64::INFINITY,
-        (Some(largest), Some(smallest)) => largest / smallest,
-        _ => 1.0,
+    let extreme = |of: fn(f64, f64) -> f64| values.iter().copied().fold(values[0], of);
+    match extreme(f64::min) {
+        0.0 => f64::INFINITY,
+        smallest => extreme(f64::max) / smallest,
     }
 }
 
@@ -196,12 +190,8 @@ fn warnings(supports: &[Support], bearings: &[BearingState]) -> Vec<String> {
                 balls - bearing.balls_loaded
             ));
         }
-        warnings.extend(
-            bearing
-                .warnings
-                .iter()
-                .map(|text| format!("bearing {number}: {text}")),
-        );
+        let own = bearing.warnings.iter();
+        warnings.extend(own.map(|text| format!("bearing {number}: {text}")));
     }
     warnings
 }

@@ -1,17 +1,15 @@
 //! From the place of the inner ring to everything that is known of a loaded bearing.
 
-use super::ball_line::{BallLines, BallReading};
 use super::bearing_friction::skf_moment;
-use super::fatigue_limit::fatigue_load_limit;
-use super::law::{BallLaw, Share, with_law};
+use super::law::{BallLaw, FilmThickness, Share, with_law};
 use super::life::reference_rating_life;
-use super::static_safety::{static_rating, static_safety};
+use super::static_rating::{fatigue_load_limit, static_rating, static_safety};
 use super::support::Support;
 use super::{
-    BallLine, Bearing, BearingRotation, BearingState, GeometryState, InternalGeometry, Matrix5,
-    StiffnessShares, Vector5, warnings,
+    BallLine, Bearing, BearingRotation, BearingState, FilmState, GeometryState, HertzSpring,
+    InternalGeometry, RaceContact, RaceFilms, StiffnessShares, Vector5, warnings,
 };
-use crate::physics::{BallPass, ball_pass_frequencies, dynamic_rating};
+use crate::physics::{BallMotion, BallPass, RaceControl, ball_pass_frequencies, dynamic_rating};
 
 /// Share of the largest load at the inner race below which a ball counts as unloaded: behind an oil
 /// film the load of a ball never quite vanishes.
@@ -19,67 +17,49 @@ pub(crate) const LOADED_SHARE: f64 = 1e-6;
 
 /// A bearing to be assessed at one place and speed.
 pub(super) struct Assessment<'a> {
-    support: &'a Support,
+    pub support: &'a Support,
     /// Displacement of the inner ring.
-    place: Vector5,
-    rotation: BearingRotation,
+    pub place: Vector5,
+    pub rotation: BearingRotation,
 }
 
-impl<'a> Assessment<'a> {
-    pub fn new(support: &'a Support, place: Vector5, speed: f64) -> Self {
-        Self {
-            support,
-            place,
-            rotation: BearingRotation::at_start(speed),
-        }
-    }
-
+impl Assessment<'_> {
     pub fn state(&self) -> BearingState {
-        let support = self.support;
-        let (force, stiffness) = with_law!(&support.law, law => {
-            support.ring.force_and_stiffness(law, &self.place, &self.rotation)
-        });
+        let (support, bearing, speed) = (self.support, self.bearing(), self.rotation.speed);
+        let contacts = &support.contacts;
+        let (force, stiffness) = support.tangent(&self.place, &self.rotation);
         let balls = self.balls();
         let loads = || balls.iter().map(|ball| [ball.inner.load, ball.outer.load]);
-        let bearing = self.bearing();
-        let life = bearing
-            .dynamic_rating
-            .and_then(|rating| reference_rating_life(&bearing.geometry, rating, loads()));
-        let speed = self.rotation.speed;
+        let rating = bearing.dynamic_rating;
+        let life = rating.and_then(|c| reference_rating_life(&bearing.geometry, c, loads()));
+        let loaded: Vec<_> = loaded(&balls).collect();
         BearingState {
             rating_lives: life.and_then(|life| bearing.rating_lives(life, &force, speed)),
             fit: bearing.fit,
             preload: self.preload(),
-            friction_moment_skf: skf_moment(bearing, &support.contacts, &force, speed),
+            friction_moment_skf: skf_moment(bearing, contacts, &force, speed),
             geometry: self.geometry(),
-            clearance: self.bearing().clearance(),
+            clearance: bearing.clearance(),
             displacement: self.place,
             force,
             stiffness: support.seat.condense(stiffness),
             shares: self.shares(),
-            balls_loaded: loaded(&balls).count(),
+            balls_loaded: loaded.len(),
             life,
-            static_safety: static_safety(&support.contacts, loads()),
-            friction_moment: support.friction_moment(&force, self.rotation.speed),
+            static_safety: static_safety(contacts, loads()),
+            friction_moment: support.friction_moment(&force, speed),
             ball_pass: self.ball_pass(&balls),
-            warnings: warnings::of(
-                bearing,
-                self.rotation.speed,
-                &balls,
-                &loaded(&balls).collect::<Vec<_>>(),
-            ),
+            warnings: warnings::of(bearing, speed, &balls, &loaded),
             balls,
         }
     }
 
     /// Axial force in N with the shaft in its place.
     fn preload(&self) -> f64 {
-        let Support {
-            ring, law, seat, ..
-        } = self.support;
-        let place = [0.0, 0.0, seat.offset(), 0.0, 0.0];
-        let rest = BearingRotation::at_start(0.0);
-        with_law!(law, law => ring.force_and_stiffness(law, &place, &rest).0[2])
+        let place = [0.0, 0.0, self.support.seat.offset(), 0.0, 0.0];
+        self.support
+            .tangent(&place, &BearingRotation::at_start(0.0))
+            .0[2]
     }
 
     fn geometry(&self) -> GeometryState {
@@ -105,44 +85,104 @@ impl<'a> Assessment<'a> {
     }
 
     fn bearing(&self) -> &Bearing {
-        &self.support.definition().bearing
+        &self.support.definition.bearing
     }
 
     fn balls(&self) -> Vec<BallLine> {
-        let Support { ring, law, .. } = self.support;
+        let azimuths = self.support.ring.azimuths().iter().enumerate();
+        with_law!(&self.support.law, law => {
+            azimuths.map(|(number, &azimuth)| self.ball(law, number, azimuth)).collect()
+        })
+    }
+
+    fn ball(&self, law: &impl BallLaw, number: usize, azimuth: f64) -> BallLine {
+        let (ring, speed) = (&self.support.ring, self.rotation.speed);
+        let geometry = &self.bearing().geometry;
+        let ball = ring.ball_at(&self.place, azimuth, Some(number), &self.rotation);
+        let inertia = law.state(&ball, speed);
+        let contact = inertia.map_or_else(|| law.contact(&ball, speed), |state| state.contact);
+        let [inner_angle, outer_angle] = [contact.angle_inner, contact.angle_outer];
+        // without inertia it rolls as under outer control at the common contact angle
+        let ratio = geometry.ball_diameter() / geometry.pitch_diameter();
+        let rolling = || BallMotion::new(RaceControl::Outer, ratio, inner_angle, outer_angle);
+        let motion = inertia.map_or_else(rolling, |state| state.motion);
+        let loads = [contact.load_inner, contact.load_outer];
+        let films = self.films(law.films(), loads);
+        BallLine {
+            azimuth,
+            // d − A
+            deformation: ball.axial.hypot(ball.radial) - geometry.groove_centre_distance(),
+            inner: RaceContact {
+                film: films[0],
+                ..self.race_contact(0, loads[0], inner_angle, motion.spin_to_roll_inner)
+            },
+            outer: RaceContact {
+                film: films[1],
+                ..self.race_contact(1, loads[1], outer_angle, motion.spin_to_roll_outer)
+            },
+            centrifugal_force: inertia.map_or(0.0, |state| state.centrifugal_force),
+            gyroscopic_moment: inertia.map_or(0.0, |state| state.gyroscopic_moment),
+            controlling_race: inertia
+                .filter(|_| loads[0] > 0.0)
+                .map(|state| state.controlling_race),
+        }
+    }
+
+    /// All but the film of a contact.
+    fn race_contact(&self, race: usize, load: f64, angle: f64, spin_to_roll: f64) -> RaceContact {
+        let contact = &self.support.contacts[race];
+        let ellipse = contact.ellipse(load);
+        let spring = HertzSpring {
+            stiffness: contact.stiffness(),
+        };
+        let mut state = RaceContact {
+            load,
+            angle,
+            approach: ellipse.approach,
+            semi_major: ellipse.semi_major,
+            semi_minor: ellipse.semi_minor,
+            peak_pressure: ellipse.peak_pressure,
+            contact_stiffness: spring.stiffness_under(load),
+            ..RaceContact::default()
+        };
+        if load > 0.0 {
+            let bearing = self.bearing();
+            state.shoulder_margin = bearing.shoulder_margin(race, angle, ellipse.semi_major);
+            if self.rotation.speed != 0.0 {
+                state.spin_to_roll = spin_to_roll;
+            }
+        }
+        state
+    }
+
+    /// Films at both races under their loads in N, where a loaded ball rolls on oil.
+    fn films(&self, films: Option<&RaceFilms>, loads: [f64; 2]) -> [Option<FilmState>; 2] {
         let speed = self.rotation.speed;
-        let lines = BallLines {
-            bearing: self.bearing(),
-            contacts: &self.support.contacts,
-            films: with_law!(law, law => law.films()),
-            speed,
+        let Some(films) = films.filter(|_| speed != 0.0) else {
+            return [None; 2];
         };
-        let line = |(number, &azimuth): (usize, &f64)| {
-            let ball = ring.ball_at(&self.place, azimuth, Some(number), &self.rotation);
-            let inertia = with_law!(law, law => law.state(&ball, speed));
-            let contact = || with_law!(law, law => law.contact(&ball, speed));
-            lines.line(&BallReading {
-                azimuth,
-                distance: ball.axial.hypot(ball.radial),
-                contact: inertia.map_or_else(contact, |state| state.contact),
-                inertia,
+        let (thickness, stiffness) = (films.thickness(loads, speed), films.stiffness(loads, speed));
+        let roughness = self.bearing().roughness;
+        std::array::from_fn(|race| {
+            let FilmThickness { central, minimum } = thickness[race];
+            (loads[race] > 0.0).then(|| FilmState {
+                central,
+                minimum,
+                stiffness: stiffness[race],
+                // λ = h_min/σ
+                lambda: roughness.map(|roughness| minimum / roughness),
             })
-        };
-        ring.azimuths().iter().enumerate().map(line).collect()
+        })
     }
 
     fn shares(&self) -> Option<StiffnessShares> {
-        let Support {
-            ring, law, seat, ..
-        } = self.support;
-        let shares: Option<[Matrix5; 2]> = with_law!(law, law => {
-            Share::of(law, self.rotation.speed).map(|shares| {
-                shares.map(|share| ring.force_and_stiffness(&share, &self.place, &self.rotation).1)
-            })
-        });
-        shares.map(|[contacts, films]| StiffnessShares {
-            contacts: seat.condense(contacts),
-            films: seat.condense(films),
+        let Support { ring, seat, .. } = self.support;
+        with_law!(&self.support.law, law => {
+            let [contacts, films] = Share::of(law, self.rotation.speed)?.map(|share| {
+                let (_, stiffness) = ring.force_and_stiffness(&share, &self.place, &self.rotation);
+                seat.condense(stiffness)
+            });
+            Some(StiffnessShares { contacts, films })
         })
     }
 

@@ -1,6 +1,6 @@
 //! The friction moment of a mounted bearing.
 
-use super::static_safety::static_rating;
+use super::static_rating::static_rating;
 use super::{Bearing, FrictionMoment, MountedBearing, SkfMoment, Vector5};
 use crate::physics::{FrictionFactors, HertzContact, MINERAL_OIL_DENSITY, SkfOperation};
 

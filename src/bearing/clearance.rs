@@ -42,6 +42,9 @@ const TABLE: [Row; 11] = [
 ];
 
 impl ClearanceClass {
+    /// All of them.
+    pub(super) const ALL: [Self; 5] = [Self::C2, Self::CN, Self::C3, Self::C4, Self::C5];
+
     /// Least and largest diametral clearance of a bearing by its bore, both in m; none for bores up to 6 mm or
     /// above 140 mm.
     ///

@@ -146,22 +146,16 @@ impl Bearing {
 
     /// Clearance of a deep-groove bearing; none of an angular contact bearing.
     pub fn clearance(&self) -> Option<Clearance> {
+        let class = self.clearance_class;
         let diametral = self.geometry.diametral_clearance()?;
-        Some(Clearance {
-            diametral,
-            class: self.clearance_class,
-        })
+        Some(Clearance { diametral, class })
     }
 
     /// Angle left from the end of a contact ellipse to the shoulder of the inner (0) or the outer (1) race, rad:
     /// `α_s − |α| − asin(a/(f D))`; negative where the ellipse is cut off, none where no shoulder is known.
     pub(crate) fn shoulder_margin(&self, race: usize, angle: f64, semi_major: f64) -> Option<f64> {
-        let geometry = &self.geometry;
-        let factors = [
-            geometry.groove_factor_inner(),
-            geometry.groove_factor_outer(),
-        ];
-        let groove_radius = factors[race] * geometry.ball_diameter();
+        let groove_factor = self.geometry.groove_factors()[race];
+        let groove_radius = groove_factor * self.geometry.ball_diameter();
         let reach = (semi_major / groove_radius).min(1.0).asin();
         Some(self.shoulder_angle? - angle.abs() - reach)
     }
@@ -171,12 +165,8 @@ impl Bearing {
     /// # Errors
     /// [`BearingError::Contact`] where the curvatures do not meet in an ellipse.
     pub fn inner_contact(&self) -> Result<HertzContact, BearingError> {
-        let geometry = &self.geometry;
-        self.contact(
-            "inner",
-            inner_race_curvature,
-            geometry.groove_factor_inner(),
-        )
+        let groove_factor = self.geometry.groove_factor_inner();
+        self.contact("inner", inner_race_curvature, groove_factor)
     }
 
     /// Hertz contact of ball and outer race, curvature at the free contact angle.
@@ -184,12 +174,8 @@ impl Bearing {
     /// # Errors
     /// [`BearingError::Contact`] where the curvatures do not meet in an ellipse.
     pub fn outer_contact(&self) -> Result<HertzContact, BearingError> {
-        let geometry = &self.geometry;
-        self.contact(
-            "outer",
-            outer_race_curvature,
-            geometry.groove_factor_outer(),
-        )
+        let groove_factor = self.geometry.groove_factor_outer();
+        self.contact("outer", outer_race_curvature, groove_factor)
     }
 
     fn contact(
@@ -200,7 +186,8 @@ impl Bearing {
     ) -> Result<HertzContact, BearingError> {
         let geometry = &self.geometry;
         let curvature = curvature(geometry.ball_diameter(), groove_factor, geometry.gamma());
-        HertzContact::new(curvature, self.modulus())
+        let modulus = contact_modulus(&self.ball_material, &self.ring_material);
+        HertzContact::new(curvature, modulus)
             .map_err(|source| BearingError::Contact { race, source })
     }
 
@@ -234,10 +221,6 @@ impl Bearing {
     /// Hertz contacts of ball and races, the inner race first.
     pub(super) fn contacts(&self) -> Result<[HertzContact; 2], BearingError> {
         Ok([self.inner_contact()?, self.outer_contact()?])
-    }
-
-    fn modulus(&self) -> f64 {
-        contact_modulus(&self.ball_material, &self.ring_material)
     }
 }
 

@@ -154,8 +154,7 @@ impl Geometry {
                 return Err(GeometryError::GrooveFactor { race, value });
             }
         }
-        let largest =
-            (std::f64::consts::PI / (ball_diameter / pitch_diameter).min(1.0).asin()) as usize;
+        let largest = Self::most_balls(ball_diameter, pitch_diameter);
         if balls > largest {
             return Err(GeometryError::Overlap {
                 balls,
@@ -164,20 +163,23 @@ impl Geometry {
                 largest,
             });
         }
-        let groove_centre_distance =
-            (groove_factor_inner + groove_factor_outer - 1.0) * ball_diameter;
-        let [contact_angle, squeeze, nominal_angle] = match free_position {
-            FreePosition::ContactAngle(angle) => [checked_angle(angle)?, 0.0, angle],
+        let distance = (groove_factor_inner + groove_factor_outer - 1.0) * ball_diameter;
+        let [contact_angle, squeeze] = match free_position {
+            FreePosition::ContactAngle(angle) => {
+                if !(0.0..=Self::LARGEST_CONTACT_ANGLE).contains(&angle) {
+                    let degrees = angle.to_degrees();
+                    return Err(GeometryError::ContactAngle { degrees });
+                }
+                [angle, 0.0]
+            }
             FreePosition::DiametralClearance(clearance) => {
-                let [angle, squeeze] = position_of_clearance(clearance, groove_centre_distance)?;
-                [angle, squeeze, 0.0]
+                position_of_clearance(clearance, distance)?
             }
             FreePosition::RadialClearance(clearance) => {
-                let [angle, squeeze] =
-                    position_of_clearance(2.0 * clearance, groove_centre_distance)?;
-                [angle, squeeze, 0.0]
+                position_of_clearance(2.0 * clearance, distance)?
             }
         };
+        let symmetric = !matches!(free_position, FreePosition::ContactAngle(_));
         Ok(Self {
             balls,
             ball_diameter,
@@ -185,11 +187,16 @@ impl Geometry {
             contact_angle,
             squeeze,
             rolls_flat: matches!(free_position, FreePosition::RadialClearance(_)),
-            nominal_angle,
-            symmetric: !matches!(free_position, FreePosition::ContactAngle(_)),
+            nominal_angle: if symmetric { 0.0 } else { contact_angle },
+            symmetric,
             groove_factor_inner,
             groove_factor_outer,
         })
+    }
+
+    /// How many balls there is room for on the pitch circle.
+    pub(super) fn most_balls(ball_diameter: f64, pitch_diameter: f64) -> usize {
+        (std::f64::consts::PI / (ball_diameter / pitch_diameter).min(1.0).asin()) as usize
     }
 
     /// The bearing with its diametral clearance changed by `change` in m, as fits, temperature or a
@@ -297,6 +304,11 @@ impl Geometry {
         self.groove_factor_outer
     }
 
+    /// Groove factors of the inner and the outer race.
+    pub(super) fn groove_factors(&self) -> [f64; 2] {
+        [self.groove_factor_inner, self.groove_factor_outer]
+    }
+
     /// γ = D cos α/d_m, the ratio that governs rolling and curvature.
     pub fn gamma(&self) -> f64 {
         let angle = match self.rolls_flat {
@@ -340,16 +352,6 @@ impl Geometry {
     /// Radial distance of the groove centres at zero displacement, A cos α0 and what the balls are squeezed by, m.
     pub fn free_radial(&self) -> f64 {
         self.groove_centre_distance() * self.contact_angle.cos() + self.squeeze
-    }
-}
-
-fn checked_angle(angle: f64) -> Result<f64, GeometryError> {
-    if (0.0..=Geometry::LARGEST_CONTACT_ANGLE).contains(&angle) {
-        Ok(angle)
-    } else {
-        Err(GeometryError::ContactAngle {
-            degrees: angle.to_degrees(),
-        })
     }
 }
 

@@ -5,7 +5,6 @@
 //! shaft).
 
 mod assessment;
-mod ball_line;
 mod bearing_friction;
 pub(crate) mod catalogue;
 mod clearance;
@@ -13,13 +12,10 @@ mod contact_band;
 mod contact_damping;
 pub(crate) mod definition;
 mod estimate;
-mod fatigue_limit;
 mod fit;
 mod geometry;
 pub(crate) mod law;
 mod life;
-mod linear_force;
-mod lubrication;
 pub(crate) mod number;
 mod oil;
 pub(crate) mod ring;
@@ -28,7 +24,7 @@ mod ring_forces;
 pub(crate) mod rotation;
 mod seat;
 mod state;
-mod static_safety;
+mod static_rating;
 pub(crate) mod support;
 mod support_damping;
 mod support_force;
@@ -51,15 +47,13 @@ pub(crate) use fit::FitState;
 pub use geometry::{FreePosition, Geometry, GeometryError};
 pub use law::BallContact;
 pub(crate) use law::{
-    Ball, BallForce, BallLaw, BallState, ContactLaw, ForceLaw, HertzSpring, RaceFilms, TableError,
-    TableReport,
+    Ball, BallForce, BallLaw, ContactLaw, ForceLaw, HertzSpring, RaceFilms, TableError, TableReport,
 };
 #[cfg(test)]
 pub(crate) use law::{BallRegion, BallTable, HertzFilmLaw, HertzLaw, JonesFilmLaw, JonesLaw};
 pub(crate) use life::RatingLife;
-pub use life::reference_rating_life;
-pub(crate) use lubrication::Lubrication;
-pub use lubrication::{ModifiedLife, RatingLives};
+pub use life::{ModifiedLife, RatingLives, reference_rating_life};
+pub(crate) use oil::Lubrication;
 pub use oil::Oil;
 pub(crate) use ring::Ring;
 pub(crate) use ring::quarter_turn;
@@ -70,7 +64,7 @@ pub(crate) use state::{Around, GeometryState, StiffnessShares};
 pub use state::{
     BallLine, BearingState, FilmState, FrictionMoment, InternalGeometry, RaceContact, SkfMoment,
 };
-pub use static_safety::{PERMISSIBLE_PRESSURE, permissible_static_load};
+pub use static_rating::{PERMISSIBLE_PRESSURE, permissible_static_load};
 pub(crate) use support::Support;
 pub use surface::Surface;
 pub(crate) use surface::{CageWalk, Defect, Imperfections, Passing, RacePass, SideView, Wave};

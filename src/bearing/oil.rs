@@ -1,6 +1,7 @@
-//! The oil in the bearing.
+//! What lubricates a bearing.
 
 use super::BearingError;
+use crate::physics::Contamination;
 
 /// Lubricating oil at the bearing's temperature.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,4 +26,15 @@ impl Oil {
         }
         Ok(())
     }
+}
+
+/// The lubricant at the temperature of the bearing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Lubrication {
+    /// Kinematic viscosity of the oil, or of the base oil of a grease, m²/s.
+    pub viscosity: f64,
+    /// Whether it is a grease.
+    pub grease: bool,
+    /// How clean it is; the modified life needs it.
+    pub contamination: Option<Contamination>,
 }

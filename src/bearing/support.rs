@@ -1,13 +1,13 @@
 //! A mounted bearing as a restoring force on the shaft.
 
 use std::f64::consts::TAU;
-use std::ops::{Add, Mul, Sub};
 
 use super::assessment::Assessment;
 use super::bearing_friction::BearingFriction;
 use super::law::{BallLaw, BallTable, Law, with_law};
-use super::linear_force::LinearForce;
+use super::number::Number;
 use super::seat::Seat;
+use super::support_force::LinearForce;
 use super::{
     Around, BallLoads, BearingError, BearingRotation, BearingState, CageWalk, ContactBand,
     ContactLaw, FrictionMoment, Geometry, Matrix5, MountedBearing, Preload, Ring, Vector5,
@@ -52,28 +52,20 @@ impl Support {
     /// # Errors
     /// [`BearingError`] where the contact cannot be formed or the preload cannot be reached.
     pub fn new(definition: &MountedBearing, speed: f64) -> Result<Self, BearingError> {
-        let bearing = &definition.bearing;
-        let contacts = bearing.contacts()?;
-        definition.imperfections.check(&bearing.geometry)?;
+        let contacts = definition.bearing.contacts()?;
+        let (geometry, imperfections) = (&definition.bearing.geometry, &definition.imperfections);
+        imperfections.check(geometry)?;
         let law = Law::new(definition, &contacts, speed)?;
         Ok(Self {
-            ring: Ring::new(
-                &bearing.geometry,
-                definition.first_ball,
-                &definition.imperfections,
-            ),
+            ring: Ring::new(geometry, definition.first_ball, imperfections),
             contacts,
             damped: definition.contact_damping.coefficients()?,
             friction: BearingFriction::new(definition, &contacts),
             seat: Seat::new(definition, &law)?,
             law,
             table: None,
-            cage_ratio: nominal_cage_speed(1.0, definition.bearing.geometry.gamma())
-                * (1.0 - definition.imperfections.cage_slip),
-            cage_walk: CageWalk::new(
-                &definition.imperfections.cage_steps,
-                bearing.geometry.balls(),
-            ),
+            cage_ratio: nominal_cage_speed(1.0, geometry.gamma()) * (1.0 - imperfections.cage_slip),
+            cage_walk: CageWalk::new(&imperfections.cage_steps, geometry.balls()),
             frozen: None,
             definition: definition.clone(),
             sign: definition.facing.sign(),
@@ -151,8 +143,17 @@ impl Support {
 
     /// The same of what the shaft imposes.
     pub(super) fn settled(&self, imposed: &Vector5, rotation: &BearingRotation) -> Vector5 {
-        let tangent = |place: &Vector5| with_law!(&self.law, law => self.ring.force_and_stiffness(law, place, rotation));
-        self.seat.settle(imposed, tangent)
+        self.seat
+            .settle(imposed, |place| self.tangent(place, rotation))
+    }
+
+    /// Force of the balls and its derivative with the inner ring at `place`, in the bearing's own orientation.
+    pub(super) fn tangent(
+        &self,
+        place: &Vector5,
+        rotation: &BearingRotation,
+    ) -> (Vector5, Matrix5) {
+        with_law!(&self.law, law => self.ring.force_and_stiffness(law, place, rotation))
     }
 
     /// Force as by [`Support::force`]; leaves the loads of every ball in `loads`, which must have room for
@@ -187,10 +188,9 @@ impl Support {
 
     /// Where a ball leaves and meets the inner race at a shaft speed in rad/s.
     pub(crate) fn contact_band(&self, speed: f64) -> ContactBand {
-        ContactBand::new(
-            &self.contacts[0],
-            |load| with_law!(&self.law, law => law.approach_under(load, speed)),
-        )
+        with_law!(&self.law, law => {
+            ContactBand::new(&self.contacts[0], |load| law.approach_under(load, speed))
+        })
     }
 
     /// What a ball at each of `positions` azimuths from +X on would bear with the shaft at
@@ -214,7 +214,7 @@ impl Support {
     ) -> Vec<Around> {
         let free = self.definition.bearing.geometry.groove_centre_distance();
         let rotation = BearingRotation::at_start(speed);
-        let at = |(azimuth, number)| {
+        let at = |azimuth, number| {
             let ball = self.ring.ball_at(place, azimuth, number, &rotation);
             Around {
                 azimuth,
@@ -222,15 +222,13 @@ impl Support {
                 contact: with_law!(&self.law, law => law.contact(&ball, speed)),
             }
         };
+        let balls = self.ring.azimuths().iter().enumerate();
         match positions {
-            None => {
-                let balls = self.ring.azimuths().iter().copied().enumerate();
-                balls
-                    .map(|(number, azimuth)| at((azimuth, Some(number))))
-                    .collect()
-            }
+            None => balls
+                .map(|(number, &azimuth)| at(azimuth, Some(number)))
+                .collect(),
             Some(count) => (0..count)
-                .map(|index| at((TAU * index as f64 / count as f64, None)))
+                .map(|index| at(TAU * index as f64 / count as f64, None))
                 .collect(),
         }
     }
@@ -240,8 +238,14 @@ impl Support {
     /// A linear bearing knows no balls: its state is that of the Hertz law at this displacement,
     /// force and stiffness, too.
     pub(crate) fn state(&self, displacement: &Vector5, speed: f64) -> BearingState {
-        let place = self.ring_displacement(displacement, &BearingRotation::at_start(speed));
-        Assessment::new(self, place, speed).state()
+        let rotation = BearingRotation::at_start(speed);
+        let place = self.ring_displacement(displacement, &rotation);
+        let assessment = Assessment {
+            support: self,
+            place,
+            rotation,
+        };
+        assessment.state()
     }
 
     /// Energy in J that the contacts store with the shaft at `displacement`: of a linear bearing that
@@ -280,18 +284,13 @@ impl Support {
     /// Ball-pass frequencies at the nominal contact angle, with the slip of the cage: balls that roll on the outer race
     /// turn the slower, too.
     pub(crate) fn ball_pass(&self, speed: f64) -> BallPass {
-        let geometry = &self.definition.bearing.geometry;
-        geometry
-            .ball_pass(speed)
-            .with_slip(self.definition.imperfections.cage_slip)
+        let nominal = self.definition.bearing.geometry.ball_pass(speed);
+        nominal.with_slip(self.definition.imperfections.cage_slip)
     }
 
     /// What the shaft's displacement imposes on the inner ring.
     #[inline(always)]
-    pub(super) fn imposed<T>(&self, displacement: &[T; 5]) -> [T; 5]
-    where
-        T: Copy + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>,
-    {
+    pub(super) fn imposed<T: Number>(&self, displacement: &[T; 5]) -> [T; 5] {
         let (s, a) = (self.sign, self.definition.position);
         let [x, y, z, tilt_x, tilt_y] = *displacement;
         [

@@ -79,42 +79,71 @@ impl Support {
         let (stiffness, by_cage_angle) = match &self.frozen {
             Some(linear) => (linear.stiffness, [0.0; 5]),
             None => {
-                let (force, stiffness) = self
-                    .table_tangent(displacement, rotation)
-                    .unwrap_or_else(|| self.local_tangent(&imposed, rotation));
+                let place = self.settled(&imposed, rotation);
+                let (force, stiffness) = match self.table_at(&place, rotation.speed) {
+                    Some(table) => self.ring.force_and_stiffness(table, &place, rotation),
+                    None => self.condensed_tangent(&place, rotation),
+                };
                 let turned = stiffness * nalgebra::SVector::from(quarter_turn(&imposed));
                 let force = quarter_turn(&force);
-                (
-                    stiffness,
-                    std::array::from_fn(|axis| force[axis] - turned[axis]),
-                )
+                let by_cage_angle = std::array::from_fn(|axis| force[axis] - turned[axis]);
+                (stiffness, by_cage_angle)
             }
         };
         let stiffness = transform.transpose() * stiffness * transform;
         (stiffness, self.on_shaft(&by_cage_angle))
     }
 
-    /// Force and stiffness by the table, in the bearing's own orientation, where it covers the displacement.
-    fn table_tangent(
-        &self,
-        displacement: &Vector5,
-        rotation: &BearingRotation,
-    ) -> Option<(Vector5, Matrix5)> {
-        let offset = self.seat.offset();
-        let table = self.table_over(displacement, offset, rotation)?;
-        let [x, y, z, tilt_x, tilt_y] = self.imposed(displacement);
-        let place = [x, y, z + offset, tilt_x, tilt_y];
-        Some(self.ring.force_and_stiffness(table, &place, rotation))
-    }
-
+    /// Force in the bearing's own orientation, and its derivative by what the shaft imposes.
     pub(super) fn local_tangent(
         &self,
         imposed: &Vector5,
         rotation: &BearingRotation,
     ) -> (Vector5, Matrix5) {
-        let place = self.settled(imposed, rotation);
-        let (force, stiffness) =
-            with_law!(&self.law, law => self.ring.force_and_stiffness(law, &place, rotation));
+        self.condensed_tangent(&self.settled(imposed, rotation), rotation)
+    }
+
+    /// The same with the inner ring at `place`.
+    fn condensed_tangent(&self, place: &Vector5, rotation: &BearingRotation) -> (Vector5, Matrix5) {
+        let (force, stiffness) = self.tangent(place, rotation);
         (force, self.seat.condense(stiffness))
+    }
+}
+
+/// The force of a bearing frozen at a place: F = F0 + K (q − q0).
+#[derive(Debug, Clone)]
+pub(super) struct LinearForce {
+    /// q0.
+    pub origin: Vector5,
+    /// F0.
+    pub force: Vector5,
+    /// K.
+    pub stiffness: Matrix5,
+    /// Damping of the contacts at the origin.
+    pub damping: Matrix5,
+}
+
+impl LinearForce {
+    /// Force at a displacement.
+    #[inline(never)]
+    pub fn force(&self, displacement: Vector5) -> Vector5 {
+        let shift: Vector5 = std::array::from_fn(|axis| displacement[axis] - self.origin[axis]);
+        let mut force = self.force;
+        for (column, shift) in shift.into_iter().enumerate() {
+            for (row, value) in force.iter_mut().enumerate() {
+                *value += self.stiffness[(row, column)] * shift;
+            }
+        }
+        force
+    }
+
+    /// Work from the origin to a displacement, J: `F0 (q − q0) + ½ (q − q0) K (q − q0)`.
+    pub fn energy(&self, displacement: &Vector5) -> f64 {
+        let there = self.force(*displacement);
+        (0..5)
+            .map(|axis| {
+                0.5 * (self.force[axis] + there[axis]) * (displacement[axis] - self.origin[axis])
+            })
+            .sum()
     }
 }

@@ -77,8 +77,8 @@ impl Support {
         displacement: &Vector5,
         rotation: &BearingRotation,
     ) -> bool {
-        let offset = self.seat.offset();
-        self.table.is_none() || self.table_over(displacement, offset, rotation).is_some()
+        let place = || self.ring_displacement(displacement, rotation);
+        self.table.is_none() || self.table_at(&place(), rotation.speed).is_some()
     }
 
     /// Where balls come, whatever their azimuth, with the shaft within `amplitude` of the ring's `place`.

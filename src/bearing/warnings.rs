@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::static_safety::PERMISSIBLE_PRESSURE;
+use super::static_rating::PERMISSIBLE_PRESSURE;
 use super::{BallLine, Bearing, RaceContact};
 
 /// A contact of a numbered ball at a race with a name.
@@ -27,30 +27,20 @@ pub(super) fn of(
     balls: &[BallLine],
     loaded: &[(usize, &BallLine)],
 ) -> Vec<String> {
-    let contacts = [
-        (
-            "inner",
-            (|ball| &ball.inner) as fn(&BallLine) -> &RaceContact,
-        ),
-        ("outer", |ball| &ball.outer),
-    ];
     let first = [
         too_fast(bearing, speed),
         wrong_way(bearing, loaded),
         squeezed(bearing),
     ];
     let mut warnings: Vec<String> = first.into_iter().flatten().collect();
-    for (race, contact) in contacts {
-        let places: Vec<Place> = balls
-            .iter()
-            .enumerate()
-            .map(|(number, ball)| Place {
-                race,
-                number,
-                ball,
-                contact: contact(ball),
-            })
-            .collect();
+    for (side, race) in ["inner", "outer"].into_iter().enumerate() {
+        let place = |(number, ball)| Place {
+            race,
+            number,
+            ball,
+            contact: [&ball.inner, &ball.outer][side],
+        };
+        let places: Vec<Place> = balls.iter().enumerate().map(place).collect();
         warnings.extend(cut_off(bearing, &places));
         warnings.extend(overstressed(&places));
         warnings.extend(thin_film(&places));

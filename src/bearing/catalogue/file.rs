@@ -46,29 +46,15 @@ pub(crate) fn read(text: &str) -> Result<Vec<CatalogueEntry>, Vec<String>> {
     if !problems.is_empty() {
         return Err(problems);
     }
-    let mut entries: Vec<CatalogueEntry> = Vec::new();
+    let mut entries = Vec::new();
     for record in reader.records() {
-        let record = match record {
-            Ok(record) => record,
-            Err(error) => {
-                problems.push(error.to_string());
-                continue;
-            }
-        };
-        let line = record.position().map_or(0, csv::Position::line);
-        let row = Row {
-            header: &header,
-            record: &record,
-        };
-        match row.entry() {
+        let header = &header;
+        let entry = record
+            .map_err(|error| vec![error.to_string()])
+            .and_then(|record| Row { header, record }.entry());
+        match entry {
             Ok(entry) => entries.push(entry),
-            Err(found) => {
-                problems.extend(
-                    found
-                        .iter()
-                        .map(|problem| format!("line {line}: {problem}")),
-                );
-            }
+            Err(found) => problems.extend(found),
         }
     }
     if entries.is_empty() && problems.is_empty() {
@@ -79,11 +65,7 @@ pub(crate) fn read(text: &str) -> Result<Vec<CatalogueEntry>, Vec<String>> {
         problems.truncate(MOST_PROBLEMS);
         problems.push(format!("and {more} more"));
     }
-    if problems.is_empty() {
-        Ok(entries)
-    } else {
-        Err(problems)
-    }
+    problems.is_empty().then_some(entries).ok_or(problems)
 }
 
 fn header_problems(header: &csv::StringRecord) -> Vec<String> {
@@ -108,7 +90,7 @@ fn header_problems(header: &csv::StringRecord) -> Vec<String> {
 /// A row of a catalogue file.
 struct Row<'a> {
     header: &'a csv::StringRecord,
-    record: &'a csv::StringRecord,
+    record: csv::StringRecord,
 }
 
 impl Row<'_> {
@@ -175,7 +157,11 @@ impl Row<'_> {
         let (Some(bore), Some(outside), Some(angle), Some(dynamic), true) =
             (bore, outside, angle, dynamic, problems.is_empty())
         else {
-            return Err(problems);
+            let line = self.record.position().map_or(0, csv::Position::line);
+            let told = problems
+                .iter()
+                .map(|problem| format!("line {line}: {problem}"));
+            return Err(told.collect());
         };
         let line = CatalogueLine {
             bore,

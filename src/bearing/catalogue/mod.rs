@@ -58,14 +58,6 @@ pub(crate) struct Found<'a> {
 /// before those that they begin with.
 const SUFFIXES: &str = "2RS1 2RSR 2RSH 2RSL 2RZ 2RS 2ZR 2Z RS1 RSR RSH RSL RS RZ ZZ ZR ZNR Z DDU DD DU VV LLU LLB LLH LU LB EE TN9 TNH TVH TVP TYN TN JN J MA M NR N P6 P5 P4 P2 P0";
 
-const CLASSES: [(&str, ClearanceClass); 5] = [
-    ("C2", ClearanceClass::C2),
-    ("CN", ClearanceClass::CN),
-    ("C3", ClearanceClass::C3),
-    ("C4", ClearanceClass::C4),
-    ("C5", ClearanceClass::C5),
-];
-
 /// Capital letters without blanks.
 fn normal(designation: &str) -> String {
     let letters = designation.chars().filter(|c| !c.is_whitespace());
@@ -80,15 +72,13 @@ fn suffixes(mut rest: &str) -> Result<Option<ClearanceClass>, &str> {
         if rest.is_empty() {
             return Ok(class);
         }
-        let named = CLASSES.iter().find(|(name, _)| rest.starts_with(name));
-        if let Some((name, named)) = named {
-            class = Some(*named);
-            rest = &rest[name.len()..];
-        } else if let Some(known) = SUFFIXES.split(' ').find(|known| rest.starts_with(known)) {
-            rest = &rest[known.len()..];
-        } else {
-            return Err(rest);
-        }
+        let named = ClearanceClass::ALL
+            .into_iter()
+            .find(|class| rest.starts_with(class.name()));
+        let known = || SUFFIXES.split(' ').find(|known| rest.starts_with(known));
+        let suffix = named.map(ClearanceClass::name).or_else(known).ok_or(rest)?;
+        class = named.or(class);
+        rest = &rest[suffix.len()..];
     }
 }
 
@@ -148,15 +138,10 @@ impl UnknownBearing {
         designation: &str,
         odd: Option<(&CatalogueEntry, &str)>,
     ) -> Self {
-        let digits = |text: &str| {
-            text.chars()
-                .filter(char::is_ascii_digit)
-                .collect::<String>()
-        };
-        let same = |entry: &&CatalogueEntry| {
-            let number = digits(&entry.designation);
-            !number.is_empty() && number == digits(designation)
-        };
+        let digits = |text: &str| text.replace(|c: char| !c.is_ascii_digit(), "");
+        let number = digits(designation);
+        let same =
+            |entry: &&CatalogueEntry| !number.is_empty() && number == digits(&entry.designation);
         let help = match (odd, all(file).find(same)) {
             (Some((entry, part)), _) => format!(
                 "the suffix \"{part}\" is not known; if it changes neither balls nor races, write \"{}\", else give \

@@ -51,14 +51,10 @@ impl CatalogueLine {
                 ));
             }
         };
-        off(
-            "C",
-            estimate.internal.dynamic_rating,
-            self.dynamic_rating,
-            0.01,
-        );
+        let internal = &estimate.internal;
+        off("C", internal.dynamic_rating, self.dynamic_rating, 0.01);
         if let Some(printed) = self.static_rating {
-            off("C0", estimate.internal.static_rating, printed, 0.02);
+            off("C0", internal.static_rating, printed, 0.02);
         }
         if let Some(other) = &estimate.runner_up
             && other.deviation - deviation < CLOSE
@@ -88,5 +84,5 @@ impl CatalogueLine {
 
 pub(super) fn filling_angle(balls: usize, ball_diameter: f64, pitch: f64) -> f64 {
     let each = 2.0 * (ball_diameter / pitch).min(1.0).asin();
-    ((balls - 1) as f64 * each).to_degrees()
+    (balls.saturating_sub(1) as f64 * each).to_degrees()
 }

@@ -126,16 +126,6 @@ impl CatalogueLine {
             (None, Some(_), Some(_)) => [self.groove_of_static_rating(&best, pitch)?; 2],
             _ => REFERENCE_GROOVES,
         };
-        // refuses balls that overlap and the like
-        let free = FreePosition::ContactAngle(self.contact_angle);
-        Geometry::new(
-            best.balls,
-            best.ball_diameter,
-            pitch,
-            free,
-            grooves[0],
-            grooves[1],
-        )?;
         let estimated = [
             ("balls", self.balls.is_some()),
             ("ball_diameter", self.ball_diameter.is_some()),
@@ -166,7 +156,9 @@ impl CatalogueLine {
             runner_up,
             notes: Vec::new(),
         };
-        if !estimate.estimated.is_empty() {
+        // refuses balls that overlap and the like
+        estimate.geometry(FreePosition::ContactAngle(self.contact_angle))?;
+        if estimate.is_estimated() {
             estimate.notes = self.notes(&estimate, best.deviation);
         }
         Ok(estimate)

@@ -1,7 +1,7 @@
 //! Static ratings of balls in grooves, and the grooves that a rating asks for.
 
 use super::{Candidate, CatalogueLine, EstimateError};
-use crate::bearing::permissible_static_load;
+use crate::bearing::static_rating::{permissible_static_load, static_rating_of_loads};
 use crate::physics::{
     HertzContact, Material, contact_modulus, inner_race_curvature, outer_race_curvature,
 };
@@ -32,7 +32,7 @@ impl CatalogueLine {
             let contact = HertzContact::new(curvature, contact_modulus(&steel, &steel));
             contact.map_or(0.0, |contact| permissible_static_load(&contact))
         });
-        balls as f64 * load[0].min(load[1]) * cosine / 5.0
+        static_rating_of_loads(balls, load, cosine)
     }
 
     /// f0 = C_0/(Z D² cos α), N/mm².

@@ -1,7 +1,5 @@
 //! The balls whose ratings come closest to the printed ones.
 
-use std::f64::consts::PI;
-
 use super::checks::FACTOR_TOLERANCE;
 use super::rating::REFERENCE_GROOVES;
 use super::{Candidate, CatalogueLine, EstimateError};
@@ -26,14 +24,10 @@ impl CatalogueLine {
         let statical = self.static_rating.ok_or(EstimateError::NoStaticRating)?;
         let largest = LARGEST_BALL * 0.5 * (self.outside_diameter - self.bore);
         let mut best: Vec<Candidate> = Vec::new();
-        for diameter in self
-            .ball_diameter
-            .map_or_else(ball_sizes, |given| vec![given])
-        {
-            if self.ball_diameter.is_none() && diameter > largest {
-                continue;
-            }
-            let most = (PI / (diameter / pitch).min(1.0).asin()) as usize;
+        let sizes = || ball_sizes().filter(|size| *size <= largest).collect();
+        let diameters: Vec<f64> = self.ball_diameter.map_or_else(sizes, |given| vec![given]);
+        for diameter in diameters {
+            let most = Geometry::most_balls(diameter, pitch);
             let numbers = self.balls.map_or(Geometry::FEWEST_BALLS..=most, |n| n..=n);
             for balls in numbers.filter(|balls| *balls <= most.min(Geometry::MOST_BALLS)) {
                 let rating = dynamic_rating(balls, diameter, pitch, self.contact_angle);
@@ -49,10 +43,7 @@ impl CatalogueLine {
             return Err(self.impossible(statical, None));
         };
         let fits = |candidate: &Candidate| candidate.deviation <= LARGEST_DEVIATION;
-        let mut agreeing = best
-            .iter()
-            .copied()
-            .filter(|candidate| self.agrees(candidate));
+        let mut agreeing = best.iter().copied().filter(|balls| self.agrees(balls));
         match (agreeing.next().filter(fits), agreeing.next()) {
             (Some(best), Some(other)) if other.deviation - best.deviation < AMBIGUOUS => {
                 Err(EstimateError::Ambiguous { best, other })
@@ -62,10 +53,9 @@ impl CatalogueLine {
                 None => Err(self.impossible(statical, Some(closest))),
                 Some(printed) => {
                     let found = self.static_factor_of(closest.balls, closest.ball_diameter);
-                    let found = found.unwrap_or(f64::NAN);
                     Err(EstimateError::Factor {
                         closest,
-                        found,
+                        found: found.unwrap_or(f64::NAN),
                         printed,
                     })
                 }
@@ -104,9 +94,9 @@ impl CatalogueLine {
 }
 
 /// Diameters that balls are made in, m: steps of 1/32 in to 4 in, and 15/64 and 17/64 in.
-fn ball_sizes() -> Vec<f64> {
+fn ball_sizes() -> impl Iterator<Item = f64> {
     const INCH: f64 = 0.0254;
     let steps = (1..=128).map(|step| f64::from(step) / 32.0);
     let others = [15.0 / 64.0, 17.0 / 64.0];
-    steps.chain(others).map(|inches| inches * INCH).collect()
+    steps.chain(others).map(|inches| inches * INCH)
 }

@@ -12,7 +12,9 @@ mod jones;
 mod table;
 
 pub use ball_law::{Ball, BallContact, BallForce, BallLaw, BallResponse, BallTangent, ForceLaw};
-pub use contacts::{ContactSpring, DryRaces, HertzSpring, LubricatedRaces, RaceFilms, Races};
+pub use contacts::{
+    ContactSpring, DryRaces, FilmThickness, HertzSpring, LubricatedRaces, RaceFilms, Races,
+};
 pub(super) use film::Share;
 pub use hertz::HertzLaw;
 pub use hertz_film::HertzFilmLaw;

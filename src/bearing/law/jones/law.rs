@@ -117,10 +117,9 @@ impl<R: Races> JonesLaw<R> {
         Ok(Self {
             ball: balance::Ball {
                 diameter,
-                free: [
-                    (geometry.groove_factor_inner() - 0.5) * diameter,
-                    (geometry.groove_factor_outer() - 0.5) * diameter,
-                ],
+                free: geometry
+                    .groove_factors()
+                    .map(|factor| (factor - 0.5) * diameter),
                 groove_radius: geometry.groove_factor_inner() * diameter,
                 inertia: InertiaLaw {
                     control,

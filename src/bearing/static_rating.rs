@@ -1,4 +1,4 @@
-//! Static load rating and safety of ISO 76.
+//! Loads that the contact pressure permits: static load rating and safety of ISO 76, fatigue load limit of ISO 281.
 
 use super::{Bearing, BearingError, Geometry};
 use crate::physics::HertzContact;
@@ -49,16 +49,41 @@ impl Bearing {
     /// # Errors
     /// [`BearingError::Contact`] where ball and race form no contact.
     pub fn static_rating(&self) -> Result<f64, BearingError> {
-        let contacts = [self.inner_contact()?, self.outer_contact()?];
-        Ok(static_rating(&self.geometry, &contacts))
+        Ok(static_rating(&self.geometry, &self.contacts()?))
+    }
+
+    /// Fatigue load limit C_u, N: the radial load at which the contact pressure of the heaviest loaded ball reaches
+    /// 1500 MPa.
+    ///
+    /// `C_u = 0.2288 Z Q_u cos α`, times `(100 mm/d_m)^0.5` above 100 mm; Q_u is the load of the worse race at that
+    /// pressure.
+    ///
+    /// Source: ISO 281:2007, B.3.2.2.
+    ///
+    /// ```
+    /// use jeffcott::bearing::Bearing;
+    /// // 7205C: 531.9 N by an independent implementation
+    /// let limit = Bearing::catalogue("7205C")?.fatigue_load_limit()?;
+    /// assert!((limit - 531.9).abs() < 0.5, "{limit}");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`BearingError::Contact`] where ball and race form no contact.
+    pub fn fatigue_load_limit(&self) -> Result<f64, BearingError> {
+        Ok(fatigue_load_limit(&self.geometry, &self.contacts()?))
     }
 }
 
 /// As [`Bearing::static_rating`], for contacts that are known already.
 pub(super) fn static_rating(geometry: &Geometry, contacts: &[HertzContact; 2]) -> f64 {
-    let [inner, outer] = contacts.each_ref().map(permissible_static_load);
-    // C_0 = Z Q cos α/5
-    geometry.balls() as f64 * inner.min(outer) * geometry.nominal_angle().cos() / 5.0
+    let load = contacts.each_ref().map(permissible_static_load);
+    static_rating_of_loads(geometry.balls(), load, geometry.nominal_angle().cos())
+}
+
+/// C_0 = Z Q cos α/5 of balls with permissible loads at both races.
+pub(super) fn static_rating_of_loads(balls: usize, [inner, outer]: [f64; 2], cosine: f64) -> f64 {
+    balls as f64 * inner.min(outer) * cosine / 5.0
 }
 
 /// Static safety: permissible load over the largest one, at the race where that is less; none
@@ -73,4 +98,14 @@ pub(super) fn static_safety(
     let safety = |race: usize| permissible_static_load(&contacts[race]) / largest[race];
     let safety = safety(0).min(safety(1));
     safety.is_finite().then_some(safety)
+}
+
+/// As [`Bearing::fatigue_load_limit`], for contacts that are known already.
+pub(super) fn fatigue_load_limit(geometry: &Geometry, contacts: &[HertzContact; 2]) -> f64 {
+    // Q_u = Q(4200 MPa) (1500/4200)³
+    let share = (1500.0_f64 / 4200.0).powi(3);
+    let [inner, outer] = contacts.each_ref().map(permissible_static_load);
+    let size = (0.1 / geometry.pitch_diameter()).sqrt().min(1.0);
+    let cosine = geometry.nominal_angle().cos();
+    0.2288 * geometry.balls() as f64 * share * inner.min(outer) * cosine * size
 }
