@@ -18,7 +18,7 @@ impl Support {
     /// When balls pass the places at which the force is not smooth because of a defect.
     pub(crate) fn passings(&self) -> &[Passing] {
         let surfaces = self.ring.surfaces.as_deref();
-        surfaces.map_or(&[], ImperfectSurfaces::passings)
+        surfaces.map_or(&[], |surfaces| &surfaces.passings)
     }
 
     /// Spalls of the races whose edges alone balls meet, at equal angles of a cage that turns evenly; none of one that wanders.

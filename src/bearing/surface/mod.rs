@@ -2,15 +2,12 @@
 
 mod cage_walk;
 mod passing;
-mod race_pass;
 mod slot;
 mod surfaces;
-mod turned;
 mod waves;
 
 pub use cage_walk::CageWalk;
-pub use passing::Passing;
-pub use race_pass::{RacePass, SideView};
+pub use passing::{Passing, RacePass, SideView};
 pub use slot::DefectProfile;
 pub(super) use surfaces::ImperfectSurfaces;
 pub use surfaces::TurningSurfaces;
@@ -141,9 +138,9 @@ impl Imperfections {
     /// # Errors
     /// [`ImperfectionError`] names the first number that does not.
     pub fn check(&self, geometry: &Geometry) -> Result<(), ImperfectionError> {
-        self.defects
-            .iter()
-            .try_for_each(|defect| defect.check(geometry))?;
+        for defect in &self.defects {
+            defect.check(geometry)?;
+        }
         for (on, wave) in &self.waves {
             check_ball(*on, geometry)?;
             finite("the amplitude of a wave in m", wave.amplitude)?;
@@ -166,9 +163,8 @@ impl Imperfections {
         if given != 0 && given != balls {
             return Err(ImperfectionError::Oversizes { given, balls });
         }
-        self.oversizes
-            .iter()
-            .try_for_each(|oversize| finite("the deviation of a ball's diameter in m", *oversize))
+        let mut oversizes = self.oversizes.iter();
+        oversizes.try_for_each(|size| finite("the deviation of a ball's diameter in m", *size))
     }
 }
 
@@ -226,9 +222,6 @@ fn check_ball(on: Surface, geometry: &Geometry) -> Result<(), ImperfectionError>
 }
 
 fn finite(name: &'static str, value: f64) -> Result<(), ImperfectionError> {
-    if value.is_finite() {
-        Ok(())
-    } else {
-        Err(ImperfectionError::NotFinite { name, value })
-    }
+    let error = ImperfectionError::NotFinite { name, value };
+    value.is_finite().then_some(()).ok_or(error)
 }

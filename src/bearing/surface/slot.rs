@@ -1,5 +1,7 @@
 //! A defect of a surface: a slot across the race, or a dent of a ball, and how far a ball sinks into it.
 
+use super::Defect;
+
 /// How the drop of a ball follows from its place over a defect.
 #[derive(
     Debug,
@@ -69,25 +71,11 @@ pub(super) struct Slot {
     floor: f64,
 }
 
-/// The surface of the race that a ball rolls on.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct RollingPlane {
-    /// R, m.
-    pub ball_radius: f64,
-    /// ρ, m; infinite of a flat washer.
-    pub race_radius: f64,
-    /// Whether it is an inner race.
-    pub inner: bool,
-}
-
 impl Slot {
-    /// Of a length and a depth in m.
-    pub fn new(length: f64, depth: f64, profile: DefectProfile, plane: RollingPlane) -> Self {
-        let RollingPlane {
-            ball_radius,
-            race_radius,
-            inner,
-        } = plane;
+    /// Of a defect between a ball and the inner or the outer race, with the radii R and ρ in m, ρ infinite of a flat
+    /// washer.
+    pub fn new(defect: &Defect, [ball_radius, race_radius]: [f64; 2], inner: bool) -> Self {
+        let depth = defect.depth;
         let side = if inner { 1.0 } else { -1.0 };
         // sin² β/2 = h (2R − h)/(4 ρ r), r the distance of the ball's centre on the floor from that of the race
         let centre = race_radius + side * (ball_radius - depth);
@@ -98,9 +86,9 @@ impl Slot {
             f64::INFINITY
         };
         Self {
-            half: 0.5 * length,
+            half: 0.5 * defect.length,
             depth,
-            profile,
+            profile: defect.profile,
             ball_radius,
             race_radius,
             side,
@@ -172,31 +160,32 @@ impl Slot {
             DefectProfile::HalfSine => None,
             DefectProfile::Rectangular => Some(self.half * (1.0 - 2.0 * RAMP)),
         };
-        let sides = |place: f64| {
-            [-place, place]
-                .into_iter()
-                .take(if place == 0.0 { 1 } else { 2 })
-        };
-        [Some(self.half), inner]
-            .into_iter()
-            .flatten()
-            .flat_map(sides)
-            .collect()
+        let mut kinks = vec![-self.half, self.half];
+        match inner {
+            Some(0.0) => kinks.push(0.0),
+            Some(place) => kinks.extend([-place, place]),
+            None => {}
+        }
+        kinks
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::Surface;
     use super::*;
 
     /// 6205 of a well-known data set: D 7.94, d_m 39.04 mm, 0°.
-    fn plane(inner: bool) -> RollingPlane {
+    fn slot(length: f64, depth: f64, profile: DefectProfile, inner: bool) -> Slot {
         let side = if inner { -7.94e-3 } else { 7.94e-3 };
-        RollingPlane {
-            ball_radius: 3.97e-3,
-            race_radius: 0.5 * (39.04e-3 + side),
-            inner,
-        }
+        let defect = Defect {
+            on: Surface::Outer,
+            angle: 0.0,
+            length,
+            depth,
+            profile,
+        };
+        Slot::new(&defect, [3.97e-3, 0.5 * (39.04e-3 + side)], inner)
     }
 
     #[test]
@@ -209,7 +198,7 @@ mod tests {
         for (thousandths, drops) in expected {
             for (inner, drop) in [false, true].into_iter().zip(drops) {
                 let length = thousandths * 25.4e-6;
-                let slot = Slot::new(length, 11.0 * 25.4e-6, DefectProfile::Edges, plane(inner));
+                let slot = slot(length, 11.0 * 25.4e-6, DefectProfile::Edges, inner);
                 let found = 1e6 * slot.deepest();
                 assert!((found - drop).abs() < 0.6e-4, "{found}, not {drop}");
                 assert_eq!(slot.kinks().len(), 3);
@@ -226,7 +215,7 @@ mod tests {
         ];
         for (depth, lengths, apart) in lengths {
             for (inner, length) in [false, true].into_iter().zip(lengths) {
-                let slot = |length| Slot::new(length, depth, DefectProfile::Edges, plane(inner));
+                let slot = |length| slot(length, depth, DefectProfile::Edges, inner);
                 let edge = 2.0 * slot(1.0).floor;
                 assert!((edge / length - 1.0).abs() < apart, "{edge:e}");
                 assert!(slot(0.999 * edge).deepest() < depth);
@@ -247,7 +236,7 @@ mod tests {
             DefectProfile::Rectangular,
         ] {
             for inner in [false, true] {
-                let slot = Slot::new(0.5e-3, 5e-6, profile, plane(inner));
+                let slot = slot(0.5e-3, 5e-6, profile, inner);
                 for part in [-0.9999, -0.93, -0.4, 0.05, 0.2, 0.97, 0.9999, 1.2] {
                     let (place, step) = (part * slot.half, 1e-9);
                     let [up, down] = [step, -step].map(|step| slot.at(place + step)[0]);

@@ -2,11 +2,11 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::slot::{RollingPlane, Slot};
+use super::slot::Slot;
 use super::waves::Waves;
 use super::{Defect, Imperfections, Passing, Surface};
 use crate::bearing::number::LANES;
-use crate::bearing::{Angle, BearingRotation, Geometry};
+use crate::bearing::{Angle, BearingRotation, Geometry, MountedBearing};
 
 /// Drops of balls side by side, or their rates: at the inner and at the outer race.
 type Drops = [[f64; LANES]; 2];
@@ -28,7 +28,8 @@ pub(in crate::bearing) struct ImperfectSurfaces {
     balls: Vec<BallSurface>,
     /// Angle that a ball turns by over that of the cage.
     rolling_ratio: f64,
-    passings: Vec<Passing>,
+    /// When balls pass the places at which a drop is not smooth.
+    pub passings: Vec<Passing>,
 }
 
 /// What lies on a race.
@@ -88,11 +89,6 @@ impl ImperfectSurfaces {
                 .flat_map(|defect| defect.passings(geometry, first_ball, rolling_ratio))
                 .collect(),
         })
-    }
-
-    /// When balls pass the places at which a drop is not smooth.
-    pub fn passings(&self) -> &[Passing] {
-        &self.passings
     }
 
     /// Which of them turn.
@@ -167,11 +163,7 @@ impl ImperfectSurfaces {
             if surface.is_perfect() {
                 continue;
             }
-            let back = if race == 0 {
-                rotation.shaft
-            } else {
-                Angle::ZERO
-            };
+            let back = [rotation.shaft, Angle::ZERO][race];
             for lane in 0..LANES {
                 // φ − ψ
                 let direction = [
@@ -219,11 +211,7 @@ enum Turns {
 impl RaceSurface {
     fn new(race: Surface, imperfections: &Imperfections, geometry: &Geometry) -> Self {
         let radius = race.radius(geometry);
-        let on_race = imperfections
-            .defects
-            .iter()
-            .filter(|defect| defect.on == race);
-        let slots = on_race.map(|defect| RaceSlot {
+        let slots = imperfections.defects_on(race).map(|defect| RaceSlot {
             middle: Angle::new(defect.angle),
             slot: defect.slot(geometry, race == Surface::Inner),
             radius,
@@ -231,7 +219,7 @@ impl RaceSurface {
         });
         Self {
             slots: slots.collect(),
-            waves: waves_on(race, imperfections),
+            waves: imperfections.waves_on(race),
         }
     }
 
@@ -248,17 +236,12 @@ impl RaceSurface {
     #[inline(always)]
     fn at(&self, direction: [f64; 2], mut take: impl FnMut([f64; 2])) {
         let [cos, sin] = direction;
-        for RaceSlot {
-            middle,
-            slot,
-            radius,
-            least_cos,
-        } in &self.slots
-        {
+        for on_race in &self.slots {
+            let (middle, radius) = (on_race.middle, on_race.radius);
             let along = cos * middle.cos + sin * middle.sin;
-            if along > *least_cos {
+            if along > on_race.least_cos {
                 let angle = (sin * middle.cos - cos * middle.sin).atan2(along);
-                let [drop, slope] = slot.at(angle * radius);
+                let [drop, slope] = on_race.slot.at(angle * radius);
                 take([drop, slope * radius]);
             }
         }
@@ -271,20 +254,16 @@ impl RaceSurface {
 impl BallSurface {
     fn new(number: usize, imperfections: &Imperfections, geometry: &Geometry) -> Self {
         let on = Surface::Ball(number);
-        let dents = imperfections
-            .defects
-            .iter()
-            .filter(|defect| defect.on == on);
-        let dent = |defect: &Defect| {
+        let dents = imperfections.defects_on(on).map(|defect| {
             let slots = [true, false].map(|inner| defect.slot(geometry, inner));
             (defect.angle, slots)
-        };
+        });
         Self {
             number,
             radius: on.radius(geometry),
             oversize: imperfections.oversizes.get(number).copied().unwrap_or(0.0),
-            dents: dents.map(dent).collect(),
-            waves: waves_on(on, imperfections),
+            dents: dents.collect(),
+            waves: imperfections.waves_on(on),
         }
     }
 
@@ -319,13 +298,17 @@ impl BallSurface {
     }
 }
 
-fn waves_on(surface: Surface, imperfections: &Imperfections) -> Waves {
-    let waves = imperfections.waves.iter();
-    Waves::new(
-        waves
-            .filter(|(on, _)| *on == surface)
-            .map(|(_, wave)| *wave),
-    )
+impl Imperfections {
+    fn defects_on(&self, surface: Surface) -> impl Iterator<Item = &Defect> {
+        self.defects
+            .iter()
+            .filter(move |defect| defect.on == surface)
+    }
+
+    fn waves_on(&self, surface: Surface) -> Waves {
+        let waves = self.waves.iter().filter(|(on, _)| *on == surface);
+        Waves::new(waves.map(|(_, wave)| *wave))
+    }
 }
 
 /// Angle that a ball turns by over that of the cage: (1 + γ) d_m/D.
@@ -342,12 +325,8 @@ pub(super) fn rolling_radius(geometry: &Geometry, inner: bool) -> f64 {
 impl Defect {
     /// The slot that it is between a ball and the inner or the outer race.
     pub(super) fn slot(&self, geometry: &Geometry, inner: bool) -> Slot {
-        let plane = RollingPlane {
-            ball_radius: 0.5 * geometry.ball_diameter(),
-            race_radius: rolling_radius(geometry, inner),
-            inner,
-        };
-        Slot::new(self.length, self.depth, self.profile, plane)
+        let ball_radius = 0.5 * geometry.ball_diameter();
+        Slot::new(self, [ball_radius, rolling_radius(geometry, inner)], inner)
     }
 
     /// When balls pass its kinks.
@@ -368,13 +347,44 @@ impl Defect {
         match self.on {
             Surface::Outer => past(first_ball - self.angle, [1.0, 0.0], spacing, false),
             Surface::Inner => past(first_ball - self.angle, [1.0, -1.0], spacing, true),
-            Surface::Ball(_) => [true, false]
-                .into_iter()
-                .flat_map(|inner| {
-                    let start = if inner { PI } else { 0.0 } - self.angle;
-                    past(start, [rolling_ratio, 0.0], TAU, inner)
-                })
-                .collect(),
+            Surface::Ball(_) => {
+                let under =
+                    |middle, inner| past(middle - self.angle, [rolling_ratio, 0.0], TAU, inner);
+                [under(PI, true), under(0.0, false)].concat()
+            }
         }
+    }
+}
+
+impl MountedBearing {
+    /// The same bearing that starts with its shaft and its cage at these angles in rad.
+    pub(crate) fn turned(&self, shaft: f64, cage: f64) -> Self {
+        let rolled = rolling_ratio(&self.bearing.geometry) * cage;
+        Self {
+            first_ball: self.first_ball + cage,
+            imperfections: self.imperfections.turned(shaft, rolled),
+            ..self.clone()
+        }
+    }
+}
+
+impl Imperfections {
+    /// The same with the inner race and the balls turned by angles in rad, the balls past the place where they meet the outer
+    /// race.
+    fn turned(&self, inner: f64, balls: f64) -> Self {
+        let mut turned = self.clone();
+        let by = |on: Surface| match on {
+            Surface::Outer => 0.0,
+            Surface::Inner => inner,
+            Surface::Ball(_) => -balls,
+        };
+        for defect in &mut turned.defects {
+            defect.angle += by(defect.on);
+        }
+        for (on, wave) in &mut turned.waves {
+            // A cos(n (θ − ψ) + φ)
+            wave.phase -= f64::from(wave.order) * by(*on);
+        }
+        turned
     }
 }

@@ -31,14 +31,6 @@ pub struct BallTable {
     pub(super) couples: Vec<Cell>,
 }
 
-/// Positions of balls side by side in a table.
-struct Located<S: Simd> {
-    in_cells: InCells<S>,
-    past_lift: Lanes<S>,
-    /// u with the sign of A1, in which axial force and couple are odd.
-    odd: Lanes<S>,
-}
-
 impl BallTable {
     /// Whether the table stands for the law at a speed and all positions whose A1 and A2 are within their amplitudes of the middle; each is the middle and the
     /// square of the amplitude, in m and m².
@@ -47,15 +39,11 @@ impl BallTable {
         speed == self.speed && self.region.contains_around(axial, radial)
     }
 
-    /// Where positions that the table covers are in it, the one polynomial coordinate after the other.
+    /// Cells of positions that the table covers, and u there.
     #[inline(always)]
-    fn locate<S: Simd>(&self, axial: Lanes<S>, radial: Lanes<S>) -> Located<S> {
+    fn locate<S: Simd>(&self, axial: Lanes<S>, radial: Lanes<S>) -> (InCells<S>, Lanes<S>) {
         let [along, root, past_lift] = self.chart.coordinates(axial.abs(), radial);
-        Located {
-            in_cells: self.grid.locate(root, along),
-            past_lift,
-            odd: past_lift.copysign(axial),
-        }
+        (self.grid.locate(root, along), past_lift)
     }
 }
 
@@ -64,7 +52,7 @@ impl Function<2, 3> for BallTable {
     fn with_slopes(&self, [axial, radial]: [f64; 2]) -> ([f64; 3], [[f64; 2]; 3]) {
         let (past_lift, cell, x, t) = dispatch!(Level::baseline(), simd => {
             let [axial, radial] = [axial, radial].map(|number| Lanes::splat(simd, number));
-            let Located { in_cells, past_lift, .. } = self.locate(axial, radial);
+            let (in_cells, past_lift) = self.locate(axial, radial);
             (past_lift[0], in_cells.cells[0], in_cells.x[0], in_cells.t[0])
         });
         let (along_rate, past_lift_rates) = self.chart.slopes(axial.abs(), radial);
@@ -75,10 +63,8 @@ impl Function<2, 3> for BallTable {
             let [value, by_x, by_t] = cell.with_slopes(which, x, t);
             let by_past_lift = value + 0.5 * past_lift.sqrt() * x_rate * by_x;
             let [axial, radial] = past_lift_rates.map(|rate| by_past_lift * rate);
-            (
-                past_lift * value,
-                [axial + past_lift * t_rate * by_t, radial],
-            )
+            let slopes = [axial + past_lift * t_rate * by_t, radial];
+            (past_lift * value, slopes)
         };
         let side = 1.0_f64.copysign(axial);
         let odd = |(value, [by_axial, by_radial]): (f64, [f64; 2])| {
@@ -96,19 +82,16 @@ impl Function<2, 3> for BallTable {
 
     fn values(&self, at: [f64; 2]) -> [f64; 3] {
         dispatch!(Level::baseline(), simd => {
-            let [axial, radial] = at;
-            let found = self.side_by_side([Lanes::splat(simd, axial), Lanes::splat(simd, radial)]);
-            [found[0][0], found[1][0], found[2][0]]
+            let found = self.side_by_side(at.map(|number| Lanes::splat(simd, number)));
+            found.map(|lanes| lanes[0])
         })
     }
 
     #[inline(always)]
     fn side_by_side<S: Simd>(&self, [axial, radial]: [Lanes<S>; 2]) -> [Lanes<S>; 3] {
-        let Located {
-            in_cells,
-            past_lift,
-            odd,
-        } = self.locate(axial, radial);
+        let (in_cells, past_lift) = self.locate(axial, radial);
+        // axial force and couple are odd in A1
+        let odd = past_lift.copysign(axial);
         let [push_axial, push_radial] = values(&self.forces, &in_cells);
         let couple = if self.couples.is_empty() {
             Lanes::splat(past_lift.witness(), 0.0)

@@ -32,11 +32,8 @@ impl Cell {
 
     /// Whether both polynomials vanish.
     pub(super) fn is_zero(&self) -> bool {
-        self.0
-            .as_flattened()
-            .as_flattened()
-            .iter()
-            .all(|c| *c == 0.0)
+        let coefficients = self.0.as_flattened().as_flattened();
+        coefficients.iter().all(|coefficient| *coefficient == 0.0)
     }
 
     /// Value, and slopes by x and t, of the first polynomial or the second.
@@ -149,11 +146,8 @@ impl Parts {
     pub(super) fn nodes<const N: usize>(&self, positions: &[f64; N]) -> Vec<f64> {
         let mut nodes = vec![self.coordinate(0, positions[0])];
         for part in 0..self.count() {
-            nodes.extend(
-                positions[1..]
-                    .iter()
-                    .map(|&position| self.coordinate(part, position)),
-            );
+            let inside = positions[1..].iter();
+            nodes.extend(inside.map(|&position| self.coordinate(part, position)));
         }
         nodes
     }

@@ -1,7 +1,7 @@
 //! Where the balls may come, and coordinates in which their law is smooth there.
 
 use super::cells::{lobatto, power_weights, weighted};
-use super::report::TableError;
+use super::compile::TableError;
 use crate::bearing::number::Number;
 
 /// Load at which a ball counts as lifted off, of the one that the tolerance refers to.
@@ -43,9 +43,7 @@ impl Chart {
         reference: f64,
     ) -> Result<Self, TableError> {
         let lifted = LIFTED_SHARE * reference;
-        let [start, end] = region.axial;
-        let nodes = lobatto::<LIFT_TERMS>();
-        let axial = nodes.map(|node| 0.5 * (start + end) + 0.5 * (end - start) * node);
+        let axial = nodes_along(region);
         let lowest = region.radial[0];
         if lowest > 0.0 && axial.iter().all(|&axial| load(axial, lowest) > lifted) {
             return Ok(Self::before(region, &axial));
@@ -136,15 +134,13 @@ impl Chart {
 
     /// Least and greatest v of a folded region.
     pub(super) fn roots(&self, region: &BallRegion) -> [f64; 2] {
-        let [start, end] = region.axial;
-        let nodes =
-            lobatto::<LIFT_TERMS>().map(|node| 0.5 * (start + end) + 0.5 * (end - start) * node);
-        let distance = end.hypot(region.radial[1]);
+        let nodes = nodes_along(region);
+        let distance = region.axial[1].hypot(region.radial[1]);
         let of = |radial: f64| nodes.map(|axial| self.past_lift(axial, radial));
         let least = of(region.radial[0])
             .into_iter()
-            .fold(f64::INFINITY, f64::min)
-            .max(0.0);
+            .fold(f64::INFINITY, f64::min);
+        let least = least.max(0.0);
         let range = LEAST_RANGE * distance * distance;
         let most = of(region.radial[1])
             .into_iter()
@@ -175,6 +171,12 @@ impl Chart {
     }
 }
 
+/// Lobatto nodes of |A1|.
+fn nodes_along(region: &BallRegion) -> [f64; LIFT_TERMS] {
+    let [start, end] = region.axial;
+    lobatto().map(|node| 0.5 * (start + end) + 0.5 * (end - start) * node)
+}
+
 /// Coefficients of the powers of τ through values at the Lobatto nodes.
 fn coefficients(values: &[f64; LIFT_TERMS]) -> [f64; LIFT_TERMS] {
     power_weights(&lobatto()).map(|weights| weighted(&weights, |node| [values[node]])[0])
@@ -184,10 +186,9 @@ fn coefficients(values: &[f64; LIFT_TERMS]) -> [f64; LIFT_TERMS] {
 /// quarter of the distance of the groove centres around the region.
 fn lift_off(mut excess: impl FnMut(f64) -> f64, region: &BallRegion) -> Option<f64> {
     let distance = region.axial[1].hypot(region.radial[1]);
-    let (mut low, mut high) = (
-        region.radial[0] - REACH * distance,
-        region.radial[1] + REACH * distance,
-    );
+    let [mut low, mut high] = region.radial;
+    low -= REACH * distance;
+    high += REACH * distance;
     if !(excess(low) <= 0.0 && excess(high) > 0.0) {
         return None;
     }

@@ -1,9 +1,10 @@
 //! From an exact law to its table: more and more cells, until the measured error is small enough.
 
+use serde::Serialize;
+
 use super::ball_table::BallTable;
 use super::cells::{AXIAL_TERMS, Cell, Grid, Parts, ROOT_TERMS, lobatto, power_weights, weighted};
 use super::chart::{BallRegion, Chart};
-use super::report::{TableError, TableReport};
 use crate::bearing::law::{Ball, BallForce, ForceLaw};
 
 /// Cells along v and along |A1| to begin with.
@@ -14,6 +15,44 @@ const MOST_CELLS: usize = 4096;
 const MOST_DOUBLINGS: f64 = 3.0;
 /// Share of the tolerance that the error along each of the coordinates may have.
 const SHARE: f64 = 0.7;
+
+/// What a table is good for, and what it took.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct TableReport {
+    /// Largest difference from the exact force at offset places of the whole region, N.
+    #[serde(rename = "error_N")]
+    pub error: f64,
+    /// The same relative to the load that the tolerance refers to.
+    pub relative_error: f64,
+    /// Number of cells.
+    pub cells: usize,
+    /// Evaluations of the exact law, those for the error among them.
+    pub evaluations: usize,
+}
+
+/// Why a law stays without a table.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum TableError {
+    /// No range, or no load to refer to.
+    #[error("the balls move in no region of their own, or carry nothing")]
+    NoRegion,
+    /// The line of lift-off cannot be followed.
+    #[error("the balls lift off outside the reach of a table")]
+    LiftOff,
+    /// The surfaces under the balls are not perfect.
+    #[error(
+        "a table knows a ball by its place alone, and the surfaces under the balls are not perfect"
+    )]
+    Imperfect,
+    /// The law is not smooth enough.
+    #[error("a table of {cells} cells has a relative error of {relative_error:e}")]
+    Tolerance {
+        /// Measured error relative to the load that the tolerance refers to.
+        relative_error: f64,
+        /// Number of cells.
+        cells: usize,
+    },
+}
 
 impl BallTable {
     /// Compiles `law` at a shaft speed in rad/s over a region, so that no force differs by more than
@@ -148,18 +187,18 @@ impl<'a, L: ForceLaw> Draft<'a, L> {
         let root_nodes = lobatto::<ROOT_TERMS>().map(|node| 0.5 * node);
         let axial_nodes = lobatto::<AXIAL_TERMS>().map(|node| 0.5 * node);
         let along = grid.along.nodes(&axial_nodes);
+        let roots = grid.root.nodes(&root_nodes).into_iter();
         let row = |root| {
             along
                 .iter()
                 .map(|&along| self.reduced(along, root))
                 .collect()
         };
-        let values: Vec<Vec<Reduced>> = grid.root.nodes(&root_nodes).into_iter().map(row).collect();
+        let values: Vec<Vec<Reduced>> = roots.map(row).collect();
         let (by_root, by_axial) = (power_weights(&root_nodes), power_weights(&axial_nodes));
         let (mut forces, mut couples) = (Vec::new(), Vec::new());
-        for (strip, column) in
-            (0..strips).flat_map(|strip| (0..columns).map(move |column| (strip, column)))
-        {
+        for cell in 0..strips * columns {
+            let (strip, column) = (cell / columns, cell % columns);
             let (first_row, first) = (strip * (ROOT_TERMS - 1), column * (AXIAL_TERMS - 1));
             // Σ over the nodes along v, then along |A1|
             let terms = by_root.map(|by_root| {
@@ -168,13 +207,11 @@ impl<'a, L: ForceLaw> Draft<'a, L> {
                 });
                 by_axial.map(|by_axial| weighted(&by_axial, |l| rows[l]))
             });
-            forces.push(Cell::new(
-                &terms.map(|row| row.map(|[axial, radial, _]| [axial, radial])),
-            ));
+            let pushes = terms.map(|row| row.map(|[axial, radial, _]| [axial, radial]));
+            forces.push(Cell::new(&pushes));
             if L::HAS_COUPLE {
-                couples.push(Cell::new(
-                    &terms.map(|row| row.map(|[.., couple]| [couple, 0.0])),
-                ));
+                let moments = terms.map(|row| row.map(|[.., couple]| [couple, 0.0]));
+                couples.push(Cell::new(&moments));
             }
         }
         // as of a race that holds no moment
@@ -217,29 +254,25 @@ impl<'a, L: ForceLaw> Draft<'a, L> {
                 Probes::AlongAxial => part = (part * strips).round() / strips,
                 Probes::All => {}
             }
-            let position = self
-                .chart
-                .position(2.0 * across - 1.0, start + (end - start) * part);
-            let [axial, radial] = position;
+            let root = start + (end - start) * part;
+            let [axial, radial] = self.chart.position(2.0 * across - 1.0, root);
             if !table.region.contains(axial, radial) {
                 continue;
             }
-            let (own, exact) = (
-                table.force(&Ball::at(axial, radial), self.speed),
-                self.force(position),
-            );
+            let own = table.force(&Ball::at(axial, radial), self.speed);
+            let exact = self.force([axial, radial]);
             for difference in [
                 own.axial - exact.axial,
                 own.radial - exact.radial,
                 (own.couple - exact.couple) / self.arm,
             ] {
                 // what is no number is no force
-                let off = if difference.is_nan() {
+                let no_force = difference.is_nan();
+                largest = largest.max(if no_force {
                     f64::INFINITY
                 } else {
                     difference.abs()
-                };
-                largest = largest.max(off);
+                });
             }
         }
         largest
