@@ -89,7 +89,7 @@ impl Assessment<'_> {
     }
 
     fn balls(&self) -> Vec<BallLine> {
-        let azimuths = self.support.ring.azimuths().iter().enumerate();
+        let azimuths = self.support.ring.azimuths.iter().enumerate();
         with_law!(&self.support.law, law => {
             azimuths.map(|(number, &azimuth)| self.ball(law, number, azimuth)).collect()
         })

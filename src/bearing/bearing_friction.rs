@@ -1,7 +1,7 @@
 //! The friction moment of a mounted bearing.
 
 use super::static_rating::static_rating;
-use super::{Bearing, FrictionMoment, MountedBearing, SkfMoment, Vector5};
+use super::{Bearing, FrictionMoment, MountedBearing, Oil, SkfMoment, Vector5};
 use crate::physics::{FrictionFactors, HertzContact, MINERAL_OIL_DENSITY, SkfOperation};
 
 /// What the friction moment of a bearing rests on besides load and speed.
@@ -18,34 +18,26 @@ pub(super) struct BearingFriction {
 impl BearingFriction {
     /// Of a bearing with Hertz contacts `contacts`, inner race first.
     pub fn new(definition: &MountedBearing, contacts: &[HertzContact; 2]) -> Self {
-        let geometry = &definition.bearing.geometry;
+        let bearing = &definition.bearing;
+        let lubricant = bearing.lubrication.map(|lubricant| lubricant.viscosity);
+        // ν = η0/ρ
+        let kinematic = |oil: Oil| oil.viscosity / MINERAL_OIL_DENSITY;
         Self {
-            factors: FrictionFactors::of_contact_angle(geometry.nominal_angle()),
-            pitch_diameter: geometry.pitch_diameter(),
-            static_rating: static_rating(geometry, contacts),
-            // ν = η0/ρ
-            viscosity: match definition.bearing.lubrication {
-                Some(lubrication) => Some(lubrication.viscosity),
-                None => definition
-                    .oil
-                    .map(|oil| oil.viscosity / MINERAL_OIL_DENSITY),
-            },
+            factors: FrictionFactors::of_contact_angle(bearing.geometry.nominal_angle()),
+            pitch_diameter: bearing.geometry.pitch_diameter(),
+            static_rating: static_rating(&bearing.geometry, contacts),
+            viscosity: lubricant.or(definition.oil.map(kinematic)),
         }
     }
 
     /// Moment under a force of the ring in N at a shaft speed in rad/s.
     pub fn moment(&self, force: &Vector5, speed: f64) -> FrictionMoment {
+        let (factors, pitch) = (&self.factors, self.pitch_diameter);
+        let radial = force[0].hypot(force[1]);
+        let viscous = |viscosity| factors.viscous_moment(viscosity, speed, pitch);
         FrictionMoment {
-            load: self.factors.load_moment(
-                force[0].hypot(force[1]),
-                force[2],
-                self.static_rating,
-                self.pitch_diameter,
-            ),
-            viscous: self.viscosity.map_or(0.0, |viscosity| {
-                self.factors
-                    .viscous_moment(viscosity, speed, self.pitch_diameter)
-            }),
+            load: factors.load_moment(radial, force[2], self.static_rating, pitch),
+            viscous: self.viscosity.map_or(0.0, viscous),
         }
     }
 }

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::{Bearing, BearingError, Facing, MountedBearing, Preload, Support};
 use crate::physics::{
-    Material, RingFit, STEEL_EXPANSION, inner_ring_fit, outer_ring_fit, thermal_clearance_change,
+    Material, STEEL_EXPANSION, inner_ring_fit, outer_ring_fit, thermal_clearance_change,
 };
 
 /// How a bearing sits on its shaft and in its housing, and how warm everything is.
@@ -61,7 +61,7 @@ impl Fit {
     fn state(&self, bearing: &Bearing, [bore, outside]: [f64; 2]) -> FitState {
         let geometry = &bearing.geometry;
         let (ball, pitch) = (geometry.ball_diameter(), geometry.pitch_diameter());
-        let [inner, balls, outer] = self.rings;
+        let [inner, _, outer] = self.rings;
         let [shaft, housing] =
             std::array::from_fn(|side| self.expansions[side] * self.around[side]);
         // what the mates grow more than the rings
@@ -70,26 +70,14 @@ impl Fit {
             self.interference[1] + outside * (STEEL_EXPANSION * outer - housing),
         ];
         let ring = &bearing.ring_material;
-        let fits: [RingFit; 2] = [
-            inner_ring_fit(
-                bore,
-                pitch - ball,
-                self.shaft_bore,
-                interference[0],
-                ring,
-                &self.mates[0],
-            ),
-            outer_ring_fit(
-                outside,
-                pitch + ball,
-                self.housing_outside,
-                interference[1],
-                ring,
-                &self.mates[1],
-            ),
+        let ([on_shaft, in_housing], [shaft, housing]) = (interference, &self.mates);
+        let (hole, wall) = (self.shaft_bore, self.housing_outside);
+        let fits = [
+            inner_ring_fit(bore, pitch - ball, hole, on_shaft, ring, shaft),
+            outer_ring_fit(outside, pitch + ball, wall, in_housing, ring, housing),
         ];
         let clearance_loss = fits.map(|fit| fit.clearance_loss);
-        let thermal_change = thermal_clearance_change(ball, pitch, [inner, balls, outer]);
+        let thermal_change = thermal_clearance_change(ball, pitch, self.rings);
         FitState {
             interference,
             pressure: fits.map(|fit| fit.pressure),
@@ -139,8 +127,9 @@ impl MountedBearing {
                 let offset = Support::new(&alone, 0.0)?.seat.offset();
                 let growth = self.facing.sign() * fit.axial_growth(self.position);
                 let shift = before.free_axial() - geometry.free_axial();
-                state.axial_offset = Some([offset, offset + shift + growth]);
-                Preload::AxialOffset(offset + shift + growth)
+                let after = offset + shift + growth;
+                state.axial_offset = Some([offset, after]);
+                Preload::AxialOffset(after)
             }
         };
         Ok(Self {

@@ -50,7 +50,9 @@ pub(crate) use law::{
     Ball, BallForce, BallLaw, ContactLaw, ForceLaw, HertzSpring, RaceFilms, TableError, TableReport,
 };
 #[cfg(test)]
-pub(crate) use law::{BallRegion, BallTable, HertzFilmLaw, HertzLaw, JonesFilmLaw, JonesLaw};
+pub(crate) use law::{
+    BallRegion, BallState, BallTable, HertzFilmLaw, HertzLaw, JonesFilmLaw, JonesLaw,
+};
 pub(crate) use life::RatingLife;
 pub use life::{ModifiedLife, RatingLives, reference_rating_life};
 pub(crate) use oil::Lubrication;

@@ -34,7 +34,8 @@ pub struct Ring {
     /// What the processor has.
     pub(super) level: Level,
     groups: Vec<Azimuths>,
-    azimuths: Vec<f64>,
+    /// Of the balls with the cage where it starts, rad.
+    pub(super) azimuths: Vec<f64>,
     free_axial: f64,
     free_radial: f64,
     pub(super) arm: f64,
@@ -104,11 +105,6 @@ impl Ring {
     /// Number of balls.
     pub(super) fn balls(&self) -> usize {
         self.azimuths.len()
-    }
-
-    /// Azimuths of the balls with the cage where it starts, rad.
-    pub(super) fn azimuths(&self) -> &[f64] {
-        &self.azimuths
     }
 
     /// Hands the positions of all balls to a consumer, some balls side by side after the other. A consumer whose speed

@@ -48,40 +48,34 @@ impl Seat {
         shaft: &Vector5,
         tangent: impl Fn(&Vector5) -> (Vector5, Matrix5),
     ) -> Vector5 {
-        let [x, y, z, tilt_x, tilt_y] = *shaft;
+        let mut place = *shaft;
         match *self {
-            Self::Fixed { offset } => [x, y, z + offset, tilt_x, tilt_y],
+            Self::Fixed { offset } => place[AXIAL] += offset,
             Self::Spring {
                 force,
                 start,
                 reach,
             } => {
-                let place = [x, y, start, tilt_x, tilt_y];
-                let axial = pressed(tangent, place, force, reach);
-                [x, y, axial, tilt_x, tilt_y]
+                place[AXIAL] = start;
+                press(tangent, &mut place, force, reach);
             }
         }
+        place
     }
 
     /// Derivative of the inner ring's displacement by what the shaft imposes, seen from the cage;
     /// none where it is the identity. `stiffness` is that of the ring in its place.
     pub fn follows(&self, stiffness: impl FnOnce() -> Matrix5) -> Option<Matrix5> {
-        match self {
-            Self::Fixed { .. } => None,
-            Self::Spring { .. } => {
-                let stiffness = stiffness();
-                let mut follows = Matrix5::identity();
-                // the axial force stays: K_z q̇ = 0
-                for column in 0..5 {
-                    follows[(AXIAL, column)] = if column == AXIAL {
-                        0.0
-                    } else {
-                        -stiffness[(AXIAL, column)] / stiffness[(AXIAL, AXIAL)]
-                    };
-                }
-                Some(follows)
-            }
+        if matches!(self, Self::Fixed { .. }) {
+            return None;
         }
+        let stiffness = stiffness();
+        // the axial force stays: K_z q̇ = 0
+        let mut follows = Matrix5::identity();
+        let by_shaft = -stiffness.row(AXIAL) / stiffness[(AXIAL, AXIAL)];
+        follows.set_row(AXIAL, &by_shaft);
+        follows[(AXIAL, AXIAL)] = 0.0;
+        Some(follows)
     }
 
     /// Energy in J of the spring with the inner ring at `place` under what the shaft imposes.
@@ -108,16 +102,15 @@ impl Seat {
 /// Newton steps of a floating ring.
 const STEP_LIMIT: usize = 60;
 
-/// Axial place at which the ring carries `force`, all else as in `place`: Newton, its step at most
-/// `reach`.
-fn pressed(
+/// Moves `place` axially to where the ring carries `force`: Newton, its step at most `reach`.
+fn press(
     tangent: impl Fn(&Vector5) -> (Vector5, Matrix5),
-    mut place: Vector5,
+    place: &mut Vector5,
     force: f64,
     reach: f64,
-) -> f64 {
+) {
     for _ in 0..STEP_LIMIT {
-        let (carried, stiffness) = tangent(&place);
+        let (carried, stiffness) = tangent(place);
         let step = ((force - carried[AXIAL]) / stiffness[(AXIAL, AXIAL)]).clamp(-reach, reach);
         let next = place[AXIAL] + if step.is_nan() { reach } else { step };
         if (next - place[AXIAL]).abs() <= f64::EPSILON * reach {
@@ -125,7 +118,6 @@ fn pressed(
         }
         place[AXIAL] = next;
     }
-    place[AXIAL]
 }
 
 /// Axial displacement in m of a bearing at rest under a centred axial force in N, all balls alike: Newton in a bracket.

@@ -222,7 +222,7 @@ impl Support {
                 contact: with_law!(&self.law, law => law.contact(&ball, speed)),
             }
         };
-        let balls = self.ring.azimuths().iter().enumerate();
+        let balls = self.ring.azimuths.iter().enumerate();
         match positions {
             None => balls
                 .map(|(number, &azimuth)| at(azimuth, Some(number)))

@@ -65,9 +65,7 @@ impl Support {
         rotation: &BearingRotation,
     ) -> [Vector5; 2] {
         let (ring, law) = (&self.ring, &self.law);
-        let place = self.settled(imposed, rotation);
-        let follows = self.follows(&place, rotation);
-        let rate = followed(follows.as_ref(), rate);
+        let (place, rate, follows) = self.followed(imposed, rate, rotation);
         let [elastic, damping] = in_wide_registers!(ring.level, simd => {
             let motion = [side_by_side(simd, &place), side_by_side(simd, &rate)];
             with_law!(law, law => ring.damped_force_by(simd, (law, coefficients), &motion, rotation))
@@ -89,17 +87,26 @@ impl Support {
         rotation: &BearingRotation,
     ) -> [Vector5; 2] {
         let (imposed, rate) = (self.imposed(displacement), self.imposed(velocity));
-        let place = self.settled(&imposed, rotation);
         let rate = seen_from_cage(&imposed, &rate, rotation);
-        let follows = self.follows(&place, rotation);
-        [place, followed(follows.as_ref(), &rate)]
+        let (place, rate, _) = self.followed(&imposed, &rate, rotation);
+        [place, rate]
     }
 
-    /// Derivative of the inner ring's displacement by what the shaft imposes, where it is not the identity.
-    fn follows(&self, place: &Vector5, rotation: &BearingRotation) -> Option<Matrix5> {
-        let (ring, law) = (&self.ring, &self.law);
-        self.seat
-            .follows(|| with_law!(law, law => ring.force_and_stiffness(law, place, rotation).1))
+    /// Place of the inner ring, its rate, and the derivative of its displacement by what the shaft imposes, where that is
+    /// not the identity; the rates are seen from the cage.
+    fn followed(
+        &self,
+        imposed: &Vector5,
+        rate: &Vector5,
+        rotation: &BearingRotation,
+    ) -> (Vector5, Vector5, Option<Matrix5>) {
+        let place = self.settled(imposed, rotation);
+        let follows = self.seat.follows(|| self.tangent(&place, rotation).1);
+        let rate = match &follows {
+            None => *rate,
+            Some(follows) => (follows * nalgebra::SVector::from(*rate)).into(),
+        };
+        (place, rate, follows)
     }
 }
 
@@ -107,12 +114,4 @@ impl Support {
 fn seen_from_cage(imposed: &Vector5, rate: &Vector5, rotation: &BearingRotation) -> Vector5 {
     let turn = quarter_turn(imposed);
     std::array::from_fn(|axis| rate[axis] - rotation.cage_speed * turn[axis])
-}
-
-/// The rate of the inner ring.
-fn followed(follows: Option<&Matrix5>, rate: &Vector5) -> Vector5 {
-    match follows {
-        None => *rate,
-        Some(follows) => (follows * nalgebra::SVector::from(*rate)).into(),
-    }
 }

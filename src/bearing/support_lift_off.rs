@@ -18,7 +18,7 @@ impl Support {
     /// none behind films.
     pub(crate) fn balls_that_lift_off(&self) -> usize {
         match self.frozen {
-            None if self.law.lifts_off() => self.ring.balls(),
+            None if !self.law.has_films() => self.ring.balls(),
             _ => 0,
         }
     }

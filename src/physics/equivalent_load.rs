@@ -1,24 +1,24 @@
 //! Dynamic equivalent load of ISO 281.
 
 /// e, Y over the relative axial load F_a/(Z D²) of one nominal angle, N/mm².
-type Rows = [(f64, f64, f64); 9];
+type Rows = [(f64, [f64; 2]); 9];
 
 #[rustfmt::skip]
 const DEEP_GROOVE: Rows = [
-    (0.172, 0.19, 2.30), (0.345, 0.22, 1.99), (0.689, 0.26, 1.71), (1.03, 0.28, 1.55), (1.38, 0.30, 1.45),
-    (2.07, 0.34, 1.31), (3.45, 0.38, 1.15), (5.17, 0.42, 1.04), (6.89, 0.44, 1.00),
+    (0.172, [0.19, 2.30]), (0.345, [0.22, 1.99]), (0.689, [0.26, 1.71]), (1.03, [0.28, 1.55]), (1.38, [0.30, 1.45]),
+    (2.07, [0.34, 1.31]), (3.45, [0.38, 1.15]), (5.17, [0.42, 1.04]), (6.89, [0.44, 1.00]),
 ];
 
 #[rustfmt::skip]
 const TEN_DEGREES: Rows = [
-    (0.172, 0.29, 1.88), (0.345, 0.32, 1.71), (0.689, 0.36, 1.52), (1.03, 0.38, 1.41), (1.38, 0.40, 1.34),
-    (2.07, 0.44, 1.23), (3.45, 0.49, 1.10), (5.17, 0.54, 1.01), (6.89, 0.54, 1.00),
+    (0.172, [0.29, 1.88]), (0.345, [0.32, 1.71]), (0.689, [0.36, 1.52]), (1.03, [0.38, 1.41]), (1.38, [0.40, 1.34]),
+    (2.07, [0.44, 1.23]), (3.45, [0.49, 1.10]), (5.17, [0.54, 1.01]), (6.89, [0.54, 1.00]),
 ];
 
 #[rustfmt::skip]
 const FIFTEEN_DEGREES: Rows = [
-    (0.172, 0.38, 1.47), (0.345, 0.40, 1.40), (0.689, 0.43, 1.30), (1.03, 0.46, 1.23), (1.38, 0.47, 1.19),
-    (2.07, 0.50, 1.12), (3.45, 0.55, 1.02), (5.17, 0.56, 1.00), (6.89, 0.56, 1.00),
+    (0.172, [0.38, 1.47]), (0.345, [0.40, 1.40]), (0.689, [0.43, 1.30]), (1.03, [0.46, 1.23]), (1.38, [0.47, 1.19]),
+    (2.07, [0.50, 1.12]), (3.45, [0.55, 1.02]), (5.17, [0.56, 1.00]), (6.89, [0.56, 1.00]),
 ];
 
 /// X where e and Y depend on the load, by the angle in degrees; at 5° the standard has the values of 0°.
@@ -30,13 +30,13 @@ const FLAT: [(f64, f64, &Rows); 4] = [
 ];
 
 /// Angle in degrees, e, X, Y where they do not depend on the load.
-const STEEP: [(f64, f64, f64, f64); 6] = [
-    (20.0, 0.57, 0.43, 1.00),
-    (25.0, 0.68, 0.41, 0.87),
-    (30.0, 0.80, 0.39, 0.76),
-    (35.0, 0.95, 0.37, 0.66),
-    (40.0, 1.14, 0.35, 0.57),
-    (45.0, 1.34, 0.33, 0.50),
+const STEEP: [(f64, [f64; 3]); 6] = [
+    (20.0, [0.57, 0.43, 1.00]),
+    (25.0, [0.68, 0.41, 0.87]),
+    (30.0, [0.80, 0.39, 0.76]),
+    (35.0, [0.95, 0.37, 0.66]),
+    (40.0, [1.14, 0.35, 0.57]),
+    (45.0, [1.34, 0.33, 0.50]),
 ];
 
 /// Dynamic equivalent load P of a single-row ball bearing, N.
@@ -58,34 +58,28 @@ const STEEP: [(f64, f64, f64, f64); 6] = [
 /// ```
 pub fn equivalent_load(radial: f64, axial: f64, contact_angle: f64, relative_axial: f64) -> f64 {
     let (radial, axial) = (radial.abs(), axial.abs());
-    let (e, x, y) = factors(contact_angle.to_degrees(), relative_axial);
+    let [e, x, y] = factors(contact_angle.to_degrees(), relative_axial);
     if axial <= e * radial {
         return radial;
     }
     (x * radial + y * axial).max(radial)
 }
 
-fn factors(degrees: f64, relative: f64) -> (f64, f64, f64) {
-    let flat = FLAT.map(|(angle, x, rows)| {
-        let [e, y] = between(rows.map(|(load, e, y)| (load, [e, y])), relative);
+fn factors(degrees: f64, relative: f64) -> [f64; 3] {
+    let flat = FLAT.iter().map(|&(angle, x, rows)| {
+        let [e, y] = between(rows, relative);
         (angle, [e, x, y])
     });
-    let steep = STEEP.map(|(angle, e, x, y)| (angle, [e, x, y]));
-    let rows: [_; FLAT.len() + STEEP.len()] = std::array::from_fn(|index| match index {
-        low if low < FLAT.len() => flat[low],
-        high => steep[high - FLAT.len()],
-    });
-    let [e, x, y] = between(rows, degrees);
-    (e, x, y)
+    let rows: Vec<_> = flat.chain(STEEP).collect();
+    between(&rows, degrees)
 }
 
 /// Straight lines between rows that rise; the first and the last row beyond them.
-fn between<const N: usize, const M: usize>(rows: [(f64, [f64; M]); N], at: f64) -> [f64; M] {
-    let above = rows.iter().position(|(place, _)| *place > at);
-    match above {
-        Some(0) => rows[0].1,
-        None => rows[N - 1].1,
-        Some(above) => {
+fn between<const M: usize>(rows: &[(f64, [f64; M])], at: f64) -> [f64; M] {
+    match rows.partition_point(|(place, _)| *place <= at) {
+        0 => rows[0].1,
+        above if above == rows.len() => rows[above - 1].1,
+        above => {
             let ((from, low), (to, high)) = (rows[above - 1], rows[above]);
             let part = (at - from) / (to - from);
             std::array::from_fn(|index| low[index] + part * (high[index] - low[index]))
@@ -103,13 +97,13 @@ mod tests {
     fn the_rows_of_15_degrees_stand_at_the_printed_relative_loads() {
         let printed = [0.178, 0.357, 0.714, 1.07, 1.43, 2.14, 3.57, 5.35, 7.14];
         let cosine = 15f64.to_radians().cos();
-        for (first, (second, e, y)) in printed.into_iter().zip(FIFTEEN_DEGREES) {
+        for (first, (second, [e, y])) in printed.into_iter().zip(FIFTEEN_DEGREES) {
             assert!(
                 (first * cosine / second - 1.0).abs() < 5e-3,
                 "{first} {second}"
             );
             let found = factors(15.0, second);
-            assert_eq!(found, (e, 0.44, y));
+            assert_eq!(found, [e, 0.44, y]);
         }
     }
 
@@ -117,7 +111,7 @@ mod tests {
     fn factors_between_angles_are_between_theirs() {
         assert_eq!(factors(3.0, 1.38), factors(0.0, 1.38));
         // halfway from 15° to 20°
-        let (e, x, y) = factors(17.5, 1.38);
+        let [e, x, y] = factors(17.5, 1.38);
         for (found, expected) in [(e, 0.52), (x, 0.435), (y, 1.095)] {
             assert!((found - expected).abs() < 1e-12, "{found} {expected}");
         }

@@ -248,8 +248,8 @@ mod tests {
 
     #[test]
     fn a_thin_film_is_the_dry_spring() {
-        let contact = LubricatedContact::new(8e9, 1e-9);
         let dry = HertzSpring { stiffness: 8e9 };
+        let contact = LubricatedContact::new(dry, 1e-9, 0.0);
         for approach in [-1e-6, 0.0, 1e-5] {
             assert_eq!(
                 contact.at_speed(0.0).load_and_stiffness(approach),

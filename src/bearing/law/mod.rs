@@ -85,14 +85,14 @@ impl Law {
         matches!(self, Self::Hertz(_))
     }
 
-    /// Whether the force of its balls is not smooth where they lift off.
-    pub fn lifts_off(&self) -> bool {
-        with_law!(self, law => law.films()).is_none()
+    /// Whether films part its surfaces: the force of its balls is then smooth where they lift off.
+    pub fn has_films(&self) -> bool {
+        matches!(self, Self::HertzFilm(_) | Self::JonesFilm(_))
     }
 
     /// Whether the force of its balls has a potential, at a steady speed or one that changes.
     pub fn has_potential(&self, steady: bool) -> bool {
-        !self.has_inertia() && (steady || with_law!(self, law => law.films()).is_none())
+        !self.has_inertia() && (steady || !self.has_films())
     }
 
     /// Whether its balls have inertia: where they lift off then depends on the speed.

@@ -25,17 +25,6 @@ pub enum DefectProfile {
     Rectangular,
 }
 
-impl DefectProfile {
-    /// Name in results.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Edges => "edges",
-            Self::HalfSine => "half_sine",
-            Self::Rectangular => "rectangular",
-        }
-    }
-}
-
 /// Part of the length over which the drop of a rectangular profile sets in: a force that jumps has no solution that a
 /// step could end on.
 const RAMP: f64 = 1e-3;
