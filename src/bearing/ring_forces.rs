@@ -90,32 +90,14 @@ impl Ring {
     }
 
     /// Force as by [`Ring::force`], and the force that moves the ring at a rate against the damping of the contacts,
-    /// given in the frame that turns with the cage.
+    /// given in the frame that turns with the cage. The approaches change by the first D of A1, A2 and both drops: 2 on
+    /// perfect surfaces, 4 on others.
     #[inline(always)]
-    pub(super) fn damped_force_by<S: Simd>(
+    pub(super) fn damped_force_by<S: Simd, const D: usize>(
         &self,
         simd: S,
         (law, coefficients): (&impl BallLaw, [f64; 2]),
         [displacement, rate]: &[LaneVector<S>; 2],
-        rotation: &BearingRotation,
-    ) -> [Vector5; 2] {
-        match &self.surfaces {
-            None => {
-                self.damped_by::<S, 2>(simd, (law, coefficients), [displacement, rate], rotation)
-            }
-            Some(_) => {
-                self.damped_by::<S, 4>(simd, (law, coefficients), [displacement, rate], rotation)
-            }
-        }
-    }
-
-    /// The same, where the approaches change by the first D of A1, A2 and both drops.
-    #[inline(always)]
-    fn damped_by<S: Simd, const D: usize>(
-        &self,
-        simd: S,
-        (law, coefficients): (&impl BallLaw, [f64; 2]),
-        [displacement, rate]: [&LaneVector<S>; 2],
         rotation: &BearingRotation,
     ) -> [Vector5; 2] {
         let zero = Lanes::splat(simd, 0.0);

@@ -48,9 +48,7 @@ impl Support {
                 let mut rate = [0.0; 5];
                 rate[column] = SLOW;
                 let [_, force] = self.local_damped_force(coefficients, imposed, &rate, rotation);
-                for row in 0..5 {
-                    damping[(row, column)] = force[row] / SLOW;
-                }
+                damping.set_column(column, &(nalgebra::SVector::from(force) / SLOW));
             }
         }
         damping
@@ -68,7 +66,10 @@ impl Support {
         let (place, rate, follows) = self.followed(imposed, rate, rotation);
         let [elastic, damping] = in_wide_registers!(ring.level, simd => {
             let motion = [side_by_side(simd, &place), side_by_side(simd, &rate)];
-            with_law!(law, law => ring.damped_force_by(simd, (law, coefficients), &motion, rotation))
+            with_law!(law, law => match ring.surfaces {
+                None => ring.damped_force_by::<_, 2>(simd, (law, coefficients), &motion, rotation),
+                Some(_) => ring.damped_force_by::<_, 4>(simd, (law, coefficients), &motion, rotation),
+            })
         });
         match follows {
             None => [elastic, damping],

@@ -7,7 +7,7 @@ pub(crate) use file::read;
 use std::collections::BTreeMap;
 use std::sync::{LazyLock, OnceLock};
 
-use super::{Bearing, BearingError, CatalogueLine, ClearanceClass, Estimate, FreePosition};
+use super::{Bearing, BearingError, CatalogueLine, ClearanceClass, FreePosition};
 use crate::physics::SkfFriction;
 
 /// A bearing of a catalogue.
@@ -233,13 +233,6 @@ impl CatalogueEntry {
             skf_friction: SkfFriction::of_designation(&self.designation),
             ..Bearing::of_steel(estimate.geometry(free)?)
         })
-    }
-}
-
-impl Estimate {
-    /// Whether balls or grooves are estimated.
-    pub fn is_estimated(&self) -> bool {
-        !self.estimated.is_empty()
     }
 }
 

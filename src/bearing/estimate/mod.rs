@@ -14,7 +14,7 @@ use checks::filling_angle;
 use rating::REFERENCE_GROOVES;
 
 /// What a catalogue prints of a bearing; the internal dimensions where they are known.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct CatalogueLine {
     /// Bore d, m.
     pub bore: f64,
@@ -177,16 +177,17 @@ impl CatalogueLine {
             contact_angle,
             dynamic_rating,
             static_rating: Some(static_rating),
-            static_factor: None,
-            balls: None,
-            ball_diameter: None,
-            pitch_diameter: None,
-            groove_factors: None,
+            ..Self::default()
         }
     }
 }
 
 impl Estimate {
+    /// Whether balls or grooves are estimated.
+    pub fn is_estimated(&self) -> bool {
+        !self.estimated.is_empty()
+    }
+
     /// The dimensions, checked, with the races where `free` puts them.
     ///
     /// # Errors

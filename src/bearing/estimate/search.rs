@@ -39,9 +39,6 @@ impl CatalogueLine {
             }
         }
         best.sort_by(|a, b| a.deviation.total_cmp(&b.deviation));
-        let Some(closest) = best.first().copied() else {
-            return Err(self.impossible(statical, None));
-        };
         let fits = |candidate: &Candidate| candidate.deviation <= LARGEST_DEVIATION;
         let mut agreeing = best.iter().copied().filter(|balls| self.agrees(balls));
         match (agreeing.next().filter(fits), agreeing.next()) {
@@ -49,17 +46,23 @@ impl CatalogueLine {
                 Err(EstimateError::Ambiguous { best, other })
             }
             (Some(first), _) => Ok((first, best.iter().copied().find(|other| *other != first))),
-            (None, _) => match self.static_factor.filter(|_| fits(&closest)) {
-                None => Err(self.impossible(statical, Some(closest))),
-                Some(printed) => {
-                    let found = self.static_factor_of(closest.balls, closest.ball_diameter);
-                    Err(EstimateError::Factor {
-                        closest,
-                        found: found.unwrap_or(f64::NAN),
-                        printed,
-                    })
-                }
-            },
+            (None, _) => Err(
+                match (best.first().copied().filter(fits), self.static_factor) {
+                    (Some(closest), Some(printed)) => {
+                        let found = self.static_factor_of(closest.balls, closest.ball_diameter);
+                        EstimateError::Factor {
+                            closest,
+                            found: found.unwrap_or(f64::NAN),
+                            printed,
+                        }
+                    }
+                    _ => EstimateError::Impossible {
+                        dynamic: self.dynamic_rating,
+                        statical,
+                        closest: best.first().copied(),
+                    },
+                },
+            ),
         }
     }
 
@@ -68,14 +71,6 @@ impl CatalogueLine {
         let found = self.static_factor_of(candidate.balls, candidate.ball_diameter);
         let pair = found.zip(self.static_factor);
         pair.is_none_or(|(found, printed)| (found - printed).abs() <= FACTOR_TOLERANCE)
-    }
-
-    fn impossible(&self, statical: f64, closest: Option<Candidate>) -> EstimateError {
-        EstimateError::Impossible {
-            dynamic: self.dynamic_rating,
-            statical,
-            closest,
-        }
     }
 
     pub(super) fn candidate(&self, balls: usize, ball_diameter: f64, pitch: f64) -> Candidate {

@@ -154,8 +154,18 @@ pub trait BallLaw {
         ball.axial.constant(f64::INFINITY)
     }
 
-    /// Loads and angles of both contacts.
-    fn contact(&self, ball: &Ball, speed: f64) -> BallContact;
+    /// Loads and angles of both contacts; without inertia both races press along one line.
+    fn contact(&self, ball: &Ball, speed: f64) -> BallContact {
+        let response = self.response(ball, speed);
+        let angle = ball.axial.atan2(ball.radial);
+        BallContact {
+            load_inner: response.load[0],
+            load_outer: response.load[1],
+            angle_inner: angle,
+            angle_outer: angle,
+            approach: response.approach,
+        }
+    }
 
     /// Elastic approaches of a ball and both races under its loads, m, inner first.
     fn elastic_approaches<T: Number>(&self, response: &BallResponse<T>) -> [T; 2];

@@ -1,7 +1,7 @@
 //! Ball law of two Hertz contacts in series, ball inertia neglected.
 
 use super::contacts::{ContactSpring, HertzSpring, race_springs};
-use super::{Ball, BallContact, BallForce, BallLaw, BallResponse};
+use super::{Ball, BallForce, BallLaw, BallResponse};
 use crate::bearing::Bearing;
 use crate::bearing::number::{Number, Plain};
 use crate::physics::HertzContact;
@@ -102,10 +102,6 @@ impl BallLaw for HertzLaw {
         distance_and_approach(ball, self.distance).1
     }
 
-    fn contact(&self, ball: &Ball, speed: f64) -> BallContact {
-        without_inertia(&self.response(ball, speed), ball)
-    }
-
     #[inline(always)]
     fn elastic_approaches<T: Number>(&self, response: &BallResponse<T>) -> [T; 2] {
         let pressed = response.approach.positive();
@@ -121,18 +117,6 @@ impl BallLaw for HertzLaw {
 
     fn load_past_lift_off(&self, distance: f64, _speed: f64) -> f64 {
         self.spring().load_and_stiffness(distance).0
-    }
-}
-
-/// Loads and angles of a ball that both races press at along one line.
-pub(super) fn without_inertia(response: &BallResponse, ball: &Ball) -> BallContact {
-    let ([load_inner, load_outer], angle) = (response.load, ball.axial.atan2(ball.radial));
-    BallContact {
-        load_inner,
-        load_outer,
-        angle_inner: angle,
-        angle_outer: angle,
-        approach: response.approach,
     }
 }
 

@@ -2,8 +2,8 @@
 
 use super::contacts::{ContactSpring, HertzSpring, RaceFilms, approaches_under, race_springs};
 use super::film::{LubricatedContact, spring_tangent};
-use super::hertz::{distance_and_approach, on_line_of_centres, without_inertia};
-use super::{Ball, BallContact, BallLaw, BallResponse, BallTangent};
+use super::hertz::{distance_and_approach, on_line_of_centres};
+use super::{Ball, BallLaw, BallResponse, BallTangent};
 use crate::bearing::number::Number;
 use crate::bearing::{Bearing, BearingError, Oil};
 
@@ -64,10 +64,6 @@ impl BallLaw for HertzFilmLaw {
         let (distance, approach) = distance_and_approach(ball, self.free_distance);
         let [load] = T::apply(&self.contact.at_speed(speed), [approach]);
         on_line_of_centres(ball, distance, load, approach)
-    }
-
-    fn contact(&self, ball: &Ball, speed: f64) -> BallContact {
-        without_inertia(&self.response(ball, speed), ball)
     }
 
     fn elastic_approaches<T: Number>(&self, response: &BallResponse<T>) -> [T; 2] {

@@ -57,7 +57,8 @@ use crate::physics::{
 pub struct JonesLaw<R = DryRaces> {
     ball: balance::Ball,
     start: StartConstants,
-    resistance: SpinResistance,
+    /// To spinning at a load of 1 N, inner and outer race, N m.
+    resistance: [f64; 2],
     races: R,
 }
 
@@ -128,7 +129,7 @@ impl<R: Races> JonesLaw<R> {
                 },
             },
             start: StartConstants::new(springs[0].stiffness, springs[1].stiffness),
-            resistance: SpinResistance::new(&contacts),
+            resistance: contacts.each_ref().map(spin_resistance),
             races,
         })
     }
@@ -240,6 +241,8 @@ impl<R: Races> BallLaw for JonesLaw<R> {
         let rest = self.solve(ball, speed);
         let contact = contact_of(&rest.balance);
         let Balance { inertia, .. } = rest.balance;
+        // a grows as Q^(1/3)
+        let resistance = |race: usize, load: f64| self.resistance[race] * load * load.cbrt();
         Some(BallState {
             contact,
             centrifugal_force: inertia.centrifugal,
@@ -253,7 +256,11 @@ impl<R: Races> BallLaw for JonesLaw<R> {
                 contact.angle_inner,
                 contact.angle_outer,
             ),
-            controlling_race: self.resistance.controlling_race(&contact),
+            controlling_race: controlling_race(
+                resistance(0, contact.load_inner),
+                resistance(1, contact.load_outer),
+                contact.angle_inner - contact.angle_outer,
+            ),
             trials: rest.trials,
         })
     }
@@ -302,29 +309,12 @@ fn contact_of(balance: &Balance<f64>) -> BallContact {
     }
 }
 
-/// Resistance to spinning Q a E at a load of 1 N, inner and outer race, N m.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct SpinResistance([f64; 2]);
-
-impl SpinResistance {
-    pub(super) fn new(contacts: &[HertzContact; 2]) -> Self {
-        Self(contacts.each_ref().map(|contact| {
-            let kappa = contact.ellipticity();
-            // m = 1 − 1/κ²
-            let elliptic = complete_elliptic_second(1.0 - 1.0 / (kappa * kappa));
-            contact.ellipse(1.0).semi_major * elliptic
-        }))
-    }
-
-    fn controlling_race(&self, contact: &BallContact) -> Race {
-        // a grows as Q^(1/3)
-        let resistance = |unit: f64, load: f64| unit * load * load.cbrt();
-        controlling_race(
-            resistance(self.0[0], contact.load_inner),
-            resistance(self.0[1], contact.load_outer),
-            contact.angle_inner - contact.angle_outer,
-        )
-    }
+/// Resistance to spinning Q a E at a load of 1 N, N m.
+fn spin_resistance(contact: &HertzContact) -> f64 {
+    let kappa = contact.ellipticity();
+    // m = 1 − 1/κ²
+    let elliptic = complete_elliptic_second(1.0 - 1.0 / (kappa * kappa));
+    contact.ellipse(1.0).semi_major * elliptic
 }
 
 #[cfg(test)]
