@@ -208,10 +208,8 @@ impl Assessment<'_> {
 fn loaded(balls: &[BallLine]) -> impl Iterator<Item = (usize, &BallLine)> {
     let largest = balls.iter().map(|ball| ball.inner.load).fold(0.0, f64::max);
     let least = LOADED_SHARE * largest;
-    balls
-        .iter()
-        .enumerate()
-        .filter(move |(_, ball)| ball.inner.load > least)
+    let numbered = balls.iter().enumerate();
+    numbered.filter(move |(_, ball)| ball.inner.load > least)
 }
 
 /// Mean size of the contact angle, weighted by the load at the inner race; of each ball the mean of

@@ -72,13 +72,7 @@ impl ClearanceClass {
 
     /// `CN`.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::C2 => "C2",
-            Self::CN => "CN",
-            Self::C3 => "C3",
-            Self::C4 => "C4",
-            Self::C5 => "C5",
-        }
+        ["C2", "CN", "C3", "C4", "C5"][self as usize]
     }
 }
 

@@ -92,9 +92,8 @@ pub struct Geometry {
     pitch_diameter: f64,
     contact_angle: f64,
     squeeze: f64,
-    rolls_flat: bool,
-    nominal_angle: f64,
-    symmetric: bool,
+    /// As made, before any change of clearance.
+    free_position: FreePosition,
     groove_factor_inner: f64,
     groove_factor_outer: f64,
 }
@@ -179,16 +178,13 @@ impl Geometry {
                 position_of_clearance(2.0 * clearance, distance)?
             }
         };
-        let symmetric = !matches!(free_position, FreePosition::ContactAngle(_));
         Ok(Self {
             balls,
             ball_diameter,
             pitch_diameter,
             contact_angle,
             squeeze,
-            rolls_flat: matches!(free_position, FreePosition::RadialClearance(_)),
-            nominal_angle: if symmetric { 0.0 } else { contact_angle },
-            symmetric,
+            free_position,
             groove_factor_inner,
             groove_factor_outer,
         })
@@ -270,13 +266,16 @@ impl Geometry {
     /// # Ok::<(), jeffcott::bearing::GeometryError>(())
     /// ```
     pub fn nominal_angle(&self) -> f64 {
-        self.nominal_angle
+        match self.free_position {
+            FreePosition::ContactAngle(angle) => angle,
+            _ => 0.0,
+        }
     }
 
     /// Whether the bearing is alike in both directions along its axis, as a deep-groove bearing is: the groove
     /// centres stand opposite each other at zero displacement, in the middle of the axial play.
     pub fn is_symmetric(&self) -> bool {
-        self.symmetric
+        !matches!(self.free_position, FreePosition::ContactAngle(_))
     }
 
     /// Diametral clearance P_d = 2A(1 − cos α0) of a deep-groove bearing, m; none of an angular contact bearing. Negative
@@ -285,7 +284,8 @@ impl Geometry {
         let half = (0.5 * self.contact_angle).sin();
         // 1 − cos α0 = 2 sin²(α0/2)
         let clearance = 4.0 * self.groove_centre_distance() * half * half;
-        self.symmetric.then_some(clearance - 2.0 * self.squeeze)
+        self.is_symmetric()
+            .then_some(clearance - 2.0 * self.squeeze)
     }
 
     /// How much a ball is squeezed between its races without load, m: half of a negative diametral clearance, zero of any
@@ -311,9 +311,9 @@ impl Geometry {
 
     /// γ = D cos α/d_m, the ratio that governs rolling and curvature.
     pub fn gamma(&self) -> f64 {
-        let angle = match self.rolls_flat {
-            true => 0.0,
-            false => self.contact_angle,
+        let angle = match self.free_position {
+            FreePosition::RadialClearance(_) => 0.0,
+            _ => self.contact_angle,
         };
         self.ball_diameter * angle.cos() / self.pitch_diameter
     }
@@ -343,7 +343,7 @@ impl Geometry {
     /// Axial distance of the groove centres at zero displacement, m: A sin α0 of an angular contact bearing, whose
     /// free contact angle just closes there; 0 of a deep-groove bearing in the middle of its play.
     pub fn free_axial(&self) -> f64 {
-        match self.symmetric {
+        match self.is_symmetric() {
             true => 0.0,
             false => self.groove_centre_distance() * self.contact_angle.sin(),
         }

@@ -67,19 +67,14 @@ pub(super) struct Balls<S: Simd> {
 impl<S: Simd> Balls<S> {
     /// Each ball by itself with its number, of `count` in all.
     pub fn single(&self, count: usize) -> impl Iterator<Item = (usize, Ball)> {
-        let Ball {
-            axial,
-            radial,
-            drop: [inner, outer],
-        } = self.ball;
-        let (first, here) = (self.first, LANES.min(count.saturating_sub(self.first)));
-        (0..here).map(move |lane| {
+        let (first, balls) = (self.first, self.ball);
+        (first..count.min(first + LANES)).map(move |number| {
+            let lane = number - first;
             let ball = Ball {
-                axial: axial[lane],
-                radial: radial[lane],
-                drop: [inner[lane], outer[lane]],
+                drop: balls.drop.map(|drop| drop[lane]),
+                ..Ball::at(balls.axial[lane], balls.radial[lane])
             };
-            (first + lane, ball)
+            (number, ball)
         })
     }
 }
@@ -203,21 +198,6 @@ impl Ring {
         ]
     }
 
-    /// Rates of the drops under balls as cage and shaft turn, m/s.
-    #[inline(always)]
-    pub(super) fn drop_rates<S: Simd>(
-        &self,
-        at: &Balls<S>,
-        rotation: &BearingRotation,
-    ) -> [Lanes<S>; 2] {
-        let speeds = [rotation.cage_speed, rotation.speed];
-        let rates = match &self.surfaces {
-            None => [[0.0; LANES]; 2],
-            Some(surfaces) => surfaces.rates(at.first, [&at.cos, &at.sin], rotation, speeds),
-        };
-        rates.map(|rates| at.cos.witness().load_array_f64x4(rates))
-    }
-
     /// A single ball at an azimuth in rad: that of a number, or, where there is none, a perfect one.
     pub(super) fn ball_at(
         &self,
@@ -236,9 +216,8 @@ impl Ring {
             drops.map(|[drop, ..]| drop)
         });
         Ball {
-            axial,
-            radial,
             drop,
+            ..Ball::at(axial, radial)
         }
     }
 

@@ -32,8 +32,7 @@ impl BallLoads {
             load: [zeros(balls), zeros(balls)],
             angle: [zeros(angles), zeros(angles)],
             approach: zeros(balls),
-            largest: [0.0; 2],
-            life_powers: [0.0; 2],
+            ..Self::default()
         }
     }
 

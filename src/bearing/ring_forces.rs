@@ -116,10 +116,13 @@ impl Ring {
                 elastic.add_force(at, law, &response.force.value());
                 let approaches = law.elastic_approaches(&response);
                 let [axial_rate, radial_rate] = self.components([0.0; 2], rate, [at.cos, at.sin]);
-                let drop_rates = if D == 4 {
-                    self.drop_rates(at, rotation)
-                } else {
-                    [zero; 2]
+                let drop_rates = match &self.surfaces {
+                    Some(surfaces) if D == 4 => {
+                        let speeds = [rotation.cage_speed, rotation.speed];
+                        let rates = surfaces.rates(at.first, [&at.cos, &at.sin], rotation, speeds);
+                        rates.map(|rates| simd.load_array_f64x4(rates))
+                    }
+                    _ => [zero; 2],
                 };
                 let [mut axial, mut radial] = [zero; 2];
                 for (race, approach) in approaches.into_iter().enumerate() {

@@ -1,6 +1,6 @@
 //! The force of a mounted bearing from a table.
 
-use super::law::{BallRegion, BallTable, TableError, TableReport, with_law};
+use super::law::{BallRegion, BallTable, Law, TableError, TableReport, with_law};
 use super::seat::Seat;
 use super::support::Support;
 use super::{BearingRotation, Vector5};
@@ -29,7 +29,7 @@ impl Support {
         tolerance: f64,
     ) -> Option<Result<TableReport, TableError>> {
         let floats = matches!(self.seat, Seat::Spring { .. });
-        if self.frozen.is_some() || floats || self.law.is_cheap() {
+        if self.frozen.is_some() || floats || matches!(self.law, Law::Hertz(_)) {
             return None;
         }
         if self.is_imperfect() {
@@ -37,7 +37,9 @@ impl Support {
         }
         let place = self.ring_displacement(displacement, &BearingRotation::at_start(speed));
         let region = self.ball_region(&place, amplitude);
-        let load = self.largest_load_around(&place, speed);
+        let around = self.around_ring(&place, speed, Some(AZIMUTHS));
+        let loads = around.iter().map(|ball| ball.contact.load_inner);
+        let load = loads.fold(0.0, f64::max);
         let compiled = with_law!(&self.law, law => {
             BallTable::compile(law, region, speed, load, tolerance)
         });
@@ -96,13 +98,5 @@ impl Support {
             axial: around(geometry.free_axial() + z, axial),
             radial: around(geometry.free_radial(), radial),
         }
-    }
-
-    /// Largest load that a ball at any azimuth bears with the ring at `place`, N.
-    fn largest_load_around(&self, place: &Vector5, speed: f64) -> f64 {
-        self.around_ring(place, speed, Some(AZIMUTHS))
-            .iter()
-            .map(|around| around.contact.load_inner)
-            .fold(0.0, f64::max)
     }
 }

@@ -201,10 +201,8 @@ fn solve_ellipticity(difference: f64) -> f64 {
         } else {
             low = kappa;
         }
-        let newton = kappa
-            * ((difference - value) / (slope * kappa))
-                .clamp(-1.0, 1.0)
-                .exp();
+        let step = (difference - value) / (slope * kappa);
+        let newton = kappa * step.clamp(-1.0, 1.0).exp();
         let next = if newton > low && newton < high {
             newton
         } else {

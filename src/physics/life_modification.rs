@@ -26,10 +26,8 @@ const HIGHEST_FACTOR: f64 = 50.0;
 /// assert!((at(3000.0) - 13.24).abs() < 5e-3);
 /// ```
 pub fn reference_viscosity(speed: f64, pitch_diameter: f64) -> f64 {
-    let (rpm, diameter) = (
-        speed.abs() * 30.0 / std::f64::consts::PI,
-        1e3 * pitch_diameter,
-    );
+    let rpm = speed.abs() * 30.0 / std::f64::consts::PI;
+    let diameter = 1e3 * pitch_diameter;
     // a speed in rad/s that is 1000 rpm but for round-off belongs above
     let growth = if rpm < 1000.0 * (1.0 - 1e-12) {
         45_000.0 * rpm.powf(-0.83)

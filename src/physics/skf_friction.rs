@@ -92,12 +92,8 @@ impl SkfFriction {
         let mean = 1e3 * operation.pitch_diameter;
         let starvation = if operation.grease { 6e-8 } else { 3e-8 };
         let inlet = 1.0 / (1.0 + 1.84e-9 * (rpm * mean).powf(1.28) * viscosity.powf(0.64));
-        let replenishment = (-starvation
-            * viscosity
-            * rpm
-            * (bore + outside)
-            * (3.1 / (2.0 * (outside - bore))).sqrt())
-        .exp();
+        let section = (3.1 / (2.0 * (outside - bore))).sqrt();
+        let replenishment = (-starvation * viscosity * rpm * (bore + outside) * section).exp();
         let boundary = (-2.6e-8 * (rpm * viscosity).powf(1.4) * mean).exp();
         let coefficient = 0.15 * boundary + 0.05 * (1.0 - boundary);
         let [rolling, sliding] = self.load_terms(operation, mean);
@@ -117,9 +113,8 @@ impl SkfFriction {
                 s1 * mean.powf(-0.26) * radial.powf(5.0 / 3.0),
             ];
         }
-        let sine = (24.6 * (axial / operation.static_rating).powf(0.24))
-            .to_radians()
-            .sin();
+        let degrees = 24.6 * (axial / operation.static_rating).powf(0.24);
+        let sine = degrees.to_radians().sin();
         let sliding = radial.powi(5) + s2 * mean.powf(1.5) * axial.powi(4) / sine;
         [
             r1 * mean.powf(1.96) * (radial + r2 * axial / sine).powf(0.54),

@@ -68,10 +68,8 @@ impl VibrationZone {
     /// ```
     pub fn of(velocity: f64, boundaries: &[f64; 3]) -> Self {
         let zones = [Self::A, Self::B, Self::C, Self::D];
-        zones[boundaries
-            .iter()
-            .filter(|boundary| velocity > **boundary)
-            .count()]
+        let below = boundaries.iter().filter(|boundary| velocity > **boundary);
+        zones[below.count()]
     }
 
     /// What the standard says of a machine in this zone.

@@ -158,10 +158,8 @@ impl Row<'_> {
             (bore, outside, angle, dynamic, problems.is_empty())
         else {
             let line = self.record.position().map_or(0, csv::Position::line);
-            let told = problems
-                .iter()
-                .map(|problem| format!("line {line}: {problem}"));
-            return Err(told.collect());
+            let with_line = |problem: &String| format!("line {line}: {problem}");
+            return Err(problems.iter().map(with_line).collect());
         };
         let line = CatalogueLine {
             bore,

@@ -204,12 +204,11 @@ pub trait BallLaw {
         const SHARE: f64 = FilmContact::LOAD_EXPONENT / (1.0 - FilmContact::LOAD_EXPONENT);
         let response = self.response(ball, speed);
         let approaches = self.elastic_approaches(&response);
-        let films = self
-            .films()
-            .map(|films| films.thickness(response.load, speed));
+        let films = self.films();
+        let thickness = films.map(|films| films.thickness(response.load, speed));
         let energy = |race: usize| {
             let load = response.load[race];
-            let film = films.map_or(0.0, |films| films[race].central);
+            let film = thickness.map_or(0.0, |thickness| thickness[race].central);
             if load > 0.0 {
                 0.4 * load * approaches[race] + SHARE * load * film
             } else {

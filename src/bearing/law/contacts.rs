@@ -133,9 +133,8 @@ impl RaceFilms {
         let entrainment = self.entrainment_ratio * speed.abs();
         // k = |dQ/dh|
         std::array::from_fn(|race| {
-            1.0 / self.contacts[race]
-                .central_slope(entrainment, loads[race])
-                .abs()
+            let slope = self.contacts[race].central_slope(entrainment, loads[race]);
+            1.0 / slope.abs()
         })
     }
 }

@@ -80,11 +80,6 @@ impl Law {
         })
     }
 
-    /// Whether it costs so little that a table of it would gain nothing.
-    pub fn is_cheap(&self) -> bool {
-        matches!(self, Self::Hertz(_))
-    }
-
     /// Whether films part its surfaces: the force of its balls is then smooth where they lift off.
     pub fn has_films(&self) -> bool {
         matches!(self, Self::HertzFilm(_) | Self::JonesFilm(_))

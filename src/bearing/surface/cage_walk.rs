@@ -27,12 +27,10 @@ impl CageWalk {
         if steps.is_empty() {
             return None;
         }
-        let mut sums = vec![0.0];
-        let mut sum = 0.0;
-        sums.extend(steps.iter().map(|step| {
-            sum += step;
-            sum
-        }));
+        let mut sums = vec![0.0; steps.len() + 1];
+        for (index, step) in steps.iter().enumerate() {
+            sums[index + 1] = sums[index] + step;
+        }
         Some(Self {
             steps: steps.to_vec(),
             sums,

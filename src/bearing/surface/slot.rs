@@ -1,19 +1,12 @@
 //! A defect of a surface: a slot across the race, or a dent of a ball, and how far a ball sinks into it.
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 use super::Defect;
 
 /// How the drop of a ball follows from its place over a defect.
-#[derive(
-    Debug,
-    Clone,
-    Copy,
-    PartialEq,
-    Eq,
-    Default,
-    serde::Serialize,
-    serde::Deserialize,
-    schemars::JsonSchema,
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum DefectProfile {
     /// Sharp edges: the ball rests on the nearer edge until it meets the floor.

@@ -163,9 +163,8 @@ pub(super) fn apply(a: &[Plane<f64>; 2], x: Plane<f64>) -> Plane<f64> {
 #[inline(always)]
 pub(super) fn inverse(&[[a, b], [c, d]]: &[Plane<f64>; 2]) -> Option<[Plane<f64>; 2]> {
     let scale = 1.0 / (a * d - b * c);
-    scale
-        .is_finite()
-        .then(|| [[d * scale, -b * scale], [-c * scale, a * scale]])
+    let inverse = [[d * scale, -b * scale], [-c * scale, a * scale]];
+    scale.is_finite().then_some(inverse)
 }
 
 /// Axial and radial component.

@@ -113,15 +113,13 @@ impl<R: Races> JonesLaw<R> {
         if !(density > 0.0 && density.is_finite()) {
             return Err(BearingError::Density { density });
         }
-        let diameter = geometry.ball_diameter();
+        let (diameter, factors) = (geometry.ball_diameter(), geometry.groove_factors());
         let mass = ball_mass(diameter, density);
         Ok(Self {
             ball: balance::Ball {
                 diameter,
-                free: geometry
-                    .groove_factors()
-                    .map(|factor| (factor - 0.5) * diameter),
-                groove_radius: geometry.groove_factor_inner() * diameter,
+                free: factors.map(|factor| (factor - 0.5) * diameter),
+                groove_radius: factors[0] * diameter,
                 inertia: InertiaLaw {
                     control,
                     diameter_ratio: diameter / geometry.pitch_diameter(),

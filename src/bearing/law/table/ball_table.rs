@@ -36,7 +36,16 @@ impl BallTable {
     /// square of the amplitude, in m and m².
     #[inline(always)]
     pub(crate) fn covers_around(&self, axial: [f64; 2], radial: [f64; 2], speed: f64) -> bool {
-        speed == self.speed && self.region.contains_around(axial, radial)
+        // squares in place of a root, which takes long
+        let room = |[middle, square]: [f64; 2], [low, high]: [f64; 2]| {
+            let (below, above) = (middle - low, high - middle);
+            (below >= 0.0) & (above >= 0.0) & (below * below >= square) & (above * above >= square)
+        };
+        let [near, far] = self.region.axial;
+        // both sides of A1 = 0
+        let near = if near > 0.0 { near } else { -far };
+        let folded = [axial[0].abs(), axial[1]];
+        speed == self.speed && room(radial, self.region.radial) & room(folded, [near, far])
     }
 
     /// Cells of positions that the table covers, and u there.

@@ -136,15 +136,14 @@ impl Chart {
     pub(super) fn roots(&self, region: &BallRegion) -> [f64; 2] {
         let nodes = nodes_along(region);
         let distance = region.axial[1].hypot(region.radial[1]);
-        let of = |radial: f64| nodes.map(|axial| self.past_lift(axial, radial));
-        let least = of(region.radial[0])
-            .into_iter()
-            .fold(f64::INFINITY, f64::min);
-        let least = least.max(0.0);
+        let of = |radial: f64| {
+            nodes
+                .into_iter()
+                .map(move |axial| self.past_lift(axial, radial))
+        };
+        let least = of(region.radial[0]).fold(f64::INFINITY, f64::min).max(0.0);
         let range = LEAST_RANGE * distance * distance;
-        let most = of(region.radial[1])
-            .into_iter()
-            .fold(least + range, f64::max);
+        let most = of(region.radial[1]).fold(least + range, f64::max);
         [least.sqrt(), most.sqrt()]
     }
 
@@ -235,21 +234,6 @@ impl BallRegion {
     pub(super) fn contains(&self, axial: f64, radial: f64) -> bool {
         let within = |value: f64, [low, high]: [f64; 2]| (low..=high).contains(&value);
         within(axial.abs(), self.axial) && within(radial, self.radial)
-    }
-
-    /// Whether all positions are inside a folded region whose A1 and A2 are within their amplitudes of the middle; each is the
-    /// middle and the square of the amplitude, in m and m².
-    #[inline(always)]
-    pub(super) fn contains_around(&self, axial: [f64; 2], radial: [f64; 2]) -> bool {
-        // squares in place of a root, which takes long
-        let room = |[middle, square]: [f64; 2], [low, high]: [f64; 2]| {
-            let (below, above) = (middle - low, high - middle);
-            (below >= 0.0) & (above >= 0.0) & (below * below >= square) & (above * above >= square)
-        };
-        let [near, far] = self.axial;
-        // both sides of A1 = 0
-        let near = if near > 0.0 { near } else { -far };
-        room(radial, self.radial) & room([axial[0].abs(), axial[1]], [near, far])
     }
 }
 
