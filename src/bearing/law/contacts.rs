@@ -65,9 +65,8 @@ impl Races for LubricatedRaces {
 
     #[inline]
     fn at_speed(&self, speed: f64) -> [FilmSpring; 2] {
-        self.contacts
-            .each_ref()
-            .map(|contact| contact.at_speed(speed))
+        let [inner, outer] = &self.contacts;
+        [inner.at_speed(speed), outer.at_speed(speed)]
     }
 
     fn elastic(&self) -> [HertzSpring; 2] {
