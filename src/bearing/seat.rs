@@ -48,19 +48,20 @@ impl Seat {
         shaft: &Vector5,
         tangent: impl Fn(&Vector5) -> (Vector5, Matrix5),
     ) -> Vector5 {
-        let mut place = *shaft;
+        // number by number: what was just written in parts is then not read as a whole
+        let [x, y, z, tilt_x, tilt_y] = *shaft;
         match *self {
-            Self::Fixed { offset } => place[AXIAL] += offset,
+            Self::Fixed { offset } => [x, y, z + offset, tilt_x, tilt_y],
             Self::Spring {
                 force,
                 start,
                 reach,
             } => {
-                place[AXIAL] = start;
+                let mut place = [x, y, start, tilt_x, tilt_y];
                 press(tangent, &mut place, force, reach);
+                place
             }
         }
-        place
     }
 
     /// Derivative of the inner ring's displacement by what the shaft imposes, seen from the cage;

@@ -163,7 +163,11 @@ impl ImperfectSurfaces {
             if surface.is_perfect() {
                 continue;
             }
-            let back = [rotation.shaft, Angle::ZERO][race];
+            let back = if race == 0 {
+                rotation.shaft
+            } else {
+                Angle::ZERO
+            };
             for lane in 0..LANES {
                 // φ − ψ
                 let direction = [
