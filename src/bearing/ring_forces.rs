@@ -85,7 +85,13 @@ impl Ring {
                     }
                 },
             );
-            (sums.force(), Matrix5::from_fn(|row, column| total(&slopes[row][column])))
+            let mut matrix = Matrix5::zeros();
+            for row in 0..5 {
+                for column in 0..5 {
+                    matrix[(row, column)] = total(&slopes[row][column]);
+                }
+            }
+            (sums.force(), matrix)
         })
     }
 
@@ -101,10 +107,8 @@ impl Ring {
         rotation: &BearingRotation,
     ) -> [Vector5; 2] {
         let zero = Lanes::splat(simd, 0.0);
-        let [mut elastic, mut damping] = [
-            ForceSums::new(simd, self.arm),
-            ForceSums::new(simd, self.arm),
-        ];
+        let mut elastic = ForceSums::new(simd, self.arm);
+        let mut damping = ForceSums::new(simd, self.arm);
         self.visit(
             simd,
             displacement,

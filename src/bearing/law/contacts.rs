@@ -190,6 +190,7 @@ pub(super) fn race_springs(bearing: &Bearing, contacts: &[HertzContact; 2]) -> [
 }
 
 /// Elastic approaches of both contacts under their loads in N, m.
+#[inline(always)]
 pub(super) fn approaches_under<T: Number>(springs: &[HertzSpring; 2], load: [T; 2]) -> [T; 2] {
     let [inner] = T::apply(&springs[0], [load[0]]);
     let [outer] = T::apply(&springs[1], [load[1]]);
