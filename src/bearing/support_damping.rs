@@ -95,6 +95,7 @@ impl Support {
 
     /// Place of the inner ring, its rate, and the derivative of its displacement by what the shaft imposes, where that is
     /// not the identity; the rates are seen from the cage.
+    #[inline(always)]
     fn followed(
         &self,
         imposed: &Vector5,
