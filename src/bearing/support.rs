@@ -9,7 +9,7 @@ use super::number::Number;
 use super::seat::Seat;
 use super::support_force::LinearForce;
 use super::{
-    Around, BallLoads, BearingError, BearingRotation, BearingState, CageWalk, ContactBand,
+    Around, BallLoads, BearingError, BearingRotation, BearingState, CageJitter, ContactBand,
     ContactLaw, FrictionMoment, Geometry, Matrix5, MountedBearing, Preload, Ring, Vector5,
 };
 use crate::physics::{BallPass, HertzContact, nominal_cage_speed};
@@ -37,7 +37,7 @@ pub struct Support {
     friction: BearingFriction,
     /// Speed of the cage over that of the shaft.
     cage_ratio: f64,
-    cage_walk: Option<CageWalk>,
+    cage_jitter: Option<CageJitter>,
     /// Set once the bearing is linear.
     pub(super) frozen: Option<LinearForce>,
     pub(super) definition: MountedBearing,
@@ -65,7 +65,7 @@ impl Support {
             law,
             table: None,
             cage_ratio: nominal_cage_speed(1.0, geometry.gamma()) * (1.0 - imperfections.cage_slip),
-            cage_walk: CageWalk::new(&imperfections.cage_steps, geometry.balls()),
+            cage_jitter: CageJitter::new(&imperfections.cage_steps, geometry.balls()),
             frozen: None,
             definition: definition.clone(),
             sign: definition.facing.sign(),
@@ -277,8 +277,8 @@ impl Support {
 
     /// How the cage wanders, where it does.
     #[inline]
-    pub(crate) fn cage_walk(&self) -> Option<&CageWalk> {
-        self.cage_walk.as_ref()
+    pub(crate) fn cage_jitter(&self) -> Option<&CageJitter> {
+        self.cage_jitter.as_ref()
     }
 
     /// Ball-pass frequencies at the nominal contact angle, with the slip of the cage: balls that roll on the outer race

@@ -25,7 +25,7 @@ impl Support {
     pub(crate) fn race_passes(&self) -> impl Iterator<Item = RacePass> + '_ {
         let own = &self.definition;
         let defects = own.imperfections.defects.iter();
-        let defects = defects.filter(|_| self.cage_walk().is_none());
+        let defects = defects.filter(|_| self.cage_jitter().is_none());
         defects.filter_map(|defect| {
             defect.race_pass(&own.bearing.geometry, own.first_ball, own.position)
         })

@@ -74,12 +74,12 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let prepare = |job: &mut Job| {
         let missing = "`steady` needs a table `[time]`, as `run` does";
         let model = job.motion(arguments.no_verify, missing)?;
-        Ok((model, stretch(job, arguments)?))
+        Ok((model, varied_number(job, arguments)?))
     };
-    arguments.files.answer(prepare, |job, (model, stretch)| {
+    arguments.files.answer(prepare, |job, (model, over)| {
         let started = Instant::now();
-        let answer = match &stretch {
-            Some(stretch) => along(job, &model, stretch, arguments)?,
+        let answer = match &over {
+            Some(over) => along(job, &model, over, arguments)?,
             None => alone(job, &model, arguments)?,
         };
         Ok(answer.timed(started))
@@ -87,28 +87,28 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
 }
 
 /// A number of the scenario and its first and last value.
-struct Stretch {
-    varied: OpenNumber,
+struct VariedNumber {
+    number: OpenNumber,
     variable: Variable,
     ends: [f64; 2],
 }
 
-fn stretch(job: &Job, arguments: &Arguments) -> Result<Option<Stretch>, Failure> {
+fn varied_number(job: &Job, arguments: &Arguments) -> Result<Option<VariedNumber>, Failure> {
     let Arguments { over, from, to, .. } = arguments;
     let Some(((over, from), to)) = over.as_ref().zip(from.as_ref()).zip(to.as_ref()) else {
         return Ok(None);
     };
     let folder = job.file.parent().unwrap_or(Path::new(""));
-    let varied = OpenNumber::new(&job.scenario, over, folder)?;
-    let ((first, variable), (last, _)) = (varied.value(from)?, varied.value(to)?);
+    let number = OpenNumber::new(&job.scenario, over, folder)?;
+    let ((first, variable), (last, _)) = (number.value(from)?, number.value(to)?);
     if first == last {
         return Err("--from and --to are the same value".into());
     }
     // the scenario exists at both ends
-    varied.rotor(first)?;
-    varied.rotor(last)?;
-    Ok(Some(Stretch {
-        varied,
+    number.rotor(first)?;
+    number.rotor(last)?;
+    Ok(Some(VariedNumber {
+        number,
         variable,
         ends: [first, last],
     }))
@@ -128,12 +128,9 @@ fn alone(job: &Job, model: &Model, arguments: &Arguments) -> Result<Answer, Fail
     job.write(report::steady_findings(&job.destination(), model, &found))
 }
 
-/// What is told of both ends of a stretch before anything moves, each once.
-fn warnings_at_ends(stretch: &Stretch) -> Vec<String> {
-    let rotors = stretch
-        .ends
-        .into_iter()
-        .map(|end| stretch.varied.rotor(end));
+/// What is told at both ends of its range before anything moves, each once.
+fn warnings_at_ends(over: &VariedNumber) -> Vec<String> {
+    let rotors = over.ends.into_iter().map(|end| over.number.rotor(end));
     let warnings = rotors.flatten().flat_map(|rotor| speed_warnings(&rotor));
     without_repeats(warnings)
 }
@@ -188,15 +185,15 @@ impl SearchPace {
 fn along(
     job: &Job,
     model: &Model,
-    stretch: &Stretch,
+    over: &VariedNumber,
     arguments: &Arguments,
 ) -> Result<Answer, Failure> {
     let pace = SearchPace::default();
-    let varied = &stretch.varied;
+    let varied = &over.number;
     let question = ResponseQuestion {
         model,
         family: &|value| varied.rotor(value).map_err(|issue| issue.to_string()),
-        range: stretch.ends,
+        range: over.ends,
         multiple: arguments.period.unwrap_or(1),
         points: arguments.points,
         doubled: !arguments.no_doubled,
@@ -205,10 +202,10 @@ fn along(
     };
     let mut reached = |part: f64| pace.part.store(part.to_bits(), Ordering::Relaxed);
     let branches = pace.watched(job, || response(&question, &mut reached))?;
-    job.warn(warnings_at_ends(stretch));
+    job.warn(warnings_at_ends(over));
     let incomplete = || branches.iter().filter(|branch| branch.incomplete);
     job.warn(incomplete().map(|branch| &branch.end));
-    let variable = &stretch.variable;
+    let variable = &over.variable;
     let findings = report::response_findings(&job.destination(), variable, &branches);
     Ok(Answer {
         incomplete: incomplete().next().is_some(),

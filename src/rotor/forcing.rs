@@ -118,7 +118,7 @@ impl Rotor {
         for (bearing, support) in self.supports.iter().enumerate() {
             let balls = support.definition().bearing.geometry.balls() as f64;
             let cage = self.cage_ratio(support) * speed;
-            if support.cage_walk().is_some() && cage > 0.0 {
+            if support.cage_jitter().is_some() && cage > 0.0 {
                 return Err(Unrepeated::CageJitter { bearing });
             }
             let surfaces = support.surfaces_that_turn();

@@ -10,7 +10,7 @@ use super::point::{Attachment, Place, Point, about_origin};
 use super::structure::{Structure, UnbalancedPoint};
 use super::unconstrained::FreeDirections;
 use super::{CageMotion, Drive, FREEDOMS, InitialPosition, Load, Rotation, SpeedProfile};
-use crate::bearing::{Angle, BearingRotation, BearingState, CageWalk, Support, Vector5};
+use crate::bearing::{Angle, BearingRotation, BearingState, CageJitter, Support, Vector5};
 use crate::registers::in_wide_registers;
 
 /// A shaft on its bearings, assembled and ready to move.
@@ -236,8 +236,8 @@ impl Rotor {
         phases: &Phases,
     ) -> BearingRotation {
         let ratio = self.cage_ratio(support);
-        if let Some(walk) = support.cage_walk() {
-            return wandering(walk, ratio, rotation, phases);
+        if let Some(jitter) = support.cage_jitter() {
+            return jittering(jitter, ratio, rotation, phases);
         }
         BearingRotation {
             cage: if ratio == phases.ratio {
@@ -347,9 +347,14 @@ impl Rotor {
 
 /// The rotation of a bearing whose cage wanders.
 #[inline(never)]
-fn wandering(walk: &CageWalk, ratio: f64, rotation: &Rotation, phases: &Phases) -> BearingRotation {
+fn jittering(
+    jitter: &CageJitter,
+    ratio: f64,
+    rotation: &Rotation,
+    phases: &Phases,
+) -> BearingRotation {
     let nominal = ratio * rotation.angle;
-    let [ahead, slope] = walk.at(nominal);
+    let [ahead, slope] = jitter.at(nominal);
     BearingRotation {
         cage: Angle::new(nominal + ahead),
         shaft: phases.shaft,

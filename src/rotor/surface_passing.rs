@@ -3,7 +3,7 @@
 
 use super::motion::AttachedBearing;
 use super::{Rotation, Rotor};
-use crate::bearing::{BearingRotation, CageWalk, Passing, Support};
+use crate::bearing::{BearingRotation, CageJitter, Passing, Support};
 use crate::integrate::root::root;
 
 /// Part of an angle of the shaft to which a passage is found.
@@ -23,9 +23,9 @@ impl Rotor {
         let times = imperfect.flat_map(|support| {
             let ratio = self.cage_ratio(support);
             support.passings().iter().map(move |passing| {
-                self.first_time(after, |later| match support.cage_walk() {
+                self.first_time(after, |later| match support.cage_jitter() {
                     None => passing.next_angle(now, ratio, later),
-                    Some(walk) => angle_by_walk(passing, walk, ratio, now, later),
+                    Some(jitter) => angle_with_jitter(passing, jitter, ratio, now, later),
                 })
             })
         });
@@ -36,7 +36,7 @@ impl Rotor {
     pub(super) fn next_cage_step(&self, after: f64) -> f64 {
         let now = self.speed.at(after).angle;
         let times = self.supports.iter().filter_map(|support| {
-            let (spacing, ratio) = (support.cage_walk()?.spacing(), self.cage_ratio(support));
+            let (spacing, ratio) = (support.cage_jitter()?.spacing(), self.cage_ratio(support));
             let passed = (ratio * now / spacing).floor();
             let angle = |later: u32| Some((passed + f64::from(later + 1)) * spacing / ratio);
             (ratio > 0.0).then(|| self.first_time(after, angle))
@@ -56,8 +56,8 @@ impl Rotor {
     pub(super) fn cage_rate(&self, support: &Support, angle: f64) -> f64 {
         let ratio = self.cage_ratio(support);
         let slope = support
-            .cage_walk()
-            .map_or(0.0, |walk| walk.at(ratio * angle)[1]);
+            .cage_jitter()
+            .map_or(0.0, |jitter| jitter.at(ratio * angle)[1]);
         ratio * (1.0 + slope)
     }
 
@@ -119,9 +119,9 @@ impl Rotor {
 }
 
 /// As [`Passing::next_angle`] of a cage that wanders, which never turns backwards.
-fn angle_by_walk(
+fn angle_with_jitter(
     passing: &Passing,
-    walk: &CageWalk,
+    jitter: &CageJitter,
     ratio: f64,
     after: f64,
     later: u32,
@@ -131,7 +131,7 @@ fn angle_by_walk(
         return None;
     }
     let place = |angle: f64| {
-        let cage = ratio * angle + walk.at(ratio * angle)[0];
+        let cage = ratio * angle + jitter.at(ratio * angle)[0];
         (passing.offset + passing.by_cage * cage + passing.by_shaft * angle) / passing.period
             * rate.signum()
     };

@@ -1,12 +1,12 @@
 //! Surfaces that are not perfect: defects, waviness and balls of unequal size, as drops under the balls.
 
-mod cage_walk;
+mod cage_jitter;
 mod passing;
 mod slot;
 mod surfaces;
 mod waves;
 
-pub use cage_walk::CageWalk;
+pub use cage_jitter::CageJitter;
 pub use passing::{Passing, RacePass, SideView};
 pub use slot::DefectProfile;
 pub(super) use surfaces::ImperfectSurfaces;

@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 ///
 /// in rad: its angle, speed and acceleration are continuous, and from one ball pass to the next it is a polynomial.
 #[derive(Debug, Clone, PartialEq)]
-pub struct CageWalk {
+pub struct CageJitter {
     steps: Vec<f64>,
     /// Sums of the steps before each, and of all.
     sums: Vec<f64>,
@@ -20,7 +20,7 @@ pub struct CageWalk {
     spacing: f64,
 }
 
-impl CageWalk {
+impl CageJitter {
     /// Of a cage with so many balls that gains these angles Δ, rad, one with every ball pass, and then again; none where there
     /// are no steps.
     pub fn new(steps: &[f64], balls: usize) -> Option<Self> {
@@ -67,22 +67,22 @@ mod tests {
     #[test]
     fn a_cage_wanders_smoothly_and_takes_every_step() {
         let steps = [0.01, -0.02, 0.005];
-        let walk = CageWalk::new(&steps, 9).expect("steps");
+        let jitter = CageJitter::new(&steps, 9).expect("steps");
         let mut sum = 0.0;
         for pass in 0..7 {
-            let angle = f64::from(pass) * walk.spacing();
-            let [ahead, slope] = walk.at(angle + 1e-12);
+            let angle = f64::from(pass) * jitter.spacing();
+            let [ahead, slope] = jitter.at(angle + 1e-12);
             assert!((ahead - sum).abs() < 1e-12 && slope.abs() < 1e-9);
             for part in [0.1, 0.5, 0.83] {
-                let angle = angle + part * walk.spacing();
-                let [ahead, behind] = [1e-6, -1e-6].map(|step| walk.at(angle + step)[0]);
-                let [_, slope] = walk.at(angle);
+                let angle = angle + part * jitter.spacing();
+                let [ahead, behind] = [1e-6, -1e-6].map(|step| jitter.at(angle + step)[0]);
+                let [_, slope] = jitter.at(angle);
                 assert!((slope - (ahead - behind) / 2e-6).abs() < 1e-8);
                 // the steepest slope of S times that of the largest step
-                assert!(slope.abs() <= 1.875 * 0.02 / walk.spacing());
+                assert!(slope.abs() <= 1.875 * 0.02 / jitter.spacing());
             }
             sum += steps[pass as usize % 3];
         }
-        assert_eq!(CageWalk::new(&[], 9), None);
+        assert_eq!(CageJitter::new(&[], 9), None);
     }
 }
