@@ -75,7 +75,7 @@ pub enum Characteristic {
 }
 
 impl Characteristic {
-    /// Its frequency and that of the cycles beside which its sidebands stand, Hz.
+    /// Its frequency and the distance of its sidebands, Hz.
     pub(super) fn frequencies(self, pass: &BallPass, shaft: f64) -> [f64; 2] {
         match self {
             Self::OuterRace => [pass.outer, shaft],

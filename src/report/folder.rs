@@ -66,7 +66,7 @@ impl FileSet {
             "trace.until-failure.mat",
         ],
     };
-    /// What a run leaves that cannot go on; beside it an earlier run may stand whole.
+    /// What a run leaves that cannot go on; an earlier whole run may be beside it.
     pub const FAILURE: Self = Self {
         seal: "failure.json",
         tables: &["trace.until-failure"],
@@ -175,7 +175,7 @@ const TEMPORARY: &str = ".*.partial";
 pub struct RunFolder {
     path: PathBuf,
     /// The lock on it, which the system takes back when the process ends, however it ends; none where files are put
-    /// that stand for themselves.
+    /// that belong to no set.
     _lock: Option<File>,
     set: FileSet,
     /// Formats of the tables.
@@ -207,7 +207,7 @@ impl RunFolder {
         Ok(folder)
     }
 
-    /// Opens the folder for files that stand for themselves, whoever else writes there.
+    /// Opens the folder for files that belong to no set, whoever else writes there.
     ///
     /// # Errors
     /// [`ReportError::File`] where it cannot be created.

@@ -30,7 +30,7 @@ pub fn response_findings(
             ),
         ],
         figures: vec![figure(title, variable, branches)],
-        // the motions stand in `response.csv`
+        // the motions are in `response.csv`
         document: destination.document(json!({
             "over": variable.key,
             "unit": variable.unit,

@@ -105,7 +105,7 @@ fn names(runs: &[Folder], folders: &[PathBuf]) -> Vec<String> {
 
 /// Axes whose velocities are shown.
 const AXES: [&str; 3] = ["x", "y", "z"];
-/// Numbers of a summary beside the velocities: their names, and where they stand.
+/// Numbers of a summary beside the velocities: their names, and where they are found.
 const KEY_NUMBERS: [(&str, &str); 4] = [
     ("largest ball\nload, N", "/largest_ball_load_N"),
     (

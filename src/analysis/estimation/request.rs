@@ -360,7 +360,7 @@ pub struct EstimatedSpectrum {
     pub first: isize,
     /// The columns, all of one length.
     pub columns: Vec<SpectrumColumn>,
-    /// What sampling did to the channels that stand there by themselves.
+    /// What sampling did to each channel that has a column of its own.
     pub(crate) checks: Vec<ChannelCheck>,
     /// Named lines of an envelope, strongest first in each column.
     pub lines: Vec<EnvelopeLine>,

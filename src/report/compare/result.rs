@@ -213,7 +213,7 @@ impl ColumnComparison {
         self.places.first()
     }
 
-    /// Takes the values of a row, which stands at a time or frequency, and how far they are apart.
+    /// Takes the values of a row, which is at a time or frequency, and how far they are apart.
     pub(super) fn take(
         &mut self,
         row: u64,

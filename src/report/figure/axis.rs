@@ -25,7 +25,7 @@ pub(super) const LETTER: u32 = 7;
 pub(crate) struct Axis {
     /// Quantity and unit; none where another panel shows them.
     pub name: String,
-    /// What stands at its ends.
+    /// The values at its ends.
     pub ends: [f64; 2],
     ticks: Vec<(f64, String)>,
     pub logarithmic: bool,

@@ -76,7 +76,7 @@ fn curve(curve: &Curve) -> Value {
     })
 }
 
-/// The points of a curve; where they stand for no runs, none twice.
+/// The points of a curve; where they belong to no runs, none twice.
 fn distinct_points(curve: &Curve) -> Vec<Point> {
     let mut points = curve.points.clone();
     if curve.runs.is_empty() && curve.marks.is_empty() {

@@ -179,7 +179,7 @@ pub(in crate::report) fn estimated_json(spectrum: &EstimatedSpectrum) -> Value {
         "over": request.axis,
         "scaling": request.scaling.name(),
         "meaning": meaning(spectrum),
-        // whether negative frequencies stand apart
+        // whether negative frequencies are kept apart
         "sides": if request.kind == SpectrumKind::Whirl { "two" } else { "one" },
         "window": request.window,
         "coherent_gain": request.window.coherent_gain(),

@@ -419,7 +419,7 @@ impl BearingInput {
         problems.take(places.map_err(|issue| issue.against(".arrangement")))
     }
 
-    /// What a catalogue prints of the bearing, `Some(None)` where the geometry stands alone; `None` where nothing tells what
+    /// What a catalogue prints of the bearing, `Some(None)` where only the geometry is given; `None` where nothing tells what
     /// the bearing is.
     fn printed(
         &self,

@@ -1,4 +1,4 @@
-//! What a bearing stands on, `[bearing.housing]`, or what stands in its place, `[bearing.linear]`.
+//! The housing of a bearing, `[bearing.housing]`, and a bearing of constant stiffness, `[bearing.linear]`.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
