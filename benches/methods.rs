@@ -121,7 +121,7 @@ impl Truth {
         let mut truth = Self {
             trace: trace(&model)?.0,
             scale: rotor.motion_scale(EXACT),
-            active: rotor.active_freedoms(),
+            active: rotor.freedoms().axes().len(),
             motion: 1.0,
         };
         let place = rotor.equilibrium().displacement;

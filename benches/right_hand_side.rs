@@ -171,7 +171,7 @@ const RUNGS: [Rung; 15] = {
 
 /// Benches one right-hand side at a state near equilibrium, at a new time in every call.
 fn right_hand_side(criterion: &mut Criterion, name: &str, rotor: &Rotor) {
-    let active = rotor.active_freedoms();
+    let active = rotor.freedoms().axes().len();
     let mut state = rotor.equilibrium().displacement[..active].to_vec();
     state.resize(2 * active, 1e-4);
     let (mut time, mut rate) = (0.0, state.clone());

@@ -6,8 +6,8 @@ use std::hint::black_box;
 use criterion::{Criterion, criterion_group, criterion_main};
 use jeffcott::analysis::{Channel, Window};
 use jeffcott::internals::{
-    Axis, BearingFrequencies, Detrend, Scaling, Segment, Sources, SpectrumKind, SpectrumRequest,
-    causes,
+    Axis, BearingFrequencies, Detrend, Freedoms, Scaling, Segment, Sources, SpectrumKind,
+    SpectrumRequest, causes,
 };
 use jeffcott::internals::{Recording, SampleGrid, estimate};
 use jeffcott::physics::ball_pass_frequencies;
@@ -31,7 +31,7 @@ fn sample(n: u32) -> Sample {
     }
 }
 
-fn recorded(freedoms: usize, revolutions: u32) -> Recording {
+fn recorded(freedoms: Freedoms, revolutions: u32) -> Recording {
     let mut recording = Recording::new(SampleGrid::of_angle(1.0, PER_REVOLUTION), 0.0)
         .with(Channel::of_freedoms(freedoms));
     for n in 0..PER_REVOLUTION * revolutions {
@@ -41,8 +41,8 @@ fn recorded(freedoms: usize, revolutions: u32) -> Recording {
 }
 
 fn spectrum(criterion: &mut Criterion) {
-    let recording = recorded(3, REVOLUTIONS);
-    let channels = Channel::of_freedoms(3);
+    let recording = recorded(Freedoms::Translational, REVOLUTIONS);
+    let channels = Channel::of_freedoms(Freedoms::Translational);
     let pass = ball_pass_frequencies(TAU, 12, 1.0, 5.0, 0.2);
     let lines = causes(&Sources {
         shaft: 1.0,
@@ -59,8 +59,8 @@ fn spectrum(criterion: &mut Criterion) {
 
 /// Spectra of a long run of five freedoms: 1e6 samples of ten channels.
 fn long_spectrum(criterion: &mut Criterion) {
-    let recording = recorded(5, 10 * REVOLUTIONS);
-    let channels = Channel::of_freedoms(5);
+    let recording = recorded(Freedoms::All, 10 * REVOLUTIONS);
+    let channels = Channel::of_freedoms(Freedoms::All);
     let pass = ball_pass_frequencies(TAU, 12, 1.0, 5.0, 0.2);
     let lines = causes(&Sources {
         shaft: 1.0,
@@ -101,7 +101,7 @@ fn request(segment: Segment, scaling: Scaling, axis: Axis) -> SpectrumRequest {
     SpectrumRequest {
         name: "bench".to_owned(),
         kind: SpectrumKind::Plain,
-        channels: Channel::of_freedoms(5),
+        channels: Channel::of_freedoms(Freedoms::All),
         scaling,
         window: Window::Hann,
         segment,

@@ -31,7 +31,7 @@ pub use crate::report::study::study_findings;
 pub use crate::report::table::ParquetTable;
 pub use crate::report::table::{Column, ColumnKind, CsvTable, MatTable, Origin, Table};
 pub use crate::report::text::contact_choice_text;
-pub use crate::rotor::{MotionScale, Rotor, StaticProblem};
+pub use crate::rotor::{Freedoms, MotionScale, Rotor, StaticProblem};
 pub use crate::scenario::TableFormat;
 pub use crate::scenario::document::written;
 pub use crate::scenario::key::{OpenNumber, method, speed, time};

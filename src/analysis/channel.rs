@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
-use crate::rotor::{FREEDOMS, MOST_HOUSINGS, Sample};
+use crate::rotor::{Freedoms, MOST_HOUSINGS, Sample};
 
 /// A column of the table of samples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -141,13 +141,12 @@ impl Channel {
     /// Energy stored in the bearings.
     pub(crate) const STORED_ENERGY: Self = Self::Energy(1);
 
-    /// Displacements, then forces, of the first `freedoms` of x, y, z, θx, θy.
-    pub fn of_freedoms(freedoms: usize) -> Vec<Self> {
-        let freedoms = freedoms.min(FREEDOMS);
-        let displacements = (0..freedoms).map(Self::Displacement);
-        displacements
-            .chain((0..freedoms).map(Self::Force))
-            .collect()
+    /// Displacements, then forces, of the freedoms that move.
+    #[doc(hidden)]
+    pub fn of_freedoms(freedoms: Freedoms) -> Vec<Self> {
+        let axes = || freedoms.axes().iter().copied();
+        let displacements = axes().map(Self::Displacement);
+        displacements.chain(axes().map(Self::Force)).collect()
     }
 
     /// Whether it moves or pushes along the axis of the shaft.
@@ -374,7 +373,7 @@ impl JsonSchema for Channel {
 mod tests {
     use super::*;
     use crate::keys;
-    use crate::rotor::{DriveMoments, EnergyBalance, HousingMotion};
+    use crate::rotor::{DriveMoments, EnergyBalance, FREEDOMS, HousingMotion};
 
     #[test]
     fn every_column_has_a_value_in_a_sample_that_is_wholly_observed() {

@@ -1,5 +1,6 @@
 //! `jeffcott check`.
 
+use std::fmt::Display;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -8,13 +9,15 @@ use serde_json::{Value, json};
 use super::demand::Demand;
 use super::jobs::name_of;
 use super::{Outcome, terminal};
+use crate::quasi_static::quasi_static;
 use crate::report::scene::scene_figure;
 use crate::report::{FigureFormat, write_whole};
 use crate::rotor::RotorDefinition;
-use crate::scenario::{self, Loaded, ScenarioError, StudyFile};
+use crate::scenario::{self, Issue, Loaded, ScenarioError, StudyFile};
 use crate::simulate::Model;
 
-/// Checks scenario and study files without running them; shows all that is wrong, and what a run takes.
+/// Checks scenario and study files without running them; shows all that is wrong, and what a run takes. A scenario whose
+/// shaft cannot be built, or has no equilibrium, is wrong as well.
 ///
 /// The memory is somewhat more than a run turns out to take, the time that of its first steps carried on to its end.
 #[derive(Debug, clap::Args)]
@@ -65,7 +68,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
 struct Checked {
     title: String,
     warnings: Vec<String>,
-    /// What it takes; none where nothing moves, or no run can begin.
+    /// What it takes; none where nothing moves, and of a study whose first run cannot begin.
     demand: Option<Demand>,
     /// What stands there; none of a study.
     scene: Option<RotorDefinition>,
@@ -96,8 +99,16 @@ fn check(file: &Path) -> Result<Checked, ScenarioError> {
         Loaded::Scenario(scenario) => {
             let model = scenario.model.as_ref();
             let of_speed = model.map(Model::speed_warnings).unwrap_or_default();
+            let demand = match model {
+                Some(model) => Demand::of(&scenario, model)
+                    .map(Some)
+                    .map_err(refused(file)),
+                None => quasi_static(&scenario.question)
+                    .map(|_| None)
+                    .map_err(refused(file)),
+            };
             Checked {
-                demand: model.and_then(|model| Demand::of(&scenario, model).ok()),
+                demand: demand?,
                 scene: Some(scenario.question.rotor.clone()),
                 title: scenario.title,
                 warnings: [scenario.warnings, of_speed].concat(),
@@ -107,6 +118,16 @@ fn check(file: &Path) -> Result<Checked, ScenarioError> {
     let refused = checked.demand.as_ref().and_then(Demand::memory_warning);
     checked.warnings.extend(refused);
     Ok(checked)
+}
+
+/// What a verb would say of a file that is well written and has no answer.
+fn refused<E: Display>(file: &Path) -> impl Fn(E) -> ScenarioError {
+    let name = name_of(file);
+    move |error| ScenarioError {
+        name: name.clone(),
+        text: String::new(),
+        issues: vec![Issue::new("", error.to_string())],
+    }
 }
 
 fn demand_of_study(study: &StudyFile) -> Option<Demand> {

@@ -9,7 +9,7 @@ use super::figure::{Axis, Curve, Figure, Panel, distinct};
 use super::page::{PagePanel, curve, narrow};
 use super::terminal::{MICRO, NAMES, shown_unit};
 use crate::analysis::Channel;
-use crate::rotor::Sample;
+use crate::rotor::{Freedoms, Sample};
 
 /// Height of up to three panels of a figure together, px.
 const HEIGHT: u32 = 486;
@@ -63,8 +63,8 @@ pub struct Histories {
 }
 
 impl Histories {
-    /// For the first `freedoms` of x, y, z, θx, θy.
-    pub fn new(freedoms: usize) -> Self {
+    /// For the freedoms that move.
+    pub fn new(freedoms: Freedoms) -> Self {
         let moving = Channel::of_freedoms(freedoms).into_iter();
         let further = FURTHER.iter().map(|(channel, _)| *channel);
         let history = |channel| History {
@@ -271,7 +271,7 @@ mod tests {
     #[test]
     fn a_long_history_shows_no_wave_that_there_is_not() {
         let wave = |time: f64| (std::f64::consts::TAU * 50.0 * time).sin();
-        let mut histories = Histories::new(1);
+        let mut histories = Histories::new(Freedoms::Radial);
         for n in 0..200_000 {
             let time = f64::from(n) * 1e-3 / 6.4;
             if n == 100_000 {

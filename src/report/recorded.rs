@@ -134,7 +134,7 @@ impl RunFindings {
     }
 
     fn drawn(&self) -> Vec<Figure> {
-        let mut histories = Histories::new(self.model.rotor.shaft.freedoms.count());
+        let mut histories = Histories::new(self.model.rotor.shaft.freedoms);
         let samples = self.recorded.samples.iter();
         samples.for_each(|sample| histories.sample(sample));
         let (title, run) = (&self.scenario.title, &self.recorded.run);

@@ -89,7 +89,7 @@ impl RunReport {
         ];
         let tables = tables.into_iter().filter(|(is_written, ..)| *is_written);
         let tables = tables.map(|(_, stem, channels)| SampleFiles::open(&folder, stem, channels));
-        let histories = || Histories::new(model.rotor.shaft.freedoms.count());
+        let histories = || Histories::new(model.rotor.shaft.freedoms);
         let events = || TableFiles::open(&folder, "events", &event_columns());
         Ok(Self {
             tables: tables.collect::<Result<_, _>>()?,

@@ -20,6 +20,9 @@ const HIGHEST: f64 = 420.0;
 /// Straight lines of a circle.
 const CIRCLE: usize = 40;
 
+/// Part of a direction below which it is not drawn.
+const ACROSS: f64 = 0.05;
+
 const RINGS: usize = 0;
 const CONTACTS: usize = 1;
 const LOADS: usize = 2;
@@ -209,15 +212,28 @@ impl Drawing {
             self.label((across[1], -radius), text, GREY);
         }
         for own in &shaft.unbalances {
-            let colour = distinct(UNBALANCE);
+            let size = format!("{} g mm", rounded(1e6 * own.amount));
             let at = MILLI * own.position;
-            self.arrow(colour, (at, 0.0), (0.0, 0.9 * scale.outer));
-            let text = format!("{} g mm", rounded(1e6 * own.amount));
-            self.label((at, 0.95 * scale.outer), text, colour);
+            self.unbalance(at, own.angle, &size, 0.9 * scale.outer, scale);
         }
         let at = MILLI * shaft.observed;
         self.circle(distinct(CONTACTS), (at, 0.0), 0.15 * scale.shaft);
         self.label((at, 0.0), "observed", distinct(CONTACTS));
+    }
+
+    /// An unbalance as the shaft stands at angle 0: its upward part by an arrow, which has no scale, that across the picture
+    /// by a circle.
+    fn unbalance(&mut self, at: f64, angle: f64, size: &str, length: f64, scale: &Scale) {
+        let colour = distinct(UNBALANCE);
+        let (sin, cos) = angle.sin_cos();
+        if sin.abs() > ACROSS {
+            self.arrow(colour, (at, 0.0), (0.0, length * sin));
+        }
+        if cos.abs() > ACROSS {
+            self.circle(colour, (at, 0.0), 0.15 * scale.shaft);
+        }
+        let text = format!("{size} at {}°", rounded(angle.to_degrees()));
+        self.label((at, 1.05 * length), text, colour);
     }
 
     /// A bearing of constant stiffness: springs from the shaft to the ground.
@@ -290,7 +306,7 @@ impl Drawing {
         }
     }
 
-    /// The centre of mass and the unbalance, whose arrow has no scale.
+    /// The centre of mass and the unbalance.
     fn mass(&mut self, rotor: &RotorDefinition, scale: &Scale) {
         let shaft = &rotor.shaft;
         let radius = 0.35 * scale.shaft;
@@ -299,11 +315,9 @@ impl Drawing {
         let text = format!("m {} kg", rounded(shaft.mass));
         self.label((radius, -0.55 * scale.shaft), text, GREY);
         if shaft.is_unbalanced() {
-            let colour = distinct(UNBALANCE);
-            self.arrow(colour, (0.0, 0.0), (0.0, 0.9 * scale.shaft));
-            let eccentricity = rounded(MICRO * shaft.mass_eccentricity());
-            let text = format!("e {eccentricity} µm");
-            self.label((radius, 0.75 * scale.shaft), text, colour);
+            let [eccentricity, angle] = shaft.mass_eccentricity();
+            let size = format!("e {} µm", rounded(MICRO * eccentricity));
+            self.unbalance(0.0, angle, &size, 0.9 * scale.shaft, scale);
         }
     }
 

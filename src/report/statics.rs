@@ -11,7 +11,7 @@ use super::{Destination, FileSet, Findings};
 use crate::bearing::{BallLine, BearingState, FilmState, Matrix5, RaceContact};
 use crate::physics::Race;
 use crate::quasi_static::{QuasiStatic, StaticQuestion};
-use crate::rotor::FREEDOMS;
+use crate::rotor::{FREEDOMS, Freedoms};
 
 /// Equilibrium, stiffness and every bearing with its balls.
 pub fn answer_findings(
@@ -45,7 +45,10 @@ const FORCES: [(&str, &str); FREEDOMS] = [
 
 fn text(title: &str, answer: &QuasiStatic) -> Lines {
     let mut out = Lines::titled(title);
-    out.line("equilibrium", displacement_text(&answer.displacement));
+    out.line(
+        "equilibrium",
+        displacement_text(Freedoms::All.axes(), &answer.displacement),
+    );
     let held = NAMES.iter().zip(answer.free).filter(|(_, free)| !free);
     out.line("held", listed(held.map(|(name, _)| (*name).to_owned())));
     let force = FORCES.iter().zip(answer.force);

@@ -22,7 +22,7 @@ use crate::steady::{Base, Steady, SteadyLine, SteadyLines};
 /// A steady motion: its trace, its spectrum, its stability and its error.
 pub fn steady_findings(destination: &Destination<'_>, model: &Model, steady: &Steady) -> Findings {
     let title = destination.title;
-    let mut histories = Histories::new(model.rotor.shaft.freedoms.count());
+    let mut histories = Histories::new(model.rotor.shaft.freedoms);
     let trace = &steady.trace;
     trace.iter().for_each(|sample| histories.sample(sample));
     let tolerance = model.integrator.tolerance;

@@ -206,11 +206,14 @@ pub(super) fn rounded(value: f64, decimals: i32) -> f64 {
 /// Names of the freedoms.
 pub(super) const NAMES: [&str; FREEDOMS] = ["x", "y", "z", "θx", "θy"];
 
-/// `x 0.1 µm, y −3.2 µm, …` of the first freedoms.
-pub(super) fn displacement_text(displacement: &[f64]) -> String {
-    let units = ["µm", "µm", "µm", "µrad", "µrad"];
-    let named = NAMES.iter().zip(units).zip(displacement);
-    listed(named.map(|((name, unit), value)| format!("{name} {} {unit}", decimal(MICRO * value))))
+/// `x 0.1 µm, y −3.2 µm, …` of some freedoms.
+pub(super) fn displacement_text(axes: &[usize], displacement: &[f64; FREEDOMS]) -> String {
+    let unit = |axis| if axis < 3 { "µm" } else { "µrad" };
+    let named = axes.iter().map(|&axis| {
+        let value = decimal(MICRO * displacement[axis]);
+        format!("{} {value} {}", NAMES[axis], unit(axis))
+    });
+    listed(named)
 }
 
 /// `12.5000 µm diametral, the middle of class CN`.

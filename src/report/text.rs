@@ -25,8 +25,9 @@ const ENVELOPE_LINES: usize = 6;
 /// Key numbers of a run, its strongest peaks and the files written.
 pub fn text(title: &str, model: &Model, run: &Run, files: &[PathBuf]) -> String {
     let mut out = Lines::titled(title);
-    let moving = &run.equilibrium.displacement[..model.rotor.shaft.freedoms.count()];
-    out.line("equilibrium", displacement_text(moving));
+    let moving = model.rotor.shaft.freedoms.axes();
+    let place = displacement_text(moving, &run.equilibrium.displacement);
+    out.line("equilibrium", place);
     out.line("natural", natural(&run.equilibrium));
     let counters = &run.counters;
     let work = format!(

@@ -5,8 +5,7 @@ use super::equilibrium::{Equilibrium, EquilibriumError, StaticPlace, static_plac
 use super::structure::Structure;
 use super::unconstrained::FreeDirections;
 use super::{
-    FREEDOMS, Freedoms, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY, ShaftError,
-    SpeedProfile,
+    FREEDOMS, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY, ShaftError, SpeedProfile,
 };
 use crate::bearing::{BearingError, Geometry, MountedBearing, Support, Vector5};
 use fearless_simd::Level;
@@ -127,6 +126,7 @@ impl Rotor {
             free: FreeDirections::find(&structure, definition, &supports, &tangent),
             rigid: structure.is_rigid(),
             structure,
+            freedoms: shaft.freedoms,
             gravity: if shaft.gravity { STANDARD_GRAVITY } else { 0.0 },
             shaft_mass: shaft.mass,
             inertia_polar: shaft.inertia_polar,
@@ -167,7 +167,7 @@ fn check_eccentricity(eccentricity: f64, supports: &[Support]) -> Result<(), Rot
 fn check_inertia(definition: &RotorDefinition) -> Result<(), RotorError> {
     let shaft = &definition.shaft;
     let polar = "the polar moment of inertia in kg m²";
-    if shaft.freedoms == Freedoms::All {
+    if shaft.freedoms.tilts() {
         positive(
             "the transverse moment of inertia in kg m²",
             shaft.inertia_transverse,
@@ -256,11 +256,11 @@ impl RotorDefinition {
 
 /// Displacement and velocity at t = 0.
 fn initial_state(definition: &RotorDefinition, equilibrium: &Equilibrium) -> [Vector5; 2] {
-    let active = definition.shaft.freedoms.count();
+    let freedoms = definition.shaft.freedoms;
     let initial = &definition.initial;
     let displacement = std::array::from_fn(|axis| {
         let rest = equilibrium.displacement[axis];
-        if axis >= active {
+        if !freedoms.moves(axis) {
             return rest;
         }
         let from = match initial.from {
@@ -270,7 +270,7 @@ fn initial_state(definition: &RotorDefinition, equilibrium: &Equilibrium) -> [Ve
         initial.displacement[axis].unwrap_or(from)
     });
     let velocity = std::array::from_fn(|axis| {
-        let given = initial.velocity[axis].filter(|_| axis < active);
+        let given = initial.velocity[axis].filter(|_| freedoms.moves(axis));
         given.unwrap_or(0.0)
     });
     [displacement, velocity]

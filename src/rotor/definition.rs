@@ -20,17 +20,54 @@ pub enum Freedoms {
     Radial,
     /// x, y and z.
     Translational,
+    /// x, y and both tilts.
+    Lateral,
     /// x, y, z and both tilts.
     All,
 }
 
 impl Freedoms {
-    /// How many of (x, y, z, θx, θy), in this order, move.
-    pub fn count(self) -> usize {
+    /// Those of x, y, z, θx, θy, counted from 0, that move.
+    pub fn axes(self) -> &'static [usize] {
         match self {
-            Self::Radial => 2,
-            Self::Translational => 3,
-            Self::All => 5,
+            Self::Radial => &[0, 1],
+            Self::Translational => &[0, 1, 2],
+            Self::Lateral => &[0, 1, 3, 4],
+            Self::All => &[0, 1, 2, 3, 4],
+        }
+    }
+
+    /// Whether one of x, y, z, θx, θy, counted from 0, moves.
+    pub fn moves(self, axis: usize) -> bool {
+        self.axes().contains(&axis)
+    }
+
+    /// How many of x, y, z move: z is the last.
+    pub fn lengths(self) -> usize {
+        2 + usize::from(self.moves(2))
+    }
+
+    /// Whether the tilts move.
+    pub fn tilts(self) -> bool {
+        self.moves(3)
+    }
+
+    /// The same with z held.
+    pub fn without_z(self) -> Self {
+        if self.tilts() {
+            Self::Lateral
+        } else {
+            Self::Radial
+        }
+    }
+
+    /// As in a scenario.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Radial => "radial",
+            Self::Translational => "translational",
+            Self::Lateral => "lateral",
+            Self::All => "all",
         }
     }
 }
@@ -165,6 +202,18 @@ impl RotorDefinition {
         let loads = self.loads.iter();
         let loads = loads.map(|load| load.kind.main_vibration().frequency_at(speed));
         passing.chain(loads).fold(speed, f64::max)
+    }
+
+    /// Whether linear bearings, housings or the shaft itself damp it.
+    pub(crate) fn is_damped_by_parts(&self) -> bool {
+        let linear = self.linear_bearings.iter().flat_map(|own| &own.damping);
+        let housings = self.bearings.iter().filter_map(|own| own.housing.as_ref());
+        let housings = housings.flat_map(|own| &own.damping);
+        let inside = self.flexible.iter().map(|own| &own.internal_damping);
+        linear
+            .chain(housings)
+            .chain(inside)
+            .any(|damping| *damping > 0.0)
     }
 
     /// The same shaft with so many modes of bending in each plane.

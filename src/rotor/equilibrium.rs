@@ -6,7 +6,7 @@ use super::lift_off::tilting_arm;
 use super::point::Attachment;
 use super::static_search::{Balance, StaticCoordinate, StaticSearch};
 use super::structure::{Structure, UnbalancedPoint};
-use super::{FREEDOMS, RotorDefinition, RotorError};
+use super::{FREEDOMS, Freedoms, RotorDefinition, RotorError};
 use crate::bearing::{
     Bearing, BearingState, Facing, Geometry, Matrix5, MountedBearing, Support, Vector5,
 };
@@ -21,9 +21,9 @@ pub const FREEDOM_NAMES: [&str; FREEDOMS] = keys::AXES;
 pub enum EquilibriumError {
     /// The shaft moves away without meeting resistance.
     #[error(
-        "no static equilibrium: the shaft gives way along {freedom} by {displacement:.3e} (m or rad) \
-         and {residual:.3e} (N or N m) stay unbalanced; nothing carries the load {load:.3e} there: \
-         hold this freedom, add a bearing or a preload, or change the load"
+        "no static equilibrium: the shaft gives way along {freedom} by {displacement:.3e} (m or rad) and {residual:.3e} (N \
+         or N m) stay unbalanced; {}",
+        not_carried(*load)
     )]
     NotCarried {
         /// Freedom with the largest unbalanced force.
@@ -43,6 +43,18 @@ pub enum EquilibriumError {
         /// The value.
         value: f64,
     },
+}
+
+/// Why a freedom gives way that has such a load of its own, and what helps.
+fn not_carried(load: f64) -> String {
+    if load == 0.0 {
+        return "no load acts there, so what pushes is a preload or spring that no other bearing faces, or a load elsewhere: \
+                add a bearing that holds the shaft that way or faces the other way, or hold this freedom"
+            .to_owned();
+    }
+    format!(
+        "nothing carries the load {load:.3e} there: hold this freedom, add a bearing or a preload, or change the load"
+    )
 }
 
 /// A static problem: what is given of load and displacement.
@@ -82,7 +94,7 @@ impl StaticProblem<'_> {
     /// # Errors
     /// [`EquilibriumError`] names the freedom that nothing carries.
     pub fn solve(&self) -> Result<Equilibrium, EquilibriumError> {
-        let structure = Structure::rigid([0.0; FREEDOMS], FREEDOMS, self.supports.len());
+        let structure = Structure::rigid([0.0; FREEDOMS], Freedoms::All, self.supports.len());
         let mut load = vec![0.0; FREEDOMS];
         structure.shaft.add_force(1.0, &self.load, &mut load);
         Ok(self.on(&structure, &load)?.equilibrium(&structure))
@@ -246,10 +258,10 @@ fn static_start(
     supports: &[Support],
     axial_load: f64,
 ) -> ([bool; FREEDOMS], Vector5) {
-    let active = definition.shaft.freedoms.count();
+    let freedoms = definition.shaft.freedoms;
     let bends = definition.flexible.is_some();
     let mut free: [bool; FREEDOMS] =
-        std::array::from_fn(|axis| axis < active || bends && axis != 2);
+        std::array::from_fn(|axis| freedoms.moves(axis) || bends && axis != 2);
     let mut start = [0.0; FREEDOMS];
     for axis in (3..FREEDOMS).filter(|&axis| !free[axis]) {
         start[axis] = definition.shaft.held_tilt[axis - 3];

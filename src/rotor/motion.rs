@@ -9,7 +9,7 @@ use super::phases::Phases;
 use super::point::{Attachment, Place, Point, about_origin};
 use super::structure::{Structure, UnbalancedPoint};
 use super::unconstrained::FreeDirections;
-use super::{CageMotion, Drive, FREEDOMS, InitialPosition, Load, Rotation, SpeedProfile};
+use super::{CageMotion, Drive, FREEDOMS, Freedoms, InitialPosition, Load, Rotation, SpeedProfile};
 use crate::bearing::{Angle, BearingRotation, BearingState, CageJitter, Support, Vector5};
 use crate::registers::in_wide_registers;
 
@@ -45,7 +45,9 @@ pub struct Rotor {
     pub(super) level: Level,
     /// Coordinates, K, and the points where forces act.
     pub(super) structure: Structure,
-    /// Whether that is a rigid shaft on the ground.
+    /// Freedoms of the shaft that move.
+    pub(super) freedoms: Freedoms,
+    /// Whether the structure is a rigid shaft on the ground.
     pub(super) rigid: bool,
     /// M.
     pub(super) mass: Mass,
@@ -123,9 +125,9 @@ impl AttachedBearing<'_> {
 }
 
 impl Rotor {
-    /// Number of freedoms of the shaft that move: the first so many of x, y, z, θx, θy.
-    pub fn active_freedoms(&self) -> usize {
-        self.structure.shaft.active(self.dofs())
+    /// Freedoms of the shaft that move.
+    pub fn freedoms(&self) -> Freedoms {
+        self.freedoms
     }
 
     /// Displacement of the observed point of the shaft in a state.

@@ -16,12 +16,10 @@ impl Point {
     pub const RIGID_SHAFT: Self = Self {
         coordinates: [0, 1, 2, 3, 4],
     };
-
-    /// How many of its components, in their order, are among so many degrees of freedom.
-    pub fn active(&self, dofs: usize) -> usize {
-        let indices = self.coordinates.iter();
-        indices.take_while(|index| **index < dofs).count()
-    }
+    /// The same of one whose z is held while its tilts move: what is held comes last.
+    pub const WITHOUT_Z: Self = Self {
+        coordinates: [0, 1, 4, 2, 3],
+    };
 
     /// Which of the five components a coordinate is.
     pub fn axis_of(&self, coordinate: usize) -> Option<usize> {

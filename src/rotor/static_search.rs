@@ -176,17 +176,29 @@ impl StaticSearch<'_> {
         trial
     }
 
-    fn has_run_away(&self, state: &Balance) -> bool {
-        let limit = RUNAWAY * self.groove_centre_distance;
-        let mut travels = self.coordinates.iter().zip(state.displacement.iter());
-        travels.any(|(coordinate, position)| {
-            let travel = (position - coordinate.start) * coordinate.length;
-            travel.is_nan() || travel.abs() > limit
+    /// How far every coordinate has moved since the start, as displacements, m.
+    fn travels(&self, state: &Balance) -> DVector<f64> {
+        DVector::from_fn(self.coordinates.len(), |index, _| {
+            let coordinate = &self.coordinates[index];
+            (state.displacement[index] - coordinate.start) * coordinate.length
         })
     }
 
+    fn has_run_away(&self, state: &Balance) -> bool {
+        let limit = RUNAWAY * self.groove_centre_distance;
+        let travels = self.travels(state);
+        travels
+            .iter()
+            .any(|travel| travel.is_nan() || travel.abs() > limit)
+    }
+
+    /// Where the structure ran away, the coordinate that went farthest gave way, and others are out of balance because of
+    /// that; else the one with the largest excess.
     fn not_carried(&self, state: &Balance) -> EquilibriumError {
-        let worst = state.excess.iamax();
+        let worst = match self.has_run_away(state) {
+            true => self.travels(state).iamax(),
+            false => state.excess.iamax(),
+        };
         let coordinate = &self.coordinates[worst];
         EquilibriumError::NotCarried {
             freedom: coordinate.name.clone(),

@@ -6,7 +6,7 @@ use super::equilibrium::FREEDOM_NAMES;
 use super::flexible::Bending;
 use super::point::{Attachment, Place, Point};
 use super::static_search::Restoring;
-use super::{FREEDOMS, Load, PlaneUnbalance, RotorDefinition, ShaftError};
+use super::{FREEDOMS, Freedoms, Load, PlaneUnbalance, RotorDefinition, ShaftError};
 use crate::bearing::{BearingRotation, MountedBearing, Support, Vector5};
 
 /// A generalised coordinate.
@@ -105,28 +105,42 @@ pub(super) struct HousingPoint {
 }
 
 impl Structure {
-    /// A rigid shaft whose bearings stand on the ground, with the mass or moment of inertia of each of its five
-    /// coordinates, of which the first `dofs` move.
-    pub fn rigid(masses: Vector5, dofs: usize, bearings: usize) -> Self {
+    /// A rigid shaft whose bearings stand on the ground, with its mass or moment of inertia along each of x, y, z, θx, θy.
+    pub fn rigid(masses: Vector5, freedoms: Freedoms, bearings: usize) -> Self {
         let nothing = DMatrix::zeros(FREEDOMS, FREEDOMS);
-        let unit = |axis| DVector::from_fn(FREEDOMS, |row, _| f64::from(u8::from(row == axis)));
+        let shaft = match freedoms {
+            Freedoms::Lateral => Point::WITHOUT_Z,
+            _ => Point::RIGID_SHAFT,
+        };
+        let axis_of = |index| shaft.axis_of(index).unwrap_or(index);
+        let unit = |axis: usize| {
+            let own = shaft.coordinates[axis];
+            DVector::from_fn(FREEDOMS, |row, _| f64::from(u8::from(row == own)))
+        };
+        let masses = DVector::from_fn(FREEDOMS, |row, _| masses[axis_of(row)]);
         Self {
             coordinates: (0..FREEDOMS)
-                .map(|axis| Coordinate::of_axis(axis, ""))
+                .map(|index| Coordinate::of_axis(axis_of(index), ""))
                 .collect(),
-            dofs,
-            mass: DMatrix::from_diagonal(&DVector::from_column_slice(&masses)),
+            dofs: freedoms.axes().len(),
+            mass: DMatrix::from_diagonal(&masses),
             damping: nothing.clone(),
             stiffness: nothing.clone(),
             gyroscopic: nothing.clone(),
             internal_damping: nothing.clone(),
             circulatory: nothing,
-            shaft: Point::RIGID_SHAFT,
+            shaft,
             load_places: Vec::new(),
             unbalances: Vec::new(),
             rigid_motions: std::array::from_fn(unit),
             arms: vec![0.0; bearings],
-            attachments: vec![Attachment::GROUNDED; bearings],
+            attachments: vec![
+                Attachment {
+                    inner: shaft,
+                    outer: None
+                };
+                bearings
+            ],
             housings: Vec::new(),
             bending: None,
         }
@@ -141,7 +155,8 @@ impl Structure {
             Some(flexible) => Self::bending(flexible, definition)?,
             None => Self::of_rigid(definition),
         };
-        Ok(grounded.on_housings(&definition.bearings))
+        let axes = definition.shaft.freedoms.lengths();
+        Ok(grounded.on_housings(&definition.bearings, axes))
     }
 
     /// That of a definition whose shaft is rigid.
@@ -150,7 +165,7 @@ impl Structure {
         let (mass, inertia) = (shaft.mass, shaft.inertia_transverse);
         let mut structure = Self::rigid(
             [mass, mass, mass, inertia, inertia],
-            shaft.freedoms.count(),
+            shaft.freedoms,
             definition.bearings.len(),
         );
         let [.., tilt_x, tilt_y] = structure.shaft.coordinates;
@@ -172,10 +187,10 @@ impl Structure {
         structure
     }
 
-    /// The same with those bearings on housings that have one. A housing moves along x and y, and along z where the shaft
-    /// does; its displacement counts from where its own weight has put it.
-    fn on_housings(self, bearings: &[MountedBearing]) -> Self {
-        let (first, axes) = (self.dofs, self.shaft.active(self.dofs).min(3));
+    /// The same with those bearings on housings that have one. A housing moves along the first `axes` of x, y, z, as the
+    /// shaft does; its displacement counts from where its own weight has put it.
+    fn on_housings(self, bearings: &[MountedBearing], axes: usize) -> Self {
+        let first = self.dofs;
         let housings = bearings.iter().enumerate();
         let housings: Vec<_> = housings
             .filter_map(|(bearing, mounted)| Some((bearing, mounted.housing?)))

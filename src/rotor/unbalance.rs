@@ -27,10 +27,10 @@ impl Shaft {
         }
     }
 
-    /// Distance of the centre of mass from the axis, m.
-    pub(crate) fn mass_eccentricity(&self) -> f64 {
+    /// Distance of the centre of mass from the axis, m, and its angle from +X at shaft angle 0, rad.
+    pub(crate) fn mass_eccentricity(&self) -> [f64; 2] {
         let [x, y] = self.whole_unbalance().moment;
-        x.hypot(y) / self.mass
+        [x.hypot(y) / self.mass, y.atan2(x)]
     }
 
     /// Whether it has a static unbalance or a couple.

@@ -221,7 +221,7 @@ impl StudyFileInput {
     /// The numbers that are kept: of a scene all, or those that are named and the measured error.
     fn columns(&self, model: &Model, problems: &mut Problems<'_>) -> Vec<NumberColumn> {
         let rotor = &model.rotor;
-        let all = number_columns(rotor.shaft.freedoms.count(), rotor.bearings.len());
+        let all = number_columns(rotor.shaft.freedoms, rotor.bearings.len());
         let Some(named) = &self.keep.numbers else {
             return all;
         };

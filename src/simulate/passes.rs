@@ -215,7 +215,7 @@ impl Reference<'_> {
                 rotor.displacement(state),
                 self.rotor.displacement(reference),
             );
-            for axis in 0..rotor.active_freedoms() {
+            for &axis in rotor.freedoms().axes() {
                 let apart = scale.lever(axis) * (own[axis] - other[axis]).abs();
                 let moved = scale.lever(axis) * (other[axis] - rest[axis]).abs();
                 found.difference = found.difference.max(apart);

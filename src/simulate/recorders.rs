@@ -10,8 +10,6 @@ use crate::analysis::{
 use crate::integrate::Grid;
 use crate::rotor::{FREEDOMS, MOST_HOUSINGS, Rotor, Sample};
 
-/// Number of freedoms that are lengths.
-const LENGTHS: usize = 3;
 /// Shaft orders that are tracked.
 const SHAFT_ORDERS: u32 = 3;
 /// Shaft orders that a waterfall reaches up to at the highest speed.
@@ -123,7 +121,7 @@ fn settings(model: &Model, rotor: &Rotor, grid: &Grid, speed: f64) -> MotionSett
     }
     let end = grid.time(grid.count - 1);
     MotionSettings {
-        freedoms: rotor.active_freedoms(),
+        freedoms: rotor.freedoms(),
         start: whole_revolutions(model.settle, end, speed, grid.interval),
         end,
         rate: 1.0 / grid.interval,
@@ -153,7 +151,7 @@ fn whole_revolutions(settle: f64, end: f64, speed: f64, interval: f64) -> f64 {
 }
 
 fn maps_of(model: &Model, rotor: &Rotor, rate: f64) -> (WaterfallRecorder, TrackRecorder) {
-    let lengths = 0..rotor.active_freedoms().min(LENGTHS);
+    let lengths = 0..rotor.freedoms().lengths();
     let channels: Vec<Channel> = lengths.map(Channel::Displacement).collect();
     let passes = rotor.ball_pass_orders();
     let shaft = rotor.highest_speed() / TAU;

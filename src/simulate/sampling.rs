@@ -43,18 +43,23 @@ pub(super) fn recording(model: &Model, rotor: &Rotor) -> Option<Recording> {
 
 /// Channels of the spectra of the whole run.
 fn channels(model: &Model, rotor: &Rotor) -> Vec<Channel> {
-    let active = rotor.active_freedoms();
+    let freedoms = rotor.freedoms();
     match model.analyses.highest_order {
         None => {
-            let mut channels = Channel::of_freedoms(active);
+            let mut channels = Channel::of_freedoms(freedoms);
             let bearings = model.rotor.bearings.iter().enumerate();
             let housed = bearings.filter(|(_, bearing)| bearing.housing.is_some());
             let columns =
-                housed.flat_map(|(bearing, _)| Channel::of_housing(bearing, active.min(3)));
+                housed.flat_map(|(bearing, _)| Channel::of_housing(bearing, freedoms.lengths()));
             channels.extend(columns.filter(|channel| channel.needs_acceleration()));
             channels
         }
-        Some(_) => (0..active).map(Channel::Displacement).collect(),
+        Some(_) => freedoms
+            .axes()
+            .iter()
+            .copied()
+            .map(Channel::Displacement)
+            .collect(),
     }
 }
 

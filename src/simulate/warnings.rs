@@ -95,7 +95,7 @@ fn bearings(rotor: &Rotor) -> Vec<String> {
 
 /// An eccentricity that no balanced shaft has: most often a unit mistaken.
 fn unbalance(definition: &RotorDefinition, rotor: &Rotor) -> Option<String> {
-    let eccentricity = definition.shaft.mass_eccentricity();
+    let [eccentricity, _] = definition.shaft.mass_eccentricity();
     let grade = 1e3 * eccentricity * rotor.highest_speed().abs();
     (grade > COARSEST_BALANCE).then(|| {
         format!(

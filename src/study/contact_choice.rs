@@ -270,11 +270,13 @@ fn difference(
     top: &Candidate,
     points: &[Point],
 ) -> Difference {
-    let active = rotor.shaft.freedoms.count();
+    let active = rotor.shaft.freedoms.axes();
     let arm = Support::largest(&top.supports, Geometry::inner_groove_radius);
     // the largest entry of the active freedoms as that of a force by a displacement, N/m
     let stiffest = |matrix: &Matrix5| {
-        let entries = (0..active).flat_map(|row| (0..active).map(move |column| (row, column)));
+        let entries = active
+            .iter()
+            .flat_map(|row| active.iter().map(|column| (*row, *column)));
         let levers = |(row, column)| lever(row, arm) * lever(column, arm);
         largest(entries.map(|entry| matrix[entry] / levers(entry)))
     };
@@ -282,7 +284,9 @@ fn difference(
     let apart = |position: &Vector5, part: f64, speed: f64| {
         let (own, own_stiffness) = candidate.tangent(position, part, speed);
         let (truth, true_stiffness) = top.tangent(position, part, speed);
-        let forces = (0..active).map(|axis| (own[axis] - truth[axis]) / lever(axis, arm));
+        let forces = active
+            .iter()
+            .map(|&axis| (own[axis] - truth[axis]) / lever(axis, arm));
         let stiffness = stiffest(&(own_stiffness - true_stiffness));
         let forces: Vec<f64> = forces.collect();
         (forces, relative(stiffness, stiffest(&true_stiffness)))
@@ -371,10 +375,10 @@ impl Point {
         let (middle, _) = top.frozen;
         let reach = reach(&steady, &top.supports, question)?;
         let arm = Support::largest(&top.supports, Geometry::inner_groove_radius);
-        let active = steady.shaft.freedoms.count();
+        let active = steady.shaft.freedoms.axes();
         let (_, stiffness) = top.tangent(&middle, 0.0, speed);
-        let diagonal = |axis| stiffness[(axis, axis)] / lever(axis, arm).powi(2);
-        let change = reach * largest((0..active).map(diagonal));
+        let diagonal = |&axis: &usize| stiffness[(axis, axis)] / lever(axis, arm).powi(2);
+        let change = reach * largest(active.iter().map(diagonal));
         let bears = |support: &Support| {
             let force = support.force(&middle, &BearingRotation::at_start(speed));
             largest((0..FREEDOMS).map(|axis| force[axis] / lever(axis, arm)))
@@ -404,10 +408,10 @@ fn reach(
 }
 
 /// A position and those on either side of it along every freedom that moves.
-fn around(middle: Vector5, reach: f64, active: usize, arm: f64) -> Vec<Vector5> {
+fn around(middle: Vector5, reach: f64, active: &[usize], arm: f64) -> Vec<Vector5> {
     let mut positions = vec![middle];
     if reach > 0.0 {
-        for axis in 0..active {
+        for &axis in active {
             for step in [reach, -reach] {
                 let mut position = middle;
                 position[axis] += step / lever(axis, arm);

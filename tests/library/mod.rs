@@ -28,4 +28,5 @@ mod spectra;
 mod steady;
 mod study_plan;
 mod support;
+mod supports;
 mod table_files;

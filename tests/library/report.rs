@@ -142,7 +142,7 @@ fn run() -> Run {
         geometry.pitch_diameter(),
         geometry.gamma(),
     );
-    let channels = Channel::of_freedoms(3);
+    let channels = Channel::of_freedoms(Freedoms::Translational);
     let grid = SampleGrid::of_angle(SPEED / TAU, PER_REVOLUTION);
     let mut recording = Recording::new(grid, 0.0).with(channels.iter().copied());
     samples().iter().for_each(|sample| recording.record(sample));
@@ -372,7 +372,7 @@ fn the_trace_of_balls_has_four_columns_a_ball_and_reads_back_bit_by_bit() {
     let rotor = Rotor::assemble(&definition).unwrap();
     let mut contacts = rotor.ball_contacts();
     let mut state = rotor.start();
-    state[rotor.active_freedoms()..].fill(0.0);
+    state[rotor.freedoms().axes().len()..].fill(0.0);
     let sample = rotor.sample(0.0, &state, &mut contacts);
     let mut csv = CsvTable::new(Vec::new(), &ball_columns(&contacts)).unwrap();
     for _ in 0..2 {
@@ -470,7 +470,7 @@ fn the_summary_names_units_and_causes() {
 
 #[test]
 fn figures_are_well_formed_and_say_what_they_show() {
-    let mut histories = Histories::new(3);
+    let mut histories = Histories::new(Freedoms::Translational);
     samples().iter().for_each(|sample| histories.sample(sample));
     let run = run();
     let trace = histories.figure("trace.svg", TITLE).svg().unwrap();
@@ -491,8 +491,8 @@ fn figures_are_well_formed_and_say_what_they_show() {
 #[test]
 fn figures_of_nothing_are_drawn_empty() {
     let drawn = |histories: &Histories| histories.figure("trace.svg", "").svg();
-    assert!(drawn(&Histories::new(5)).is_ok());
-    let mut histories = Histories::new(2);
+    assert!(drawn(&Histories::new(Freedoms::All)).is_ok());
+    let mut histories = Histories::new(Freedoms::Radial);
     histories.sample(&samples()[0]);
     assert!(drawn(&histories).is_ok());
     let mut spectrum = run().spectrum.unwrap();

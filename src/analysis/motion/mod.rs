@@ -18,12 +18,10 @@ use serde::Serialize;
 
 use super::{Channel, NoiseFloor};
 use crate::keys;
-use crate::rotor::{FREEDOMS, Sample};
+use crate::rotor::{FREEDOMS, Freedoms, Sample};
 use moments::{DriftRecorder, velocity_level};
 use section::NODES;
 
-/// Number of freedoms that are lengths.
-const LENGTHS: usize = 3;
 /// A motion below this part of the displacement is round-off.
 const REST: f64 = 1e-9;
 /// Samples that the orbit keeps: the last ones.
@@ -33,7 +31,7 @@ const ORBIT: usize = 8192;
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionSettings {
     /// Number of freedoms that move.
-    pub freedoms: usize,
+    pub freedoms: Freedoms,
     /// Time from which on samples count, s.
     pub start: f64,
     /// Time of the last sample, s.
@@ -139,7 +137,7 @@ impl MotionRecorder {
         Self {
             statistics: statistics.collect(),
             rates: [Moments::default(); FREEDOMS],
-            velocity: vec![Vec::new(); settings.freedoms.min(LENGTHS)],
+            velocity: vec![Vec::new(); settings.freedoms.lengths()],
             housing_velocity: housings.map(|channel| (*channel, Vec::new())).collect(),
             drift: DriftRecorder::new(settings.start, settings.end),
             sections: sections
@@ -193,8 +191,13 @@ impl MotionRecorder {
     /// What the motion is like; none without samples.
     pub fn finish(self) -> Option<Motion> {
         let [start, end] = self.times?;
-        let displacement = self.largest(|axis| self.statistics[axis].moments.rms());
-        let mean = self.largest(|axis| self.statistics[axis].moments.mean().abs());
+        let of_axis = |axis: usize| {
+            let mut all = self.statistics.iter();
+            let own = all.find(|own| own.channel == Channel::Displacement(axis));
+            own.map_or(Moments::default(), |own| own.moments)
+        };
+        let displacement = self.largest(|axis| of_axis(axis).rms());
+        let mean = self.largest(|axis| of_axis(axis).mean().abs());
         let resting = displacement <= REST * mean;
         let at_once = |kind| Recognition {
             kind,
@@ -245,10 +248,8 @@ impl MotionRecorder {
 
     /// Largest of a number of every freedom that moves, as displacements or their rates: tilts by their lever.
     fn largest(&self, of_freedom: impl Fn(usize) -> f64) -> f64 {
-        let levers = self.settings.levers.iter().take(self.settings.freedoms);
-        let sizes = levers.enumerate();
-        sizes
-            .map(|(axis, lever)| lever * of_freedom(axis))
+        let axes = self.settings.freedoms.axes().iter();
+        axes.map(|axis| self.settings.levers[*axis] * of_freedom(*axis))
             .fold(0.0, f64::max)
     }
 
@@ -256,8 +257,8 @@ impl MotionRecorder {
     fn series(&self, displacement: f64) -> Vec<Series> {
         let rate = self.largest(|axis| self.rates[axis].rms());
         let parts = |point: &PoincarePoint| -> Vec<f64> {
-            let axes = 0..self.settings.freedoms;
-            axes.flat_map(|axis| {
+            let axes = self.settings.freedoms.axes().iter();
+            axes.flat_map(|&axis| {
                 let lever = self.settings.levers[axis];
                 [
                     lever * point.displacement[axis] / displacement,

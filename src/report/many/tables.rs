@@ -66,8 +66,8 @@ impl Table {
 
 /// The line of names of a table.
 pub(super) fn header(runs: &StudyRuns<'_>, table: Table) -> Vec<String> {
-    let freedoms = runs.first.rotor.shaft.freedoms.count();
-    let displacements = (0..freedoms).map(Channel::Displacement);
+    let axes = runs.first.rotor.shaft.freedoms.axes().iter();
+    let displacements = axes.copied().map(Channel::Displacement);
     let mut names = vec!["run".to_owned()];
     match table {
         Table::Runs => {

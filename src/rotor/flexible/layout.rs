@@ -7,7 +7,7 @@ use super::reduction::ReducedShaft;
 use crate::bearing::MountedBearing;
 use crate::rotor::point::{Attachment, Place, Point};
 use crate::rotor::structure::{Coordinate, CoordinateKind, Structure, UnbalancedPoint};
-use crate::rotor::{FREEDOMS, Freedoms, Load, PlaneUnbalance, RotorDefinition};
+use crate::rotor::{FREEDOMS, Load, PlaneUnbalance, RotorDefinition};
 
 /// Frequency of the modes that are kept over that of the highest excitation.
 const HEADROOM: f64 = 3.0;
@@ -155,7 +155,7 @@ impl Structure {
         let layout = Layout {
             points: points.len(),
             modes: reduction.modes,
-            axial: definition.shaft.freedoms != Freedoms::Radial,
+            axial: definition.shaft.freedoms.moves(2),
         };
         let at = |position: f64| layout.point(shaft.index_of(position, &points).unwrap_or(0));
         let plane = &reduction.plane;

@@ -570,18 +570,23 @@ pub fn material(input: Option<&MaterialInput>, base: Material) -> Material {
     }
 }
 
-/// Warns where all bearings bear axially the same way, and none of them is pressed that way; there is no axial load.
+/// Warns where all bearings bear or are preloaded axially the same way, and nothing presses against it; there is no axial
+/// load.
 ///
-/// `inputs` is the number of tables that describe them.
-pub fn warn_where_unheld(bearings: &[MountedBearing], inputs: usize, problems: &mut Problems<'_>) {
+/// `last` is the index of the last table that describes them.
+pub fn warn_where_unheld(bearings: &[MountedBearing], last: usize, problems: &mut Problems<'_>) {
     let Some(first) = bearings.first() else {
         return;
     };
+    let angular = |mounted: &MountedBearing| {
+        let geometry = &mounted.bearing.geometry;
+        !geometry.is_symmetric() && geometry.nominal_angle() > 0.0
+    };
+    let preloaded = |mounted: &MountedBearing| match mounted.preload {
+        Preload::AxialOffset(value) | Preload::Force(value) | Preload::Spring(value) => value > 0.0,
+    };
     let one_way = |mounted: &MountedBearing| {
-        mounted.facing == first.facing
-            && !mounted.bearing.geometry.is_symmetric()
-            && mounted.bearing.geometry.nominal_angle() > 0.0
-            && !matches!(mounted.preload, Preload::Spring(_))
+        mounted.facing == first.facing && (angular(mounted) || preloaded(mounted))
     };
     if !bearings.iter().all(one_way) {
         return;
@@ -592,18 +597,26 @@ pub fn warn_where_unheld(bearings: &[MountedBearing], inputs: usize, problems: &
     };
     let load = format!("a load along {way}, as in `[[load]]` constant = {{ z = \"{force}\" }}");
     problems.warn(match bearings.len() {
+        1 if preloaded(first) => format!(
+            "nothing bears the preload of a single bearing, and the shaft gives way along {other}: add a second \
+             `[[bearing]]` with facing = \"{other}\", leave the preload out, or add {load}"
+        ),
         1 => format!(
             "a single angular contact bearing bears axially one way only and needs an axial load: with none its \
              balls lose their contact angle and hardly hold the shaft; add {load}"
         ),
         count => {
-            let turned = match inputs {
-                1 => "set arrangement = \"back-to-back\" in `bearing[0]`".to_owned(),
-                inputs => format!("write facing = \"{other}\" in `bearing[{}]`", inputs - 1),
+            let turned = match last {
+                0 => "set arrangement = \"back-to-back\" in `bearing[0]`".to_owned(),
+                last => format!("write facing = \"{other}\" in `bearing[{last}]`"),
+            };
+            let face = match bearings.iter().all(angular) {
+                true => "angular contact bearings face",
+                false => "bearings face or are preloaded",
             };
             format!(
-                "all {count} angular contact bearings face the same way, {way}: none holds the shaft against the \
-                 others, and a preload of theirs is not borne; {turned}, or add {load}"
+                "all {count} {face} the same way, {way}: none holds the shaft against the others, and a preload of theirs is \
+                 not borne; {turned}, or add {load}"
             )
         }
     });

@@ -54,16 +54,15 @@ impl<T, R> PerFreedom for Components<T, R> {
     }
 }
 
-/// Refuses what is given for the freedoms from `first_held` on: they do not move.
+/// Refuses what is given for freedoms that do not move.
 pub fn refuse_held(
     given: &[Option<f64>; FREEDOMS],
     path: &str,
-    first_held: usize,
     freedoms: Freedoms,
     problems: &mut Problems<'_>,
 ) {
-    for (key, value) in KEYS.iter().zip(given).skip(first_held) {
-        if value.is_some() {
+    for (axis, key) in KEYS.iter().enumerate() {
+        if given[axis].is_some() && !freedoms.moves(axis) {
             refuse_held_key(&format!("{path}.{key}"), freedoms, problems);
         }
     }
@@ -72,12 +71,13 @@ pub fn refuse_held(
 /// Refuses a key of a freedom that does not move.
 pub fn refuse_held_key(path: &str, freedoms: Freedoms, problems: &mut Problems<'_>) {
     let key = last(path);
-    let (name, wider) = match freedoms {
-        Freedoms::Radial if key == "z" => ("radial", "\"translational\" or \"all\""),
-        Freedoms::Radial => ("radial", "\"all\""),
-        Freedoms::Translational => ("translational", "\"all\""),
+    let wider = match freedoms {
+        Freedoms::Radial if key == "z" => "\"translational\" or \"all\"",
+        Freedoms::Radial => "\"lateral\" or \"all\"",
+        Freedoms::Translational | Freedoms::Lateral => "\"all\"",
         Freedoms::All => return,
     };
+    let name = freedoms.name();
     let message = format!("`{key}` has nothing to act on: freedoms = \"{name}\" holds it");
     let help = format!("remove it, or set freedoms = {wider}");
     let issue = Issue::new(path, message).help(help);
@@ -101,7 +101,7 @@ impl InitialInput {
     pub fn build(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> InitialState {
         let mut given = |path: &str, values: Option<[Option<f64>; FREEDOMS]>| {
             let values = values.unwrap_or_default();
-            refuse_held(&values, path, freedoms.count(), freedoms, problems);
+            refuse_held(&values, path, freedoms, problems);
             values
         };
         let displacement = self.displacement.as_ref().map(Components::values);

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::components::refuse_held_key;
 use crate::bearing::ContactDamping;
-use crate::rotor::{Damping as Model, Freedoms};
+use crate::rotor::{Damping as Model, Freedoms, Rotor, RotorDefinition};
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{ContactLoss, Damping, Quantity, TiltDamping, Time, si};
 
@@ -78,28 +78,55 @@ pub struct Coefficients {
     pub tilt: Option<Quantity<TiltDamping>>,
 }
 
+/// Damping ratio below which a mode is not damped: round-off of an eigenvalue.
+const LEAST_RATIO: f64 = 1e-9;
 /// What comes of no damping, and what to write.
 const UNDAMPED: &str = "a free vibration does not decay, the start is never forgotten and stands in the spectra; shafts \
                         on ball bearings have ratio = 0.02 to 0.04 in [damping]";
 
-/// The damping; none, with a warning, where the table is absent.
+/// Warns where no table damps the shaft, and bearings, housings and the shaft itself leave a mode undamped.
+pub fn warn_where_undamped(
+    input: Option<&DampingInput>,
+    rotor: &RotorDefinition,
+    problems: &mut Problems<'_>,
+) {
+    let none = match input {
+        None if problems.distrusts("damping") => return,
+        None => "no `[damping]`",
+        Some(input) if input.ratio == Some(0.0) => "`damping.ratio` is 0",
+        Some(_) => return,
+    };
+    let mut modes = Vec::new();
+    if rotor.is_damped_by_parts() {
+        if !problems.issues.is_empty() {
+            return;
+        }
+        let assembled = Rotor::assemble(rotor);
+        modes = assembled.map_or_else(|_| Vec::new(), |rotor| rotor.natural_frequencies());
+        modes.retain(|mode| mode.damping_ratio.abs() < LEAST_RATIO);
+        if modes.is_empty() {
+            return;
+        }
+    }
+    let which = modes.first().map_or_else(String::new, |mode| {
+        let frequency = mode.frequency;
+        format!(", and nothing else damps the mode at {frequency:.1} Hz")
+    });
+    problems.warn(format!("{none}{which}: {UNDAMPED}"));
+}
+
+/// The damping; none where the table is absent.
 pub fn build(
     input: Option<&DampingInput>,
     freedoms: Freedoms,
     problems: &mut Problems<'_>,
 ) -> Model {
     let Some(input) = input else {
-        if !problems.distrusts("damping") {
-            problems.warn(format!("no `[damping]`: {UNDAMPED}"));
-        }
         return Model::Undamped;
     };
     if let Some(coefficients) = &input.coefficients {
         coefficients.build(freedoms, problems)
     } else if let Some(ratio) = input.ratio {
-        if ratio == 0.0 {
-            problems.warn(format!("`damping.ratio` is 0: {UNDAMPED}"));
-        }
         Model::Ratio(ratio)
     } else if let Some(time) = &input.stiffness_time {
         Model::StiffnessTime(time.si())
@@ -111,13 +138,13 @@ pub fn build(
 impl Coefficients {
     fn build(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Model {
         let given = [
-            ("x", 1, si(&self.x)),
-            ("y", 2, si(&self.y)),
-            ("z", 3, si(&self.z)),
-            ("tilt", 5, si(&self.tilt)),
+            ("x", 0, si(&self.x)),
+            ("y", 1, si(&self.y)),
+            ("z", 2, si(&self.z)),
+            ("tilt", 3, si(&self.tilt)),
         ];
-        for (key, needed, value) in given {
-            let moves = needed <= freedoms.count();
+        for (key, axis, value) in given {
+            let moves = freedoms.moves(axis);
             if value.is_some() && !moves {
                 let path = format!("damping.coefficients.{key}");
                 refuse_held_key(&path, freedoms, problems);

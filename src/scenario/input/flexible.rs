@@ -197,7 +197,7 @@ fn refuse_without_sections(shaft: &ShaftInput, discs: &[DiscInput], problems: &m
 fn refuse_of_rigid(shaft: &ShaftInput, problems: &mut Problems<'_>) {
     if shaft.freedoms == Some(Freedoms::Translational) {
         let issue = Issue::new("shaft.freedoms", "a shaft that bends tilts, too");
-        problems.refuse(issue.help("write \"all\", or \"radial\" to hold it along z"));
+        problems.refuse(issue.help("write \"all\", or \"lateral\" to hold it along z"));
     }
     let follows = "it follows from sections and discs";
     let planes = "write [[unbalance]] with amount and position";

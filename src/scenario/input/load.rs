@@ -92,7 +92,7 @@ impl LoadInput {
             let message = "a `base` acceleration acts at the centre of mass, not at a `position`";
             problems.refuse(Issue::new(".position", message).against(".base"));
         }
-        if context.freedoms != Freedoms::All && context.observed.is_none() {
+        if !context.freedoms.tilts() && context.observed.is_none() {
             let path = problems.path(".position");
             problems.warn(format!("`{path}` has no effect: the tilts are held"));
             return 0.0;
@@ -104,8 +104,9 @@ impl LoadInput {
     fn constant(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Option<LoadKind> {
         let given = self.constant.as_ref()?.values();
         // An axial load acts on a held z too, moments on held tilts do not.
-        let first_held = freedoms.count().max(3);
-        components::refuse_held(&given, ".constant", first_held, freedoms, problems);
+        let [x, y, _, tilt_x, tilt_y] = given;
+        let held = [x, y, None, tilt_x, tilt_y];
+        components::refuse_held(&held, ".constant", freedoms, problems);
         let parts = given.map(Option::unwrap_or_default);
         (parts != [0.0; FREEDOMS]).then_some(LoadKind::Constant(parts))
     }
@@ -149,7 +150,7 @@ fn moving(
     problems: &mut Problems<'_>,
 ) -> Vector5 {
     let given = given.values();
-    components::refuse_held(&given, path, freedoms.count(), freedoms, problems);
+    components::refuse_held(&given, path, freedoms, problems);
     given.map(Option::unwrap_or_default)
 }
 
@@ -345,7 +346,7 @@ impl SeriesInput {
             Issue::new(".file", message)
         });
         let (series, axes) = problems.take(read)?;
-        if let Some(axis) = axes.iter().find(|axis| **axis >= context.freedoms.count()) {
+        if let Some(axis) = axes.iter().find(|axis| !context.freedoms.moves(**axis)) {
             let message = format!(
                 "`{}` has a column for `{}`, which `freedoms` holds",
                 self.file,

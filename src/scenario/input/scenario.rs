@@ -14,14 +14,15 @@ use super::shaft::{ShaftInput, TorsionInput};
 use super::spectrum::{self, Recorded, SpectrumInput};
 use super::speed::SpeedInput;
 use super::study::StudyInput;
+use super::support::LinearInput;
 use super::unbalance::{self, UnbalanceInput};
 use crate::analysis::{Channel, SpectrumRequest};
 use crate::bearing::catalogue::CatalogueEntry;
 use crate::bearing::{MountedBearing, Oil};
 use crate::quasi_static::StaticQuestion;
 use crate::rotor::{
-    Damping, Disc, Drive, FlexibleShaft, Freedoms, LinearBearing, Load, MOST_HOUSINGS,
-    RotorDefinition,
+    Disc, Drive, FlexibleShaft, Freedoms, InitialState, LinearBearing, Load, MOST_HOUSINGS,
+    RotorDefinition, Shaft,
 };
 use crate::scenario::node::Node;
 use crate::scenario::problems::Problems;
@@ -213,38 +214,43 @@ impl ScenarioInput {
             Some(flexible) => self.shaft.build_flexible(flexible),
             None => self.shaft.build(self.time.is_some(), turns, problems),
         };
-        let freedoms = shaft.freedoms;
+        let context = LoadContext {
+            freedoms: shaft.freedoms,
+            duration: self.time.as_ref().map_or(0.0, |time| time.duration.si()),
+            observed: flexible.as_ref().map(|shaft| shaft.observed),
+        };
+        let loads = load::build(&self.load, context, problems);
+        let initial = self.initial.build(shaft.freedoms, problems);
+        let freedoms = self.held_along_z(shaft.freedoms, &loads, &initial, problems);
+        shaft.freedoms = freedoms;
         self.check_race_control(problems);
         self.output.check_written(problems);
         let mut contacts = self.bearing.iter().map(|each| each.contact(&self.model));
         let known = contacts.any(|contact| contact != ContactChoice::Linear);
         self.output.check_balls(known, problems);
         let bearings = self.bearings(freedoms, problems);
-        let damping = match (&self.damping, &self.time) {
-            (None, None) => Damping::Undamped,
-            (input, _) => damping::build(input.as_ref(), freedoms, problems),
-        };
-        let context = LoadContext {
-            freedoms,
-            duration: self.time.as_ref().map_or(0.0, |time| time.duration.si()),
-            observed: flexible.as_ref().map(|shaft| shaft.observed),
-        };
-        let loads = load::build(&self.load, context, problems);
-        let initial = self.initial.build(freedoms, problems);
+        let damping = damping::build(self.damping.as_ref(), freedoms, problems);
         let pushes = |load: &Load| load.as_constant().is_some_and(|parts| parts[AXIAL] != 0.0);
         let speed = self.speed.build(problems)?;
         let mut points = speed.points();
         let bearings = bearings?;
-        if self.time.is_some() && freedoms.count() > AXIAL && !loads.iter().any(pushes) {
-            warn_where_unheld(&bearings, self.bearing.len(), problems);
+        let holds =
+            |bearing: &BearingInput| bearing.linear.as_ref().is_some_and(LinearInput::holds_z);
+        let held = !freedoms.moves(AXIAL) || self.bearing.iter().any(holds);
+        if self.time.is_some() && !held && !loads.iter().any(pushes) {
+            let last = self.bearing.iter().rposition(|own| own.linear.is_none());
+            warn_where_unheld(&bearings, last.unwrap_or(0), problems);
         }
         if let Some(flexible) = flexible.as_mut().filter(|_| self.shaft.massless) {
             flexible.discs.extend(bearings.iter().map(Disc::inner_ring));
-            shaft = self.shaft.build_flexible(flexible);
+            shaft = Shaft {
+                freedoms,
+                ..self.shaft.build_flexible(flexible)
+            };
         }
         match &flexible {
             Some(shaft) => self.check_positions(shaft, &bearings, problems),
-            None if freedoms == Freedoms::All => self.warn_of_far_positions(&bearings, problems),
+            None if freedoms.tilts() => self.warn_of_far_positions(&bearings, problems),
             None => {}
         }
         let mut rotor = RotorDefinition {
@@ -260,12 +266,42 @@ impl ScenarioInput {
             linear_bearings: self.linear_bearings(problems),
             flexible,
         };
-        if rotor.flexible.is_some() {
-            return Some(rotor);
+        if rotor.flexible.is_none() {
+            let text = self.shaft.unbalance.as_deref();
+            rotor.shaft.unbalance = unbalance::build(text, &self.unbalance, &rotor, problems);
         }
-        let text = self.shaft.unbalance.as_deref();
-        rotor.shaft.unbalance = unbalance::build(text, &self.unbalance, &rotor, problems);
+        if self.time.is_some() {
+            damping::warn_where_undamped(self.damping.as_ref(), &rotor, problems);
+        }
         Some(rotor)
+    }
+
+    /// The freedoms that move: not z, where no bearing holds the shaft along it and nothing acts that way.
+    fn held_along_z(
+        &self,
+        freedoms: Freedoms,
+        loads: &[Load],
+        initial: &InitialState,
+        problems: &mut Problems<'_>,
+    ) -> Freedoms {
+        let holds =
+            |bearing: &BearingInput| bearing.linear.as_ref().is_none_or(LinearInput::holds_z);
+        let acts = |load: &Load| {
+            let constant = load.as_constant().map_or(0.0, |parts| parts[AXIAL]);
+            let varying = load.kind.main_vibration().amplitude[AXIAL];
+            [constant, varying, load.kind.static_part()[AXIAL]] != [0.0; 3]
+        };
+        let starts = [initial.displacement[AXIAL], initial.velocity[AXIAL]] != [None; 2];
+        let held = self.bearing.iter().any(holds) || loads.iter().any(acts) || starts;
+        if held || !freedoms.moves(AXIAL) {
+            return freedoms;
+        }
+        problems.warn(format!(
+            "no bearing holds the shaft along z and nothing acts that way: z is held, as with freedoms = \"{}\"; a \
+             `stiffness` along z in `[bearing.linear]` lets it move",
+            freedoms.without_z().name()
+        ));
+        freedoms.without_z()
     }
 
     /// Bearings of constant stiffness.
@@ -328,7 +364,7 @@ impl ScenarioInput {
         spectra: &[SpectrumRequest],
         problems: &mut Problems<'_>,
     ) {
-        let axes = rotor.shaft.freedoms.count().min(AXIAL + 1);
+        let axes = rotor.shaft.freedoms.lengths();
         let housed = |bearing: &MountedBearing| bearing.housing.is_some();
         if rotor.bearings.iter().skip(MOST_HOUSINGS).any(housed) {
             let message = format!("only the first {MOST_HOUSINGS} bearings can stand in housings");
@@ -357,7 +393,7 @@ impl ScenarioInput {
 
     /// Columns of the trace beside the time, where there are housings and no others are asked for.
     pub fn columns_with_housings(rotor: &RotorDefinition) -> Option<Vec<Channel>> {
-        let axes = rotor.shaft.freedoms.count().min(AXIAL + 1);
+        let axes = rotor.shaft.freedoms.lengths();
         let housed = rotor.bearings.iter().enumerate();
         let housed = housed.filter(|(_, bearing)| bearing.housing.is_some());
         let housings = housed.flat_map(|(bearing, _)| Channel::of_housing(bearing, axes));

@@ -52,9 +52,10 @@ pub struct ShaftInput {
     /// of ISO 21940-11 at the highest speed of the scenario, for instance "G 6.3".
     #[schemars(extend("examples" = ["20 g mm", "G 6.3"]))]
     pub unbalance: Option<String>,
-    /// Which freedoms move: "radial" (x, y), "translational" (x, y, z) or "all" (x, y, z and
-    /// both tilts). The rest is held. Default: "all" where both moments of inertia are given or the shaft bends, else
-    /// "radial". A shaft that bends always moves along x and y and tilts; "radial" holds its z.
+    /// Which freedoms move: "radial" (x, y), "translational" (x, y, z), "lateral" (x, y and both tilts) or "all" (x, y, z
+    /// and both tilts). The rest is held. Default: "all" where both moments of inertia are given or the shaft bends, else
+    /// "radial". A shaft that bends always moves along x and y and tilts; "radial" and "lateral" hold its z. Where no
+    /// bearing holds z and nothing acts along it, z is held whatever is written, and a warning says so.
     pub freedoms: Option<Freedoms>,
     /// Whether the weight acts, along −Y. Default: false.
     #[serde(default)]
@@ -63,12 +64,12 @@ pub struct ShaftInput {
     /// bearing sits its inner ring does. Default: false.
     #[serde(default)]
     pub massless: bool,
-    /// Moment of inertia about a transverse axis through the centre of mass, for instance
-    /// "0.01 kg m^2". Needed for a motion with freedoms = "all".
+    /// Moment of inertia of all that turns, discs included, about a transverse axis through its centre of mass, for instance
+    /// "0.01 kg m^2". Needed for a motion with freedoms = "all" or "lateral".
     #[schemars(extend("x-minimum" = 1e-12))]
     pub inertia_transverse: Option<Quantity<Inertia>>,
-    /// Moment of inertia about the shaft axis, for instance "0.004 kg m^2"; at most twice the
-    /// transverse one. Needed for a motion with freedoms = "all" and for a drive.
+    /// Moment of inertia of all that turns, discs included, about the axis of rotation, for instance "0.004 kg m^2"; at most
+    /// twice the transverse one. Needed for a motion with freedoms = "all" or "lateral" and for a drive.
     #[schemars(extend("examples" = ["0.004 kg m^2"], "x-minimum" = 0.0))]
     pub inertia_polar: Option<Quantity<Inertia>>,
     /// The segment that a moment about the shaft axis twists.
@@ -142,8 +143,9 @@ impl ShaftInput {
     /// Refuses a held tilt where the tilts move.
     fn check_tilt(&self, problems: &mut Problems<'_>) {
         for (key, tilt) in [("tilt_x", &self.tilt_x), ("tilt_y", &self.tilt_y)] {
-            if tilt.is_some() && self.freedoms() == Freedoms::All {
-                let message = format!("`{key}` holds a tilt that freedoms = \"all\" lets move");
+            if tilt.is_some() && self.freedoms().tilts() {
+                let name = self.freedoms().name();
+                let message = format!("`{key}` holds a tilt that freedoms = \"{name}\" lets move");
                 let help = format!("to start there: [initial] displacement = {{ {key} = … }}");
                 let issue = Issue::new(format!("shaft.{key}"), message).help(help);
                 problems.refuse(issue.against("shaft.freedoms"));
@@ -166,11 +168,12 @@ impl ShaftInput {
                 problems.refuse(Issue::new(path, message).help(help).against("speed.drive"));
                 continue;
             }
-            if freedoms != Freedoms::All && inertia.is_some() && !turned {
+            if !freedoms.tilts() && inertia.is_some() && !turned {
                 problems.warn(format!("`{path}` has no effect: the tilts are held"));
             }
-            if moves && freedoms == Freedoms::All && inertia.is_none() {
-                let message = format!("`shaft` needs `{key}` where freedoms = \"all\"");
+            if moves && freedoms.tilts() && inertia.is_none() {
+                let name = freedoms.name();
+                let message = format!("`shaft` needs `{key}` where freedoms = \"{name}\"");
                 let body = match key {
                     "inertia_polar" => "m·d²/8 about its axis",
                     _ => "m·(3·d² + 4·l²)/48 across it",

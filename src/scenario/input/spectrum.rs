@@ -180,7 +180,10 @@ impl SpectrumInput {
         for (index, ChannelName(word)) in self.channels.iter().enumerate() {
             let found = match GROUPS.iter().find(|(name, _)| name == word) {
                 // a whirl takes those that turn
-                Some((_, of)) => (0..freedoms.count())
+                Some((_, of)) => freedoms
+                    .axes()
+                    .iter()
+                    .copied()
                     .filter(|freedom| self.kind != KindChoice::Whirl || *freedom != 2)
                     .map(of)
                     .collect(),
@@ -361,7 +364,7 @@ const WHIRLS: [(usize, usize); 2] = [(0, 1), (3, 4)];
 /// Refuses the motion of a freedom that is held; its force is as good as any.
 fn refuse_held(path: &str, channel: Channel, freedoms: Freedoms, problems: &mut Problems<'_>) {
     let freedom = channel.freedom();
-    let is_held = freedom.is_some_and(|freedom| freedom >= freedoms.count());
+    let is_held = freedom.is_some_and(|freedom| !freedoms.moves(freedom));
     if is_held && !matches!(channel, Channel::Force(_)) {
         let message = format!("`{channel}` does not move: the shaft's `freedoms` hold it");
         let issue =

@@ -56,8 +56,9 @@ impl HousingInput {
     /// The housing, unless it is free along an axis that it moves along.
     pub fn build(&self, freedoms: Freedoms) -> Result<Housing, Issue> {
         let stiffness = self.stiffness.values();
-        let moving = freedoms.count().min(3);
-        let free = stiffness[..moving].iter().position(|value| *value <= 0.0);
+        let free = stiffness[..freedoms.lengths()]
+            .iter()
+            .position(|value| *value <= 0.0);
         if let Some(axis) = free {
             let axis = ["x", "y", "z"][axis];
             let message =
@@ -86,6 +87,11 @@ pub struct LinearInput {
 }
 
 impl LinearInput {
+    /// Whether it holds the shaft along z.
+    pub fn holds_z(&self) -> bool {
+        si(&self.stiffness.z).is_some_and(|stiffness| stiffness > 0.0)
+    }
+
     /// The bearing at a position in m.
     pub fn build(&self, position: f64) -> LinearBearing {
         let damping = self.damping.as_ref().map(Components::values);

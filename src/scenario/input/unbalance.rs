@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::rotor::{Freedoms, PlaneUnbalance, RotorDefinition};
+use crate::rotor::{PlaneUnbalance, RotorDefinition};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{self, Angle, Dimension, Length, Quantity, Unbalance};
@@ -47,7 +47,7 @@ pub fn build(
     for plane in planes {
         sum.add(plane.amount.si(), plane.angle.si(), plane.position.si());
     }
-    if sum.couple != [0.0; 2] && rotor.shaft.freedoms != Freedoms::All {
+    if sum.couple != [0.0; 2] && !rotor.shaft.freedoms.tilts() {
         problems.warn(
             "the unbalances have a couple about the centre of mass, which has no effect: the tilts are held \
              (freedoms = \"all\" lets them move)",

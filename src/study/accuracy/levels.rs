@@ -38,12 +38,7 @@ impl fmt::Display for Configuration {
             CageMotion::Rolling => "rolling",
             CageMotion::Frozen => "frozen",
         };
-        let freedoms = match self.freedoms {
-            Freedoms::Radial => "radial",
-            Freedoms::Translational => "translational",
-            Freedoms::All => "all",
-        };
-        write!(f, "{}, {cage}, {freedoms}", self.fidelity)
+        write!(f, "{}, {cage}, {}", self.fidelity, self.freedoms.name())
     }
 }
 
@@ -174,7 +169,7 @@ fn build(
     if configuration.fidelity.has_film() && oils.iter().all(Option::is_none) {
         return Err("no bearing has a [bearing.oil]".to_owned());
     }
-    if configuration.freedoms == Freedoms::All && model.rotor.shaft.inertia_transverse == 0.0 {
+    if configuration.freedoms.tilts() && model.rotor.shaft.inertia_transverse == 0.0 {
         return Err("[shaft] gives no inertia_transverse".to_owned());
     }
     let model = configuration.apply(model, oils);

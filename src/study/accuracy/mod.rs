@@ -137,8 +137,9 @@ impl Scale {
             equilibrium.force.map(|force| -force),
         ];
         let [displacement, force] = trial.trace.excursion(&rest);
-        let stiffest = (0..rotor.active_freedoms())
-            .map(|axis| equilibrium.stiffness[(axis, axis)] / scale.lever(axis).powi(2))
+        let axes = rotor.freedoms().axes().iter();
+        let stiffest = axes
+            .map(|&axis| equilibrium.stiffness[(axis, axis)] / scale.lever(axis).powi(2))
             .fold(0.0, f64::max);
         Self {
             displacement: displacement.max(scale.length),

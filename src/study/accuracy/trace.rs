@@ -6,7 +6,7 @@ use std::io;
 use serde::Serialize;
 
 use crate::analysis::Moments;
-use crate::rotor::{FREEDOMS, MotionScale, Rotor, Sample};
+use crate::rotor::{FREEDOMS, Freedoms, MotionScale, Rotor, Sample};
 use crate::simulate::{Model, TraceSink};
 
 /// Most points that are kept of a trace.
@@ -59,8 +59,8 @@ impl Statistics {
 /// What is compared of a scene, the same for all its runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct View {
-    /// Number of freedoms that count: the first so many of x, y, z, θx, θy.
-    pub active: usize,
+    /// Freedoms that count.
+    pub freedoms: Freedoms,
     /// Length that turns tilts into displacements and moments into forces, m.
     pub arm: f64,
     /// Time from which statistics count, s.
@@ -73,7 +73,7 @@ impl View {
     /// The view of the motion of a model.
     pub fn new(rotor: &Rotor, scale: &MotionScale, model: &Model) -> Self {
         Self {
-            active: rotor.active_freedoms(),
+            freedoms: rotor.freedoms(),
             arm: scale.arm,
             settle: model.settle,
             stride: (model.samples() / MOST_POINTS as f64).ceil().max(1.0) as u64,
@@ -114,8 +114,8 @@ impl Trace {
     /// Largest value of displacements and of forces over the freedoms that move, by quantity, axis and lever.
     fn largest(&self, value: impl Fn(usize, usize, f64) -> f64) -> [f64; 2] {
         [0, 1].map(|quantity| {
-            let axes = 0..self.view.active;
-            let values = axes.map(|axis| value(quantity, axis, self.view.lever(quantity, axis)));
+            let axes = self.view.freedoms.axes().iter();
+            let values = axes.map(|&axis| value(quantity, axis, self.view.lever(quantity, axis)));
             values.fold(0.0, f64::max)
         })
     }
@@ -146,7 +146,8 @@ impl Trace {
             norm(&differences.collect())
         });
         let statistics = [0, 1].map(|quantity| {
-            let differences = (0..truth.view.active).map(|axis| {
+            let axes = truth.view.freedoms.axes().iter();
+            let differences = axes.map(|&axis| {
                 let [own, other] = [self, truth].map(|trace| trace.statistics(quantity, axis));
                 own.distance(&other).times(truth.view.lever(quantity, axis))
             });
@@ -160,8 +161,8 @@ impl Trace {
     pub fn growth(&self, other: &Self, parts: usize) -> f64 {
         let length = self.points.len().div_ceil(parts).max(1);
         let apart = |(left, right): (&Point, &Point)| {
-            (0..self.view.active)
-                .map(|axis| self.view.lever(0, axis) * (left[0][axis] - right[0][axis]).abs())
+            let axes = self.view.freedoms.axes().iter();
+            axes.map(|&axis| self.view.lever(0, axis) * (left[0][axis] - right[0][axis]).abs())
                 .fold(0.0, f64::max)
         };
         let pairs: Vec<f64> = self.points.iter().zip(&other.points).map(apart).collect();

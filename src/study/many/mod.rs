@@ -255,15 +255,21 @@ fn section_points(motion: &Motion, kind: SectionKind) -> Vec<Point> {
     let moving = motion
         .statistics
         .iter()
-        .filter(|entry| matches!(entry.channel, Channel::Displacement(_)))
-        .count();
+        .filter_map(|entry| match entry.channel {
+            Channel::Displacement(axis) => Some(axis),
+            _ => None,
+        });
+    let moving: Vec<usize> = moving.collect();
     let found = motion.sections.iter().find(|section| section.kind == kind);
     let points = found.map_or(&[][..], |section| &section.points);
     points
         .iter()
         .map(|point| Point {
             time: point.time,
-            displacement: point.displacement[..moving].to_vec(),
+            displacement: moving
+                .iter()
+                .map(|axis| point.displacement[*axis])
+                .collect(),
         })
         .collect()
 }

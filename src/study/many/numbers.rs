@@ -3,13 +3,11 @@
 use std::sync::Arc;
 
 use crate::analysis::{Channel, Kind, Moments, Motion, Spectrum, column_unit};
-use crate::rotor::FREEDOMS;
+use crate::rotor::Freedoms;
 use crate::simulate::{Analyses, EventKind, MotionAnalysis, Run};
 
 /// Multiples of the shaft frequency whose lines are kept.
 const ORDERS: [u32; 3] = [1, 2, 3];
-/// Number of freedoms that are lengths.
-const LENGTHS: usize = 3;
 /// Name of the number that is kept of every run.
 const MEASURED_ERROR: &str = "measured_error";
 
@@ -121,17 +119,16 @@ fn of(channel: Channel, what: &str) -> String {
     format!("{channel}_{what}_{}", column_unit(channel.unit()))
 }
 
-/// Columns for scenes of so many freedoms and bearings.
-pub fn number_columns(freedoms: usize, bearings: usize) -> Vec<NumberColumn> {
-    let freedoms = freedoms.min(FREEDOMS);
+/// Columns for scenes of these freedoms and so many bearings.
+pub fn number_columns(freedoms: Freedoms, bearings: usize) -> Vec<NumberColumn> {
     let mut columns = Vec::new();
-    for freedom in 0..freedoms {
+    for &freedom in freedoms.axes() {
         let name = of(Channel::Displacement(freedom), "equilibrium");
         columns.push(column(name, NOTHING, move |run| {
             Some(run.equilibrium.displacement[freedom])
         }));
     }
-    for freedom in 0..freedoms {
+    for &freedom in freedoms.axes() {
         let (channel, force) = (Channel::Displacement(freedom), Channel::Force(freedom));
         let units = [force, channel].map(|channel| column_unit(channel.unit()));
         let name = format!("stiffness_{channel}_{}", units.join("_"));
@@ -139,7 +136,7 @@ pub fn number_columns(freedoms: usize, bearings: usize) -> Vec<NumberColumn> {
             Some(run.equilibrium.stiffness[freedom][freedom])
         }));
     }
-    for mode in 0..freedoms {
+    for mode in 0..freedoms.axes().len() {
         let found = move |run: &Run| run.equilibrium.natural_frequencies.get(mode).copied();
         let frequency = move |run: &Run| Some(found(run)?.frequency);
         let name = format!("natural_frequency_{}_Hz", mode + 1);
@@ -149,10 +146,10 @@ pub fn number_columns(freedoms: usize, bearings: usize) -> Vec<NumberColumn> {
         columns.push(column(name, NOTHING, ratio));
     }
     columns.extend(Channel::of_freedoms(freedoms).into_iter().flat_map(moments));
-    for freedom in 0..freedoms {
+    for &freedom in freedoms.axes() {
         columns.extend(ORDERS.map(|order| line(freedom, order)));
     }
-    for freedom in 0..freedoms.min(LENGTHS) {
+    for freedom in 0..freedoms.lengths() {
         let name = of(Channel::Velocity(freedom), "rms");
         columns.push(column(name, STATISTICS, move |run| {
             let level = run.motion.as_ref()?.velocity.get(freedom)?.as_ref();

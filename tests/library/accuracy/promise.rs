@@ -40,13 +40,13 @@ fn shipped() -> Vec<PathBuf> {
 /// Largest distance of two traces over the active freedoms, tilts by an arm of 20 mm, m.
 fn apart(model: &Model, left: &[Sample], right: &[Sample]) -> f64 {
     assert_eq!(left.len(), right.len());
-    let active = model.rotor.shaft.freedoms.count();
+    let active = model.rotor.shaft.freedoms.axes();
     let distance = |(a, b): (&Sample, &Sample)| {
         let of = |axis: usize| {
             let arm = if axis < 3 { 1.0 } else { 0.02 };
             arm * (a.displacement[axis] - b.displacement[axis]).abs()
         };
-        (0..active).map(of).fold(0.0, f64::max)
+        active.iter().copied().map(of).fold(0.0, f64::max)
     };
     left.iter().zip(right).map(distance).fold(0.0, f64::max)
 }

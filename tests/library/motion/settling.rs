@@ -15,11 +15,17 @@ const BESIDE: [f64; 5] = [3e-6, -2e-6, 4e-6, 1e-4, -2e-4];
 fn miss(mut definition: RotorDefinition) -> f64 {
     let resting = Rotor::assemble(&definition).expect("a rotor");
     let place = resting.equilibrium().displacement;
-    let active = resting.active_freedoms();
-    let start =
-        std::array::from_fn(|axis| place[axis] + if axis < active { BESIDE[axis] } else { 0.0 });
+    let freedoms = resting.freedoms();
+    let start = std::array::from_fn(|axis| {
+        place[axis]
+            + if freedoms.moves(axis) {
+                BESIDE[axis]
+            } else {
+                0.0
+            }
+    });
     definition.initial = InitialState {
-        displacement: std::array::from_fn(|axis| (axis < active).then_some(start[axis])),
+        displacement: std::array::from_fn(|axis| freedoms.moves(axis).then_some(start[axis])),
         ..AT_EQUILIBRIUM
     };
     let modes = resting.natural_frequencies();
@@ -52,7 +58,12 @@ fn loaded(freedoms: Freedoms) -> RotorDefinition {
     }
 }
 
-const FREEDOMS: [Freedoms; 3] = [Freedoms::Radial, Freedoms::Translational, Freedoms::All];
+const FREEDOMS: [Freedoms; 4] = [
+    Freedoms::Radial,
+    Freedoms::Translational,
+    Freedoms::Lateral,
+    Freedoms::All,
+];
 
 #[test]
 fn a_bearing_of_every_law_settles_on_its_equilibrium() {

@@ -7,7 +7,7 @@ use crate::analysis::{
     SampleGrid, Sources, Transform, Window, causes, nearest_cause, other_causes,
 };
 use crate::physics::BallPass;
-use crate::rotor::{NaturalFrequency, Sample, Whirl};
+use crate::rotor::{Freedoms, NaturalFrequency, Sample, Whirl};
 use proptest::prelude::*;
 
 const LENGTHS: [usize; 6] = [64, 100, 97, 101, 1000, 4099];
@@ -21,7 +21,7 @@ fn cosine(length: usize, bin: f64, amplitude: f64, phase: f64) -> Vec<f64> {
 /// Spectrum and peaks of a signal in x, at a resolution of 1 Hz.
 fn analyse(signal: &[f64], window: Window) -> Analysis {
     let rate = signal.len() as f64;
-    let channels = Channel::of_freedoms(1);
+    let channels = [Channel::Displacement(0), Channel::Force(0)];
     let grid = SampleGrid {
         rate,
         shaft_frequency: 0.0,
@@ -170,7 +170,7 @@ fn at_most_twelve_peaks_strongest_first() {
 
 #[test]
 fn the_window_holds_the_last_whole_revolutions_after_the_settle_time() {
-    let channels = Channel::of_freedoms(3);
+    let channels = Channel::of_freedoms(Freedoms::Translational);
     let grid = SampleGrid::of_angle(10.0, 32);
     let mut recording = Recording::new(grid, 0.105).with(channels.iter().copied());
     for n in 0..=100 {
@@ -188,7 +188,7 @@ fn the_window_holds_the_last_whole_revolutions_after_the_settle_time() {
 
 #[test]
 fn less_than_a_revolution_makes_no_spectrum() {
-    let channels = Channel::of_freedoms(2);
+    let channels = Channel::of_freedoms(Freedoms::Radial);
     let grid = SampleGrid::of_angle(10.0, 32);
     let mut recording = Recording::new(grid, 0.0).with(channels.iter().copied());
     for n in 0..31 {

@@ -45,8 +45,8 @@ fn check_periodic(name: &str, mut model: Model) {
         samples: Vec::new(),
     };
     let run = simulate_into(&long, &mut sink).expect("a run");
-    let active = model.rotor.shaft.freedoms.count();
-    for axis in 0..active {
+    let freedoms = model.rotor.shaft.freedoms;
+    for &axis in freedoms.axes() {
         let swing = peak_to_peak(steady.trace.iter().map(|sample| sample.displacement[axis]));
         let apart = sink.samples.iter().enumerate().map(|(number, sample)| {
             let other = &steady.trace[number % per_period];
@@ -60,7 +60,7 @@ fn check_periodic(name: &str, mut model: Model) {
         );
     }
     let spectrum = run.spectrum.expect("a spectrum");
-    for channel in Channel::of_freedoms(active) {
+    for channel in Channel::of_freedoms(freedoms) {
         let lines = spectrum.channel(channel).expect("a channel");
         let largest = lines.amplitude.iter().skip(1).copied().fold(0.0, f64::max);
         for harmonic in 1..=8 {
@@ -133,8 +133,8 @@ fn check_torus(name: &str, mut model: Model) {
         ..model.clone()
     };
     let run = samples(&long, 0.0);
-    let active = model.rotor.shaft.freedoms.count();
-    for axis in 0..active {
+    let freedoms = model.rotor.shaft.freedoms;
+    for &axis in freedoms.axes() {
         let late = || run.iter().skip(first);
         let swing = peak_to_peak(late().map(|sample| sample.displacement[axis]));
         let apart = late().enumerate().map(|(number, sample)| {
