@@ -191,9 +191,14 @@ fn answer(
     let whole = spectrum.as_ref();
     let whole = whole.filter(|_| model.analyses.highest_order.is_none());
     warnings.extend(spectra::warnings(whole, &estimated, speed_changes));
-    let severity = |machine| VibrationSeverity::of(machine, motion.as_ref()?, steady?);
+    let severity = |machine| Some(VibrationSeverity::of(machine, motion.as_ref()?, steady?));
+    let vibration_severity = model.analyses.machine.and_then(severity);
+    let vibration_severity = vibration_severity.and_then(|found| {
+        let refused = |why| warnings.push(why);
+        found.map_err(refused).ok()
+    });
     Run {
-        vibration_severity: model.analyses.machine.and_then(severity),
+        vibration_severity,
         equilibrium: StaticState::of(rotor),
         ball_pass: sampling::ball_pass(rotor, sampling::reported_speed(model, rotor)),
         operating_ball_pass: sampling::operating_ball_pass(model, rotor),

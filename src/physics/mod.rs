@@ -39,5 +39,7 @@ pub use life_modification::{
 pub use material::{Material, contact_modulus};
 pub use rating::{dynamic_rating, rating_factor};
 pub use skf_friction::{SkfFriction, SkfOperation};
-pub use vibration_zones::{MachineGroup, MachineSupport, VibrationZone, zone_boundaries};
+pub use vibration_zones::{
+    MachineGroup, MachineSupport, VibrationZone, velocity_band, zone_boundaries,
+};
 pub use viscosity::ViscosityLaw;

@@ -1,5 +1,7 @@
 //! Evaluation zones of the vibration of machine housings.
 
+use std::f64::consts::TAU;
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -34,6 +36,22 @@ pub enum MachineSupport {
     Rigid,
     /// Any other.
     Flexible,
+}
+
+/// Frequencies that the RMS velocity of a machine counts at a speed in rad/s, Hz: from 10 Hz, below 600 rpm from 2 Hz, to
+/// 1000 Hz.
+///
+/// Source: ISO 20816-3:2022, clause on measurement equipment.
+///
+/// ```
+/// use jeffcott::physics::velocity_band;
+/// assert_eq!(velocity_band(31.4), [2.0, 1000.0]); // 300 rpm
+/// assert_eq!(velocity_band(314.0), [10.0, 1000.0]);
+/// ```
+pub fn velocity_band(speed: f64) -> [f64; 2] {
+    // 600 rpm, 10 Hz, belong to the faster machines, round-off aside
+    let slow = speed.abs() < TAU * 10.0 * (1.0 - 1e-9);
+    [if slow { 2.0 } else { 10.0 }, 1000.0]
 }
 
 /// Boundaries between the zones A and B, B and C, C and D: RMS velocity of bearing housings in m/s, from 10 Hz (2 Hz below

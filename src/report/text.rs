@@ -25,6 +25,9 @@ const ENVELOPE_LINES: usize = 6;
 /// Key numbers of a run, its strongest peaks and the files written.
 pub fn text(title: &str, model: &Model, run: &Run, files: &[PathBuf]) -> String {
     let mut out = Lines::titled(title);
+    if let Some(severity) = &run.vibration_severity {
+        add_severity(&mut out, severity);
+    }
     let moving = model.rotor.shaft.freedoms.axes();
     let place = displacement_text(moving, &run.equilibrium.displacement);
     out.line("equilibrium", place);
@@ -58,9 +61,6 @@ pub fn text(title: &str, model: &Model, run: &Run, files: &[PathBuf]) -> String 
     add_histories(&mut out, &run.bearings);
     if let Some(motion) = &run.motion {
         add_motion(&mut out, motion);
-    }
-    if let Some(severity) = &run.vibration_severity {
-        add_severity(&mut out, severity);
     }
     for spall in &run.spalls {
         out.line("spall", spall_text(spall));

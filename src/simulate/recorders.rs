@@ -8,6 +8,7 @@ use crate::analysis::{
     SpallSignal, TrackRecorder, TrackedOrder, Waterfall, WaterfallRecorder,
 };
 use crate::integrate::Grid;
+use crate::physics::velocity_band;
 use crate::rotor::{FREEDOMS, MOST_HOUSINGS, Rotor, Sample};
 
 /// Shaft orders that are tracked.
@@ -128,6 +129,7 @@ fn settings(model: &Model, rotor: &Rotor, grid: &Grid, speed: f64) -> MotionSett
         levers: std::array::from_fn::<_, FREEDOMS, _>(|axis| scale.lever(axis)),
         sections,
         housing_velocities: housing_velocities(model),
+        velocity_band: velocity_band(speed),
         kind: motion == MotionAnalysis::Kind,
     }
 }

@@ -5,17 +5,12 @@ use std::f64::consts::TAU;
 use serde::Serialize;
 
 use crate::analysis::{Channel, Motion, VelocityLevel};
-use crate::physics::{MachineGroup, MachineSupport, VibrationZone, zone_boundaries};
+use crate::physics::{MachineGroup, MachineSupport, VibrationZone, velocity_band, zone_boundaries};
 
 /// Edition whose tables stand in [`zone_boundaries`].
 const STANDARD: &str = "ISO 20816-3:2022";
 /// Speeds that the standard speaks of, rpm.
 const SPEEDS: [f64; 2] = [120.0, 30_000.0];
-/// Speed below which it measures from 2 Hz on, rpm.
-const SLOW: f64 = 600.0;
-/// Upper end of the band that it measures in, Hz, less what the resolution of a spectrum takes away.
-const BAND_END: f64 = 990.0;
-
 /// The machine that a shaft is part of, as far as ISO 20816-3 asks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Machine {
@@ -54,8 +49,13 @@ pub struct VibrationSeverity {
 }
 
 impl VibrationSeverity {
-    /// Of a motion at a speed in rad/s: that of the housings, or of the shaft where none moves. None without a level.
-    pub(super) fn of(machine: Machine, motion: &Motion, speed: f64) -> Option<Self> {
+    /// Of a motion at a speed in rad/s: that of the housings, or of the shaft where none moves.
+    ///
+    /// # Errors
+    /// Why there is no zone: the standard does not speak of the speed, or the record does not hold its band.
+    pub(super) fn of(machine: Machine, motion: &Motion, speed: f64) -> Result<Self, String> {
+        let refused = |why| format!("no zone of {STANDARD}: {why}");
+        covered(motion, speed).map_err(refused)?;
         let housings = motion.housing_velocity.iter();
         let mut levels: Vec<_> = housings.map(|each| (each.channel, each.level)).collect();
         let of_housing = !levels.is_empty();
@@ -66,10 +66,11 @@ impl VibrationSeverity {
             );
         }
         let largest = levels.into_iter();
-        let (channel, level) = largest.max_by(|(_, a), (_, b)| a.rms.total_cmp(&b.rms))?;
+        let largest = largest.max_by(|(_, a), (_, b)| a.rms.total_cmp(&b.rms));
+        let (channel, level) = largest.ok_or_else(|| refused(TOO_FEW.to_owned()))?;
         let boundaries = zone_boundaries(machine.group, machine.support);
         let zone = VibrationZone::of(level.rms, &boundaries);
-        Some(Self {
+        Ok(Self {
             standard: STANDARD,
             group: match machine.group {
                 MachineGroup::Large => 1,
@@ -81,34 +82,48 @@ impl VibrationSeverity {
             level,
             zone,
             meaning: zone.meaning(),
-            remarks: remarks(of_housing, &level, speed * 60.0 / TAU),
+            remarks: (!of_housing)
+                .then(|| OF_SHAFT.to_owned())
+                .into_iter()
+                .collect(),
         })
     }
 }
 
-/// How far the standard holds for a level at a speed in rpm.
-fn remarks(of_housing: bool, level: &VelocityLevel, speed: f64) -> Vec<String> {
-    let mut remarks = Vec::new();
-    if !of_housing {
-        remarks.push(
-            "this is the velocity of the shaft: the zones speak of bearing housings, which most often move less; give the bearings \
-             housings ([bearing.housing]) to see theirs"
-                .to_owned(),
-        );
-    }
+/// What is said of a level of the shaft.
+const OF_SHAFT: &str = "this is the velocity of the shaft: the zones speak of bearing housings, which most often move less; \
+    give the bearings housings ([bearing.housing]) to see theirs";
+/// What is said of a record without a level.
+const TOO_FEW: &str = "the samples are too few";
+/// Revolutions that keep the line of the shaft away from the mean.
+const FEWEST_REVOLUTIONS: f64 = 2.0;
+
+/// Whether the standard speaks of a speed in rad/s, and a motion at it was recorded long and finely enough.
+fn covered(motion: &Motion, speed: f64) -> Result<(), String> {
+    let rpm = speed.abs() * 60.0 / TAU;
     let [slowest, fastest] = SPEEDS;
-    if !(slowest..=fastest).contains(&speed) {
-        remarks.push(format!(
-            "the standard speaks of {slowest:.0} to {fastest:.0} rpm, and the shaft turns at {speed:.0} rpm"
-        ));
-    } else if speed < SLOW {
-        remarks.push("below 600 rpm the standard measures from 2 Hz on".to_owned());
-    }
-    if level.band[1] < BAND_END {
-        remarks.push(format!(
-            "the samples show frequencies up to {:.0} Hz, and the standard counts those up to 1000 Hz",
-            level.band[1]
+    if !(slowest * (1.0 - 1e-9)..=fastest * (1.0 + 1e-9)).contains(&rpm) {
+        return Err(format!(
+            "it speaks of {slowest:.0} to {fastest:.0} rpm, and the shaft turns at {rpm:.0} rpm"
         ));
     }
-    remarks
+    let [low, high] = velocity_band(speed);
+    let length = motion.end - motion.start + 1.0 / motion.rate;
+    let least = (1.0 / low).max(FEWEST_REVOLUTIONS * 60.0 / rpm);
+    if length < least * (1.0 - 1e-9) {
+        return Err(format!(
+            "at {rpm:.0} rpm it counts frequencies from {low:.0} Hz on, and {length:.3} s, the whole revolutions after \
+             the settle time, do not show them: make `duration` longer by {:.2} s or more",
+            least - length + 60.0 / rpm
+        ));
+    }
+    if motion.rate < 2.0 * high * (1.0 - 1e-9) {
+        return Err(format!(
+            "it counts frequencies up to {high:.0} Hz, and the samples show those up to {:.0} Hz: set \
+             samples_per_revolution = {:.0} or more in [output]",
+            0.5 * motion.rate,
+            (2.0 * high * 60.0 / rpm).ceil()
+        ));
+    }
+    Ok(())
 }

@@ -103,6 +103,54 @@ fn a_zone_of_the_shaft_is_said_to_be_that_and_larger_machines_have_wider_zones()
     assert!(none.is_null() && !shown.contains("20816"), "{shown}");
 }
 
+/// Housings of 20 kg on 0.3 N/µm each, a shaft of 40 kg with 200 kg mm: 7.5 mm/s RMS at 5 Hz.
+const SLOW: &str = "[shaft]\nmass = \"40 kg\"\nunbalance = \"200 kg mm\"\nfreedoms = \"radial\"\ngravity = true\n\
+    [speed]\nconstant = \"300 rpm\"\n[[bearing]]\ncatalogue = \"6213\"\n[bearing.housing]\nmass = \"40 kg\"\n\
+    stiffness = { x = \"0.6 N/um\", y = \"0.6 N/um\" }\ndamping = { x = \"4 kN s/m\", y = \"4 kN s/m\" }\n\
+    [damping]\nratio = 0.03\n[machine]\ngroup = 2\nsupport = \"rigid\"\n\
+    [time]\nduration = \"2 s\"\nsettle = \"1 s\"\n[output]\nsamples_per_revolution = 512\n";
+
+#[test]
+fn below_600_rpm_the_zone_counts_from_2_hz() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (output, summary) = run(folder.path(), SLOW);
+    let found = &summary["vibration_severity"];
+    assert_eq!(found["zone"], "D", "{found}");
+    assert_eq!(found["band_Hz"], serde_json::json!([2.0, 1000.0]));
+    let level = found["rms_m_s"].as_f64().expect("a number");
+    let column = found["channel"].as_str().expect("a name");
+    assert!(column.starts_with("housing1_"), "{column}");
+    let expected = rms(folder.path(), column, 1.0);
+    assert!(
+        (level / expected - 1.0).abs() < 5e-3,
+        "{level} and {expected}"
+    );
+    assert!((7e-3..8e-3).contains(&level), "{level}");
+    // it stands first below the title
+    let shown = text(&output.stdout);
+    let second = shown.lines().nth(1).expect("a line");
+    assert!(second.trim_start().starts_with("zone"), "{shown}");
+}
+
+#[test]
+fn a_record_that_does_not_hold_the_band_has_no_zone_and_is_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let none = |from: &str, to: &str| {
+        let (output, summary) = run(folder.path(), &SLOW.replace(from, to));
+        assert!(summary["vibration_severity"].is_null(), "{to}");
+        assert!(!text(&output.stdout).contains("\n  zone "), "{to}");
+        let warnings = summary["warnings"].to_string();
+        assert!(
+            warnings.contains("no zone of ISO 20816-3:2022"),
+            "{warnings}"
+        );
+        warnings
+    };
+    assert!(none("\"2 s\"", "\"1.39 s\"").contains("0.200 s"));
+    assert!(none("= 512", "= 256").contains("samples_per_revolution = 400 or more"));
+    assert!(none("300 rpm", "100 rpm").contains("120 to 30000 rpm"));
+}
+
 #[test]
 fn a_machine_whose_speed_changes_has_no_zone_and_is_told() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -44,6 +44,8 @@ pub struct MotionSettings {
     pub sections: Vec<(SectionKind, f64)>,
     /// Velocities of housings whose RMS is asked for.
     pub housing_velocities: Vec<Channel>,
+    /// Band of the RMS velocities, Hz.
+    pub velocity_band: [f64; 2],
     /// Whether the kind of the motion is recognised, by the points of the sections.
     pub kind: bool,
 }
@@ -223,18 +225,18 @@ impl MotionRecorder {
             *moments = moments.above(floor.below(*channel));
         }
         let velocity = self.velocity.into_iter();
-        let rate = self.settings.rate;
+        let (rate, band) = (self.settings.rate, self.settings.velocity_band);
         let housing_velocity = self.housing_velocity.into_iter();
         Some(Motion {
             start,
             end,
             statistics,
             velocity: velocity
-                .map(|values| velocity_level(values, rate))
+                .map(|values| velocity_level(values, rate, band))
                 .collect(),
             housing_velocity: housing_velocity
                 .filter_map(|(channel, values)| {
-                    let level = velocity_level(values, rate)?;
+                    let level = velocity_level(values, rate, band)?;
                     Some(ChannelLevel { channel, level })
                 })
                 .collect(),

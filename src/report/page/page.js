@@ -322,9 +322,9 @@
     const lives = summary.bearings.map((bearing) => bearing.life?.after_settle.life_h ?? bearing.life?.whole_run.life_h).filter((h) => h);
     const ballsOf = summary.ball_pass[0];
     return tiles([
+      zoneTile(),
       ["speed", speedText(summary.scenario.speed ?? {})],
       ...velocities(),
-      zoneTile(),
       summary.motion && ["kind of motion", kindText(summary.motion.kind), summary.motion.settling
         && (summary.motion.settling.settled ? "settled" : "not settled")],
       lives.length > 0 && ["life L10r", `${number(Math.min(...lives), 4)} h`, lives.length > 1 ? "of the shortest-lived bearing" : "of this motion"],
@@ -423,7 +423,7 @@
 
   function write() {
     document.getElementById("origin").textContent = `jeffcott ${summary.jeffcott}, ${summary.samples} samples`;
-    section("numbers", "Key numbers", keyNumbers(), zoneText(), ...warnings(), strongestLines());
+    section("numbers", "Key numbers", zoneText(), keyNumbers(), ...warnings(), strongestLines());
     const [first, ...others] = spectra;
     if (first) section("spectra", "Spectrum", addChart(first, "frequency", 300), peaks());
     if (others.length) folded("further", "Spectra of displacements and forces", ...others.map((panel) => addChart(panel, "frequency", 300)));
