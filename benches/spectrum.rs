@@ -48,7 +48,7 @@ fn spectrum(criterion: &mut Criterion) {
         shaft: 1.0,
         bearings: vec![BearingFrequencies {
             simulated: pass,
-            operating: pass,
+            nominal: pass,
         }],
         ..Sources::default()
     });
@@ -66,7 +66,7 @@ fn long_spectrum(criterion: &mut Criterion) {
         shaft: 1.0,
         bearings: vec![BearingFrequencies {
             simulated: pass,
-            operating: pass,
+            nominal: pass,
         }],
         ..Sources::default()
     });

@@ -5,7 +5,6 @@ use serde::Serialize;
 
 use crate::bearing::{BearingState, Geometry, Matrix5, Support, Vector5};
 use crate::keys;
-use crate::physics::nominal_cage_speed;
 use crate::rotor::{
     FREEDOM_NAMES, FREEDOMS, RotorDefinition, RotorError, build_supports, static_place,
 };
@@ -53,10 +52,10 @@ impl StaticQuestion {
     /// Asks about shaft and cages at other angles in rad than at the start; cages are where they roll to, unless an angle is
     /// given. Loads and unbalance stay as they are.
     pub(crate) fn turn(&mut self, shaft: f64, cage: Option<f64>) {
-        for bearing in &mut self.rotor.bearings {
-            let slip = 1.0 - bearing.imperfections.cage_slip;
-            let rolling = nominal_cage_speed(shaft, bearing.bearing.geometry.gamma()) * slip;
-            *bearing = bearing.turned(shaft, cage.unwrap_or(rolling));
+        // what cannot be built is refused by the answer
+        let supports = self.rotor.rolling_supports().unwrap_or_default();
+        for (bearing, support) in self.rotor.bearings.iter_mut().zip(supports) {
+            *bearing = support.turned(shaft, cage.unwrap_or(support.cage_ratio() * shaft));
         }
     }
 }
@@ -120,7 +119,7 @@ pub(crate) fn answer_on(
 ) -> Result<QuasiStatic, RotorError> {
     let rotor = &question.rotor;
     let found = static_place(rotor, supports, question.unbalance, &question.displacement)?;
-    let bearings = found.bearing_states(supports, rotor.speed);
+    let bearings = found.bearing_states(rotor, supports);
     let (free, equilibrium) = (found.free, found.equilibrium);
     let moments = bearings
         .iter()

@@ -179,7 +179,7 @@ fn answer(
     let causes = sampling::line_causes(model, rotor);
     let recording = observers.recording.as_ref();
     let analysis = sampling::analyse(model, rotor, recording, &causes);
-    let estimated = spectra::estimated(model, recording, &causes);
+    let estimated = spectra::estimated(model, recording, &causes, rotor.is_random());
     let (motion, maps, spalls) = observers.recorders.finish();
     let (spectrum, peaks) = analysis.map_or_else(Default::default, |analysis| {
         (Some(analysis.spectrum), analysis.peaks)
@@ -201,7 +201,10 @@ fn answer(
         vibration_severity,
         equilibrium: StaticState::of(rotor),
         ball_pass: sampling::ball_pass(rotor, sampling::reported_speed(model, rotor)),
-        operating_ball_pass: sampling::operating_ball_pass(model, rotor),
+        nominal_ball_pass: sampling::nominal_ball_pass(
+            rotor,
+            sampling::reported_speed(model, rotor),
+        ),
         counters: passes.main.counters(),
         method_use: passes.main.method_use(),
         samples: passes.grid.count,

@@ -2,7 +2,7 @@
 
 use super::Characteristic;
 use super::LineKind;
-use crate::bearing::{Imperfections, Surface};
+use crate::bearing::{Imperfections, Surface, TurningSurfaces};
 use crate::physics::BallPass;
 use crate::rotor::NaturalFrequency;
 
@@ -12,12 +12,12 @@ const SHAFT_ORDERS: u32 = 20;
 const BALL_PASS_MULTIPLES: u32 = 6;
 /// Multiples of a cage frequency looked for.
 const CAGE_MULTIPLES: u32 = 3;
-/// Multiples of a ball's spin frequency looked for.
+/// Multiples of a ball's spin frequency looked for, and even ones beyond them: a dent meets both races in a revolution.
 const SPIN_MULTIPLES: u32 = 4;
-/// The same of balls with dents, even ones beyond [`SPIN_MULTIPLES`]: a dent meets both races in a revolution.
-const DENT_MULTIPLES: u32 = 20;
-/// Multiples of a meshing frequency looked for.
+const EVEN_SPIN_MULTIPLES: u32 = 20;
+/// Multiples of a meshing frequency looked for, and of the frequency of another load.
 const MESHING_MULTIPLES: u32 = 8;
+const LOAD_MULTIPLES: u32 = 20;
 /// Shaft orders looked for on either side of a ball-pass line, cage orders beside one of spin.
 const SIDEBANDS: i32 = 3;
 
@@ -78,20 +78,18 @@ pub struct Line {
     pub kind: LineKind,
     /// Its frequency, Hz: that of the motion as it is simulated.
     pub frequency: f64,
-    /// Where the same line stands on a bearing whose balls roll at their operating contact angle, Hz;
-    /// none for what does not depend on a bearing.
-    pub operating: Option<f64>,
+    /// Where handbooks have the same line, which take the nominal contact angle, Hz; none for what does not depend on a
+    /// bearing.
+    pub nominal: Option<f64>,
 }
 
 /// A bearing's ball-pass frequencies.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BearingFrequencies {
-    /// With the cage as it turns in the simulation, which keeps the nominal contact angle: where its
-    /// lines stand in simulated spectra.
+    /// With the cage as it turns in the simulation: where its lines are in the spectra.
     pub simulated: BallPass,
-    /// At the mean operating contact angle of the static equilibrium: where they stand on a bearing
-    /// whose cage follows its balls.
-    pub operating: BallPass,
+    /// At the nominal contact angle, without slip.
+    pub nominal: BallPass,
 }
 
 /// Imperfect surfaces of a bearing that make lines of their own.
@@ -101,22 +99,26 @@ pub struct LineSurfaces {
     pub balls: u32,
     /// Whether a ball has a dent or waves.
     pub balls_show_spin: bool,
+    /// Whether balls differ from each other, which go round with the cage.
+    pub balls_differ: bool,
+    /// Whether what is on a race turns with the shaft.
+    pub turning: bool,
     /// Surfaces with orders of waves around them.
     pub waves: Vec<(Surface, u32)>,
 }
 
 impl LineSurfaces {
     /// Of a bearing with so many balls.
-    pub fn new(balls: usize, imperfections: &Imperfections) -> Self {
-        let is_ball = |on: &Surface| matches!(on, Surface::Ball(_));
+    pub fn new(balls: usize, imperfections: &Imperfections, turning: TurningSurfaces) -> Self {
         let waves = imperfections.waves.iter();
         let mut waves: Vec<_> = waves.map(|(on, wave)| (*on, wave.order)).collect();
         waves.sort();
         waves.dedup();
         Self {
             balls: balls as u32,
-            balls_show_spin: imperfections.defects.iter().any(|own| is_ball(&own.on))
-                || waves.iter().any(|(on, _)| is_ball(on)),
+            balls_show_spin: turning.rolling.is_some(),
+            balls_differ: turning.balls_differ,
+            turning: turning.inner,
             waves,
         }
     }
@@ -152,7 +154,7 @@ impl LineSurfaces {
                     beside,
                 },
                 frequency: of(&own.simulated)?,
-                operating: of(&own.operating),
+                nominal: of(&own.nominal),
             })
         };
         all.filter_map(line).collect()
@@ -168,19 +170,24 @@ pub struct Sources {
     pub bearings: Vec<BearingFrequencies>,
     /// Imperfect surfaces of every bearing; empty where all are perfect.
     pub surfaces: Vec<LineSurfaces>,
+    /// Whether the shaft has an unbalance, which turns with it.
+    pub unbalanced: bool,
     /// Natural frequencies of the linearised system, lowest first; lines stand at the damped ones.
     pub natural: Vec<NaturalFrequency>,
     /// Meshing frequency of every sprocket.
     pub meshing: Vec<f64>,
+    /// Other varying loads that repeat, by their number from 0, and their frequencies.
+    pub loads: Vec<(usize, f64)>,
 }
 
-/// Every line that shaft, bearings, sprockets and natural frequencies can cause.
+/// Every line that shaft, bearings, loads and natural frequencies can cause.
 ///
-/// Bearings with the ball-pass frequencies of an earlier one add nothing: what they cause bears
-/// the earlier one's name.
+/// Perfect bearings of a balanced shaft have lines of balls that pass the standing race, and no other. Orders of the shaft,
+/// sidebands by them and balls that pass the inner race need an unbalance or an imperfect race that turns with the shaft; lines
+/// of the cage need balls that differ, and those of spin need dents or waves on a ball.
 ///
-/// The spin of a ball shows by a spot on it. Balls with dents or waves turn as the simulation turns them; on others nothing
-/// simulated has a spot, and their lines take the operating contact angle.
+/// Bearings with the ball-pass frequencies of an earlier one add nothing where their balls and turning races are perfect: what
+/// they cause bears the earlier one's name.
 ///
 /// ```
 /// use jeffcott::internals::{BearingFrequencies, Sources, causes, nearest_cause};
@@ -188,8 +195,9 @@ pub struct Sources {
 /// let pass = |gamma| ball_pass_frequencies(100.0 * std::f64::consts::TAU, 9, 1.0, 5.0, gamma);
 /// let lines = causes(&Sources {
 ///     shaft: 100.0,
-///     bearings: vec![BearingFrequencies { simulated: pass(0.2), operating: pass(0.19) }],
+///     bearings: vec![BearingFrequencies { simulated: pass(0.2), nominal: pass(0.19) }],
 ///     meshing: vec![1900.0],
+///     unbalanced: true,
 ///     ..Sources::default()
 /// });
 /// let name = |frequency| nearest_cause(frequency, 1.0, &lines).map(|line| line.kind.to_string());
@@ -197,12 +205,14 @@ pub struct Sources {
 /// assert_eq!(name(620.0).as_deref(), Some("2×BPFO − 1×"));
 /// assert_eq!(name(3800.3).as_deref(), Some("2×meshing"));
 /// assert_eq!(name(333.0), None);
-/// // BPFO at the operating angle: 9 (100/2) (1 − 0.19)
+/// // BPFO at the nominal angle: 9 (100/2) (1 − 0.19)
 /// let outer = nearest_cause(360.0, 1.0, &lines).unwrap();
-/// assert!((outer.operating.unwrap() - 364.5).abs() < 1e-9);
+/// assert!((outer.nominal.unwrap() - 364.5).abs() < 1e-9);
 /// ```
 pub fn causes(sources: &Sources) -> Vec<Line> {
     let shaft = sources.shaft;
+    let surfaces = |bearing: usize| sources.surfaces.get(bearing).cloned().unwrap_or_default();
+    let turning = sources.unbalanced || sources.surfaces.iter().any(|own| own.turning);
     let orders = (1..=SHAFT_ORDERS).map(|order| {
         let frequency = f64::from(order) * shaft;
         fixed(LineKind::ShaftOrder(order), frequency)
@@ -211,6 +221,7 @@ pub fn causes(sources: &Sources) -> Vec<Line> {
         let frequency = 0.5 * f64::from(halves) * shaft;
         fixed(LineKind::ShaftHalves(halves), frequency)
     });
+    let orders = orders.chain(halves).filter(|_| turning);
     let modes = sources.natural.iter().enumerate().map(|(mode, natural)| {
         let whirl = natural.whirl;
         fixed(LineKind::Natural { mode, whirl }, natural.damped_frequency)
@@ -222,17 +233,25 @@ pub fn causes(sources: &Sources) -> Vec<Line> {
             fixed(kind, f64::from(multiple) * frequency)
         })
     });
-    let bearings = &sources.bearings;
-    let surfaces = |bearing: usize| sources.surfaces.get(bearing);
-    let shows_spin = |bearing| surfaces(bearing).is_some_and(|own| own.balls_show_spin);
-    let balls = bearings.iter().enumerate();
-    let balls = balls
-        .filter(|(bearing, own)| shows_spin(*bearing) || !bearings[..*bearing].contains(own))
-        .flat_map(|(bearing, own)| bearing_lines(bearing, own, shaft, shows_spin(bearing)));
-    let waves = bearings.iter().enumerate().flat_map(|(bearing, own)| {
-        surfaces(bearing).map_or_else(Vec::new, |of| of.wave_lines(bearing, own, shaft))
+    let loads = sources.loads.iter().flat_map(|&(number, frequency)| {
+        (1..=LOAD_MULTIPLES).map(move |multiple| {
+            let kind = LineKind::Load { number, multiple };
+            fixed(kind, f64::from(multiple) * frequency)
+        })
     });
-    let all = orders.chain(halves).chain(modes).chain(meshing);
+    let bearings = &sources.bearings;
+    let balls = bearings.iter().enumerate().flat_map(|(bearing, own)| {
+        let surfaces = surfaces(bearing);
+        let is_first = !bearings[..bearing].contains(own);
+        let has_own = is_first || surfaces.turning || surfaces.balls_differ;
+        let lines = has_own.then(|| bearing_lines(bearing, own, shaft, &surfaces, turning));
+        lines.unwrap_or_default()
+    });
+    let waves = bearings
+        .iter()
+        .enumerate()
+        .flat_map(|(bearing, own)| surfaces(bearing).wave_lines(bearing, own, shaft));
+    let all = orders.chain(modes).chain(meshing).chain(loads);
     let mut lines: Vec<Line> = all.chain(balls).chain(waves).collect();
     lines.retain(|line| line.frequency > 0.0);
     lines
@@ -243,7 +262,7 @@ fn fixed(kind: LineKind, frequency: f64) -> Line {
     Line {
         kind,
         frequency,
-        operating: None,
+        nominal: None,
     }
 }
 
@@ -251,33 +270,13 @@ fn bearing_lines(
     bearing: usize,
     own: &BearingFrequencies,
     shaft: f64,
-    shows_spin: bool,
+    surfaces: &LineSurfaces,
+    turning: bool,
 ) -> Vec<Line> {
-    let largest_spin = if shows_spin {
-        DENT_MULTIPLES
-    } else {
-        SPIN_MULTIPLES
-    };
-    let spins = multiples(largest_spin)
-        .filter(|(multiple, _)| *multiple <= SPIN_MULTIPLES || multiple.is_multiple_of(2));
-    let line = |kind, of: &dyn Fn(&BallPass) -> f64| {
-        let (simulated, operating) = (of(&own.simulated), of(&own.operating));
-        let is_spin = matches!(
-            kind,
-            LineKind::Bearing {
-                of: Characteristic::Spin,
-                ..
-            }
-        );
-        Line {
-            kind,
-            frequency: if is_spin && !shows_spin {
-                operating
-            } else {
-                simulated
-            },
-            operating: Some(operating),
-        }
+    let line = |kind, of: &dyn Fn(&BallPass) -> f64| Line {
+        kind,
+        frequency: of(&own.simulated),
+        nominal: Some(of(&own.nominal)),
     };
     let characteristic = |(of, (multiple, sideband)): (Characteristic, (u32, i32))| {
         let kind = LineKind::Bearing {
@@ -291,18 +290,30 @@ fn bearing_lines(
             f64::from(multiple) * own + f64::from(sideband) * beside
         })
     };
+    // no ball passes a race that its cage keeps up with
+    let has = |of: Characteristic| of.frequencies(&own.simulated, shaft)[0] > 0.0;
     let halves = odd(BALL_PASS_MULTIPLES).map(|halves| {
         let kind = LineKind::BallPassHalves { bearing, halves };
         line(kind, &|pass| 0.5 * f64::from(halves) * pass.outer)
     });
+    let halves = halves.filter(|_| has(Characteristic::OuterRace));
     let higher = (BALL_PASS_MULTIPLES + 1..=SHAFT_ORDERS).map(|multiple| (multiple, 0));
     let passes = multiples(BALL_PASS_MULTIPLES).chain(higher);
     let races = [Characteristic::OuterRace, Characteristic::InnerRace];
     let passes = passes.flat_map(|number| races.map(|race| (race, number)));
-    let spins = spins.map(|number| (Characteristic::Spin, number));
-    let cage = (1..=CAGE_MULTIPLES).map(|multiple| (Characteristic::Cage, (multiple, 0)));
-    let lines = passes.chain(spins).map(characteristic).chain(halves);
-    lines.chain(cage.map(characteristic)).collect()
+    let passes = passes.filter(|(race, (_, sideband))| {
+        let stands = *race == Characteristic::OuterRace && *sideband == 0;
+        has(*race) && (stands || turning)
+    });
+    let spins = multiples(EVEN_SPIN_MULTIPLES)
+        .filter(|(multiple, _)| *multiple <= SPIN_MULTIPLES || multiple.is_multiple_of(2))
+        .filter(|_| surfaces.balls_show_spin)
+        .map(|number| (Characteristic::Spin, number));
+    let cage = (1..=CAGE_MULTIPLES)
+        .filter(|_| surfaces.balls_differ)
+        .map(|multiple| (Characteristic::Cage, (multiple, 0)));
+    let lines = passes.chain(spins).chain(cage).map(characteristic);
+    lines.chain(halves).collect()
 }
 
 /// Multiples up to `largest`, each with its sidebands.

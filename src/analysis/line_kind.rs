@@ -52,6 +52,13 @@ pub enum LineKind {
         /// Multiple.
         multiple: u32,
     },
+    /// k × frequency of a load that vibrates or strikes at equal intervals.
+    Load {
+        /// Load, from 0, among the varying loads.
+        number: usize,
+        /// Multiple.
+        multiple: u32,
+    },
     /// Natural frequency number `mode` (from 0) of the linearised system.
     Natural {
         /// Mode, from 0, lowest first.
@@ -96,15 +103,17 @@ impl LineKind {
         }
     }
 
-    /// Rank of simplicity: where several causes fit equally well, the lowest one names the line.
+    /// Rank of simplicity: where several causes fit equally well, the lowest one names the line. What the scene is excited by
+    /// comes first.
     pub(super) fn rank(self) -> (u32, u32) {
         match self {
-            Self::ShaftOrder(order) => (0, order),
+            Self::ShaftOrder(1) => (0, 0),
+            Self::Load { multiple, .. } | Self::Meshing { multiple, .. } => (1, multiple),
+            Self::ShaftOrder(order) => (2, order),
             Self::Waviness { beside, .. } => match beside {
-                -1..=1 => (1, 0),
+                -1..=1 => (2, 0),
                 _ => (12, beside.unsigned_abs()),
             },
-            Self::Meshing { multiple, .. } => (2, multiple),
             Self::Natural { mode, .. } => (5, mode as u32),
             Self::ShaftHalves(halves) => (7, halves),
             Self::BallPassHalves { halves, .. } => (8, halves),
@@ -128,7 +137,7 @@ impl LineKind {
     }
 }
 
-/// `1×`, `2×BPFO`, `BPFI − 1×`, `5/2×BPFO`, `cage`, `BSF + 1×cage`, `meshing of sprocket 1`,
+/// `1×`, `2×BPFO`, `BPFI − 1×`, `5/2×BPFO`, `cage`, `BSF + 1×cage`, `meshing of sprocket 1`, `2×varying load 1`,
 /// `natural frequency 1`, `waviness of the outer race, order 17`, `waviness of ball 1, order 4 − 1×cage`; bearings and sprockets after the first by number.
 impl fmt::Display for LineKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -174,6 +183,10 @@ impl fmt::Display for LineKind {
                 write_multiple(f, multiple)?;
                 write!(f, "meshing")?;
                 write_number(f, "sprocket", sprocket as u32)
+            }
+            Self::Load { number, multiple } => {
+                write_multiple(f, multiple)?;
+                write!(f, "varying load {}", number + 1)
             }
             Self::Natural { mode, whirl } => {
                 write!(f, "natural frequency {}", mode + 1)?;

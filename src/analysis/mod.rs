@@ -39,7 +39,7 @@ pub use motion::{ChannelStatistics, Drift, Kind, Moments, Motion, Recognition};
 pub(crate) use motion::{LONGEST_PERIOD, MotionRecorder, MotionSettings};
 #[cfg(test)]
 pub(crate) use motion::{Series, closed_curve, recognise};
-pub(crate) use noise_floor::{NoiseFloor, magnitude};
+pub(crate) use noise_floor::{NoiseFloor, is_above_noise, magnitude};
 pub(crate) use order_tracks::TrackRecorder;
 pub use order_tracks::{OrderTracks, Track, TrackPoint, TrackedOrder};
 #[cfg(test)]

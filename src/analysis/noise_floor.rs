@@ -59,6 +59,23 @@ fn family(channel: Channel) -> Option<(usize, f64)> {
     Some((family, if freedom < 3 { 1.0 } else { of_rotation }))
 }
 
+/// Distances in bins at which the noise around a line is looked at, and the part of its median that a line exceeds.
+const AROUND: std::ops::RangeInclusive<usize> = 5..=40;
+const ABOVE_MEDIAN: f64 = 6.0;
+
+/// Whether a line of an amplitude at a bin is above the noise around it: six times its median.
+///
+/// The amplitude of Gaussian noise in a bin is Rayleigh distributed: it exceeds k medians with the probability `2^(−k²)`, or
+/// `2^(−k²/1.5)` under the Hann window beside a median without window, 6e-8 for k = 6.
+pub(crate) fn is_above_noise(amplitudes: &[f64], bin: usize, amplitude: f64) -> bool {
+    let below = AROUND.filter_map(|distance| bin.checked_sub(distance));
+    let places = below.chain(AROUND.map(|distance| bin + distance));
+    let mut around: Vec<f64> = places.filter_map(|k| amplitudes.get(k).copied()).collect();
+    around.sort_by(f64::total_cmp);
+    let median = around.get(around.len() / 2);
+    median.is_none_or(|median| amplitude > ABOVE_MEDIAN * median)
+}
+
 /// Largest magnitude of some values.
 pub(crate) fn magnitude(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most, value| most.max(value.abs()))

@@ -6,7 +6,9 @@ use realfft::RealFftPlanner;
 use serde::Serialize;
 
 use super::peaks::peaks;
-use super::{Channel, Line, NoiseFloor, Peak, Recording, Transform, Window, magnitude};
+use super::{
+    Channel, Line, NoiseFloor, Peak, Recording, Transform, Window, is_above_noise, magnitude,
+};
 
 /// Fewer samples than this make no spectrum: the widest window mixes nine bins.
 pub(super) const FEWEST_SAMPLES: usize = 16;
@@ -112,6 +114,22 @@ pub struct Analysis {
     pub spectrum: Spectrum,
     /// Peaks of all channels, channel by channel, strongest first.
     pub peaks: Vec<Peak>,
+}
+
+impl Analysis {
+    /// The peaks without names that are no higher than the noise around them.
+    #[must_use]
+    pub(crate) fn without_names_of_noise(mut self) -> Self {
+        for peak in &mut self.peaks {
+            let bin = (peak.frequency / self.spectrum.resolution).round() as usize;
+            let entry = self.spectrum.channel(peak.channel);
+            if entry.is_some_and(|own| !is_above_noise(&own.amplitude, bin, peak.amplitude)) {
+                peak.line = None;
+                peak.others.clear();
+            }
+        }
+        self
+    }
 }
 
 /// On a grid of shaft angle the spectra are taken of the largest whole number of revolutions that fits, the last

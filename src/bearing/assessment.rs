@@ -1,6 +1,7 @@
 //! From the place of the inner ring to everything that is known of a loaded bearing.
 
 use super::bearing_friction::skf_moment;
+use super::cage::Cage;
 use super::law::{BallLaw, FilmThickness, Share, with_law};
 use super::life::reference_rating_life;
 use super::static_rating::{fatigue_load_limit, static_rating, static_safety};
@@ -9,7 +10,7 @@ use super::{
     BallLine, Bearing, BearingRotation, BearingState, FilmState, GeometryState, HertzSpring,
     InternalGeometry, RaceContact, RaceFilms, StiffnessShares, Vector5, warnings,
 };
-use crate::physics::{BallMotion, BallPass, RaceControl, ball_pass_frequencies, dynamic_rating};
+use crate::physics::{BallMotion, RaceControl, dynamic_rating};
 
 /// Share of the largest load at the inner race below which a ball counts as unloaded: behind an oil
 /// film the load of a ball never quite vanishes.
@@ -21,6 +22,7 @@ pub(super) struct Assessment<'a> {
     /// Displacement of the inner ring.
     pub place: Vector5,
     pub rotation: BearingRotation,
+    pub cage: Cage,
 }
 
 impl Assessment<'_> {
@@ -48,7 +50,8 @@ impl Assessment<'_> {
             life,
             static_safety: static_safety(contacts, loads()),
             friction_moment: support.friction_moment(&force, speed),
-            ball_pass: self.ball_pass(&balls),
+            ball_pass: self.cage.ball_pass(&bearing.geometry, speed),
+            nominal_ball_pass: bearing.geometry.ball_pass(speed),
             warnings: warnings::of(bearing, speed, &balls, &loaded),
             balls,
         }
@@ -185,23 +188,6 @@ impl Assessment<'_> {
             Some(StiffnessShares { contacts, films })
         })
     }
-
-    /// Frequencies at the mean contact angle of the loaded balls.
-    fn ball_pass(&self, balls: &[BallLine]) -> BallPass {
-        let geometry = &self.bearing().geometry;
-        let gamma = match operating_angle(balls) {
-            // γ = D cos α/d_m
-            Some(angle) => geometry.ball_diameter() * angle.cos() / geometry.pitch_diameter(),
-            None => geometry.gamma(),
-        };
-        ball_pass_frequencies(
-            self.rotation.speed,
-            geometry.balls(),
-            geometry.ball_diameter(),
-            geometry.pitch_diameter(),
-            gamma,
-        )
-    }
 }
 
 /// Balls that bear at the inner race, with their numbers.
@@ -210,16 +196,4 @@ fn loaded(balls: &[BallLine]) -> impl Iterator<Item = (usize, &BallLine)> {
     let least = LOADED_SHARE * largest;
     let numbered = balls.iter().enumerate();
     numbered.filter(move |(_, ball)| ball.inner.load > least)
-}
-
-/// Mean size of the contact angle, weighted by the load at the inner race; of each ball the mean of
-/// both races, rad. None without load.
-fn operating_angle(balls: &[BallLine]) -> Option<f64> {
-    let (mut moment, mut load) = (0.0, 0.0);
-    for ball in balls {
-        // |α_i + α_o|/2
-        moment += ball.inner.load * 0.5 * (ball.inner.angle + ball.outer.angle).abs();
-        load += ball.inner.load;
-    }
-    (load > 0.0).then(|| moment / load)
 }

@@ -315,17 +315,22 @@ impl Geometry {
             FreePosition::RadialClearance(_) => 0.0,
             _ => self.contact_angle,
         };
-        self.ball_diameter * angle.cos() / self.pitch_diameter
+        self.gamma_at(angle.cos())
     }
 
-    /// Ball-pass frequencies at the nominal contact angle and a shaft speed in rad/s.
+    /// γ of another contact angle, by its cosine.
+    pub(super) fn gamma_at(&self, cosine: f64) -> f64 {
+        self.ball_diameter * cosine / self.pitch_diameter
+    }
+
+    /// Ball-pass frequencies at the nominal contact angle, as handbooks print them, and a shaft speed in rad/s.
     pub fn ball_pass(&self, speed: f64) -> BallPass {
         ball_pass_frequencies(
             speed,
             self.balls,
             self.ball_diameter,
             self.pitch_diameter,
-            self.gamma(),
+            self.gamma_at(self.nominal_angle().cos()),
         )
     }
 

@@ -6,6 +6,7 @@
 
 mod assessment;
 mod bearing_friction;
+mod cage;
 pub(crate) mod catalogue;
 mod clearance;
 mod contact_band;
@@ -35,6 +36,7 @@ pub(crate) mod surface;
 mod warnings;
 
 pub(crate) use assessment::LOADED_SHARE;
+pub(crate) use cage::CageMotion;
 pub use catalogue::{CATALOGUE, CatalogueEntry, UnknownBearing};
 pub use clearance::{Clearance, ClearanceClass};
 pub(crate) use contact_band::ContactBand;
@@ -68,5 +70,7 @@ pub use state::{
 pub use static_rating::{PERMISSIBLE_PRESSURE, permissible_static_load};
 pub(crate) use support::Support;
 pub use surface::Surface;
-pub(crate) use surface::{CageJitter, Defect, Imperfections, Passing, RacePass, SideView, Wave};
+pub(crate) use surface::{
+    CageJitter, Defect, Imperfections, Passing, RacePass, SideView, TurningSurfaces, Wave,
+};
 pub(crate) use surface::{DefectProfile, ImperfectionError};

@@ -82,6 +82,7 @@ impl<S: Simd> Balls<S> {
 impl Ring {
     /// Places the balls of `geometry` evenly from azimuth `first_ball` in rad.
     pub fn new(geometry: &Geometry, first_ball: f64, imperfections: &Imperfections) -> Self {
+        let gamma = geometry.gamma();
         let balls = geometry.balls();
         let azimuths: Vec<f64> = (0..balls)
             .map(|ball| first_ball + std::f64::consts::TAU * ball as f64 / balls as f64)
@@ -93,7 +94,8 @@ impl Ring {
             free_axial: geometry.free_axial(),
             free_radial: geometry.free_radial(),
             arm: geometry.inner_groove_radius(),
-            surfaces: ImperfectSurfaces::new(imperfections, geometry, first_ball).map(Box::new),
+            surfaces: ImperfectSurfaces::new(imperfections, geometry, first_ball, gamma)
+                .map(Box::new),
         }
     }
 

@@ -191,9 +191,10 @@ pub struct BearingState {
     /// Friction moment after Palmgren, [`crate::physics::FrictionFactors`], of an oil of
     /// [`crate::physics::MINERAL_OIL_DENSITY`].
     pub friction_moment: FrictionMoment,
-    /// Ball-pass frequencies at the mean operating contact angle, Hz: its size, weighted by the load
-    /// at the inner race; of each ball the mean of both races. Nominal without load.
+    /// Ball-pass frequencies with the cage as the scene lets it turn, `model.cage`, Hz.
     pub ball_pass: BallPass,
+    /// The same at the nominal contact angle without slip, as handbooks print them.
+    pub nominal_ball_pass: BallPass,
     /// What the reader should know, each with its numbers.
     pub warnings: Vec<String>,
 }

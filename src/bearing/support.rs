@@ -4,15 +4,17 @@ use std::f64::consts::TAU;
 
 use super::assessment::Assessment;
 use super::bearing_friction::BearingFriction;
+use super::cage::Cage;
 use super::law::{BallLaw, BallTable, Law, with_law};
 use super::number::Number;
 use super::seat::Seat;
 use super::support_force::LinearForce;
 use super::{
-    Around, BallLoads, BearingError, BearingRotation, BearingState, CageJitter, ContactBand,
-    ContactLaw, FrictionMoment, Geometry, Matrix5, MountedBearing, Preload, Ring, Vector5,
+    Around, BallLoads, BearingError, BearingRotation, BearingState, CageJitter, CageMotion,
+    ContactBand, ContactLaw, FrictionMoment, Geometry, Matrix5, MountedBearing, Preload, Ring,
+    Vector5,
 };
-use crate::physics::{BallPass, HertzContact, nominal_cage_speed};
+use crate::physics::HertzContact;
 
 /// A bearing at its place on the rigid shaft, ready to answer with forces.
 ///
@@ -35,9 +37,8 @@ pub struct Support {
     /// Coefficients of the damping of the contacts, inner race first, s/m, where there is damping.
     pub(super) damped: Option<[f64; 2]>,
     friction: BearingFriction,
-    /// Speed of the cage over that of the shaft.
-    cage_ratio: f64,
-    cage_jitter: Option<CageJitter>,
+    pub(super) cage: Cage,
+    pub(super) cage_jitter: Option<CageJitter>,
     /// Set once the bearing is linear.
     pub(super) frozen: Option<LinearForce>,
     pub(super) definition: MountedBearing,
@@ -64,7 +65,7 @@ impl Support {
             seat: Seat::new(definition, &law)?,
             law,
             table: None,
-            cage_ratio: nominal_cage_speed(1.0, geometry.gamma()) * (1.0 - imperfections.cage_slip),
+            cage: Cage::new(definition, CageMotion::Rolling, geometry.gamma()),
             cage_jitter: CageJitter::new(&imperfections.cage_steps, geometry.balls()),
             frozen: None,
             definition: definition.clone(),
@@ -233,17 +234,24 @@ impl Support {
         }
     }
 
-    /// What is known of the bearing with the shaft at `displacement`, its cage where it starts.
+    /// What is known of the bearing with the shaft at `displacement`, its cage where it starts and turning as from an
+    /// equilibrium there.
     ///
     /// A linear bearing knows no balls: its state is that of the Hertz law at this displacement,
     /// force and stiffness, too.
-    pub(crate) fn state(&self, displacement: &Vector5, speed: f64) -> BearingState {
+    pub(crate) fn state(
+        &self,
+        displacement: &Vector5,
+        speed: f64,
+        motion: CageMotion,
+    ) -> BearingState {
         let rotation = BearingRotation::at_start(speed);
         let place = self.ring_displacement(displacement, &rotation);
         let assessment = Assessment {
             support: self,
             place,
             rotation,
+            cage: self.cage_at(motion, Some(displacement), speed),
         };
         assessment.state()
     }
@@ -267,25 +275,6 @@ impl Support {
     /// not.
     pub(crate) fn has_potential(&self, steady: bool) -> bool {
         self.frozen.is_some() || self.law.has_potential(steady)
-    }
-
-    /// Speed of the cage over that of the shaft: the nominal one, less its slip.
-    #[inline]
-    pub(crate) fn cage_ratio(&self) -> f64 {
-        self.cage_ratio
-    }
-
-    /// How the cage wanders, where it does.
-    #[inline]
-    pub(crate) fn cage_jitter(&self) -> Option<&CageJitter> {
-        self.cage_jitter.as_ref()
-    }
-
-    /// Ball-pass frequencies at the nominal contact angle, with the slip of the cage: balls that roll on the outer race
-    /// turn the slower, too.
-    pub(crate) fn ball_pass(&self, speed: f64) -> BallPass {
-        let nominal = self.definition.bearing.geometry.ball_pass(speed);
-        nominal.with_slip(self.definition.imperfections.cage_slip)
     }
 
     /// What the shaft's displacement imposes on the inner ring.

@@ -7,6 +7,7 @@ use super::jobs::{Answer, Failure, Files, Job};
 use super::{Outcome, terminal, without_repeats};
 use crate::physics::BallPass;
 use crate::report;
+use crate::rotor::CageMotion;
 use crate::scenario;
 use crate::simulate::speed_warnings;
 use crate::study::campbell::{self, CampbellQuestion};
@@ -37,7 +38,7 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 61, value_parser = clap::value_parser!(u32).range(2..=100_000))]
     count: u32,
     /// Multiples of the shaft's frequency whose crossings are critical speeds: numbers, and "bpfo", "bpfi", "ftf"
-    /// and "bsf" for those of the bearings at their free contact angles
+    /// and "bsf" for those of the bearings with their cages as in a run that starts at the lowest speed
     #[arg(long, value_name = "A,B", value_delimiter = ',', default_value = "1", value_parser = order)]
     orders: Vec<Order>,
 }
@@ -113,10 +114,8 @@ fn orders(job: &Job, arguments: &Arguments) -> Vec<f64> {
         match order {
             Order::Number(number) => orders.push(*number),
             Order::OfBearings(name, of) => {
-                let bearings = job.scenario.question.rotor.bearings.iter();
-                for (number, mounted) in (1..).zip(bearings) {
-                    // of a shaft that turns once a second
-                    let order = of(&mounted.bearing.geometry.ball_pass(TAU));
+                for (number, pass) in (1..).zip(ball_passes(job, arguments.from)) {
+                    let order = of(&pass);
                     if !orders.contains(&order) {
                         orders.push(order);
                         job.note(&format!("{name} of bearing {number} is order {order:.4}"));
@@ -126,4 +125,17 @@ fn orders(job: &Job, arguments: &Arguments) -> Vec<f64> {
         }
     }
     without_repeats(orders)
+}
+
+/// Ball passes a revolution of the shaft, with the cages as in a motion that starts at a speed in rad/s; also of cages that
+/// the scene holds.
+fn ball_passes(job: &Job, speed: f64) -> Vec<BallPass> {
+    let mut rotor = job.scenario.question.rotor.at_constant_speed(speed);
+    if !rotor.cage.turns() {
+        rotor.cage = CageMotion::default();
+    }
+    // what cannot be built is refused by the answer
+    let supports = rotor.rolling_supports().unwrap_or_default();
+    let passes = supports.iter().map(|support| support.ball_pass(TAU));
+    passes.collect()
 }

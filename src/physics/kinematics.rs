@@ -40,24 +40,24 @@ pub struct BallPass {
 }
 
 impl BallPass {
-    /// The same with a cage that turns slower by a part of its nominal speed, balls rolling on the outer race.
+    /// Of Z balls between an inner and an outer ring that turn at frequencies in Hz, as their cage does; a ball that rolls
+    /// on the outer race turns by `rolling_ratio`, (1 + γ) d_m/D, of what its cage does past that race.
     ///
-    /// `FTF = (1 − s) FTF₀`, `BPFO` and `BSF` likewise, `BPFO + BPFI = Z f`
+    /// `BPFO = Z |f_o − f_c|`, `BPFI = Z |f_i − f_c|`
     ///
     /// ```
-    /// use jeffcott::physics::ball_pass_frequencies;
-    /// let pass = ball_pass_frequencies(100.0 * std::f64::consts::TAU, 9, 1.0, 5.0, 0.2);
-    /// let slipping = pass.with_slip(0.01);
+    /// use jeffcott::physics::BallPass;
+    /// // a cage that slips by 1 % of 40 Hz
+    /// let slipping = BallPass::of_rings([100.0, 0.0], 39.6, 9, 6.0);
     /// assert!((slipping.outer - 356.4).abs() < 1e-9 && (slipping.inner - 543.6).abs() < 1e-9);
-    /// assert_eq!(pass.with_slip(0.0), pass);
     /// ```
-    pub fn with_slip(self, slip: f64) -> Self {
-        let kept = 1.0 - slip;
+    pub fn of_rings([inner, outer]: [f64; 2], cage: f64, balls: usize, rolling_ratio: f64) -> Self {
+        let past = [inner, outer].map(|ring| (ring - cage).abs());
         Self {
-            outer: kept * self.outer,
-            inner: self.inner + slip * self.outer,
-            spin: kept * self.spin,
-            cage: kept * self.cage,
+            outer: balls as f64 * past[1],
+            inner: balls as f64 * past[0],
+            spin: rolling_ratio * past[1],
+            cage,
         }
     }
 }

@@ -7,8 +7,8 @@ use serde_json::{Value, json};
 
 use super::page::narrow;
 use super::terminal::{MICRO, MILLI};
-use crate::physics::nominal_cage_speed;
-use crate::rotor::{BallContacts, CageMotion, RotorDefinition, Sample};
+use crate::bearing::Support;
+use crate::rotor::{BallContacts, RotorDefinition, Sample};
 use crate::simulate::LAST_BALLS;
 
 /// Most frames that are shown.
@@ -47,9 +47,10 @@ impl Film {
         let displacements = (0..5).map(|axis| of(&|sample| MICRO * sample.displacement[axis]));
         let mut first = 0;
         let observed = rotor.flexible.as_ref().map_or(0.0, |shaft| shaft.observed);
-        let bearings = rotor.bearings.iter().map(|bearing| {
+        let supports = rotor.rolling_supports().unwrap_or_default();
+        let cages = supports.iter().map(Support::cage_ratio);
+        let bearings = rotor.bearings.iter().zip(cages).map(|(bearing, cage)| {
             let geometry = &bearing.bearing.geometry;
-            let slip = 1.0 - bearing.imperfections.cage_slip;
             let known = frames[0].1.len() >= first + geometry.balls();
             let balls = if known { geometry.balls() } else { 0 };
             let range = first..first + balls;
@@ -61,10 +62,7 @@ impl Film {
                 "ball": MILLI * geometry.ball_diameter(),
                 "balls": geometry.balls(),
                 "firstBall": bearing.first_ball,
-                "cage": match rotor.cage {
-                    CageMotion::Rolling => nominal_cage_speed(1.0, geometry.gamma()) * slip,
-                    CageMotion::Frozen => 0.0,
-                },
+                "cage": cage,
                 "loads": (balls > 0).then(|| narrow(loads.map(|load| f64::from(*load)))),
             });
             first += balls;

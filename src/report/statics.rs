@@ -9,7 +9,7 @@ use super::terminal::{
 };
 use super::{Destination, FileSet, Findings};
 use crate::bearing::{BallLine, BearingState, FilmState, Matrix5, RaceContact};
-use crate::physics::Race;
+use crate::physics::{BallPass, Race};
 use crate::quasi_static::{QuasiStatic, StaticQuestion};
 use crate::rotor::{FREEDOMS, Freedoms};
 
@@ -139,12 +139,12 @@ fn add_bearing(out: &mut Lines, number: usize, state: &BearingState) {
             "{total} N mm: rolling {rolling}, sliding {sliding} (SKF)"
         ));
     }
-    let pass = &state.ball_pass;
-    let pass = format!(
-        "outer race {:.3} Hz, inner race {:.3} Hz, ball spin {:.3} Hz, cage {:.3} Hz",
-        pass.outer, pass.inner, pass.spin, pass.cage
-    );
+    let [pass, nominal] = [&state.ball_pass, &state.nominal_ball_pass].map(ball_pass_text);
+    let differs = pass != nominal;
     out.line("ball pass", pass);
+    if differs {
+        out.more(format!("nominal: {nominal}"));
+    }
     if let Some(shares) = &state.shares {
         out.line("of contacts", diagonal(&shares.contacts));
         out.line("of films", diagonal(&shares.films));
@@ -152,6 +152,14 @@ fn add_bearing(out: &mut Lines, number: usize, state: &BearingState) {
     if !state.balls.is_empty() {
         add_balls(out, &state.balls);
     }
+}
+
+/// `outer race 107.364 Hz, inner race 162.186 Hz, ball spin 70.594 Hz, cage 11.929 Hz`.
+pub(super) fn ball_pass_text(pass: &BallPass) -> String {
+    format!(
+        "outer race {:.3} Hz, inner race {:.3} Hz, ball spin {:.3} Hz, cage {:.3} Hz",
+        pass.outer, pass.inner, pass.spin, pass.cage
+    )
 }
 
 /// What fits and temperatures have done.

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use serde_json::{Value, json};
 
 use super::motion::{add_motion, add_severity};
+use super::statics::ball_pass_text;
 use super::terminal::{
     Lines, MICRO, clearance_text, decimals, displacement_text, listed, mark_estimated,
     measured_text, of_bearing, significant,
@@ -32,6 +33,10 @@ pub fn text(title: &str, model: &Model, run: &Run, files: &[PathBuf]) -> String 
     let place = displacement_text(moving, &run.equilibrium.displacement);
     out.line("equilibrium", place);
     out.line("natural", natural(&run.equilibrium));
+    for (index, pass) in run.ball_pass.iter().enumerate() {
+        let bearing = of_bearing(index, run.ball_pass.len());
+        out.detail("ball pass", format!("{bearing}{}", ball_pass_text(pass)));
+    }
     let counters = &run.counters;
     let work = format!(
         "{} steps, {} rejected, {} evaluations, {} samples",

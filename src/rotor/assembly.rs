@@ -94,7 +94,9 @@ impl Rotor {
             ..
         } = static_place_of(structure, definition, &supports, &load, &[None; FREEDOMS])?;
         for (support, attachment) in supports.iter_mut().zip(&structure.attachments) {
-            support.freeze(&attachment.displacement(&rest, &[]), definition.speed);
+            let place = attachment.displacement(&rest, &[]);
+            support.roll(definition.cage, Some(&place), definition.speed);
+            support.freeze(&place, definition.speed);
         }
         let shaft = &definition.shaft;
         let dofs = structure.dofs;
@@ -138,9 +140,7 @@ impl Rotor {
             loads,
             contacts_damped: supports.iter().any(Support::is_damped),
             balls_that_lift_off: supports.iter().map(Support::balls_that_lift_off).sum(),
-            leading_ratio: supports
-                .first()
-                .map_or(0.0, |first| definition.cage.ratio(first)),
+            leading_ratio: supports.first().map_or(0.0, Support::cage_ratio),
             supports,
             starts_from: definition.initial.from,
             initial: initial_state(definition, &equilibrium),

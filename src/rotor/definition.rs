@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Drive, FlexibleShaft, LinearBearing, Load, PlaneUnbalance, SpeedPoint};
-use crate::bearing::Support;
+use crate::bearing::CageMotion;
 
 /// Standard acceleration of gravity, m/s² (ISO 80000-3).
 pub const STANDARD_GRAVITY: f64 = 9.806_65;
@@ -105,28 +105,6 @@ pub enum Damping {
     Ratio(f64),
     /// c = τ K with K at the static equilibrium, τ in s.
     StiffnessTime(f64),
-}
-
-/// How the balls go round.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum CageMotion {
-    /// The cage rolls at its nominal speed: the stiffness varies with the ball pass.
-    #[default]
-    Rolling,
-    /// The cage stands: no ball-pass lines.
-    Frozen,
-}
-
-impl CageMotion {
-    /// Speed of the cage of a bearing over that of the shaft.
-    #[inline]
-    pub(super) fn ratio(self, support: &Support) -> f64 {
-        match self {
-            Self::Rolling => support.cage_ratio(),
-            Self::Frozen => 0.0,
-        }
-    }
 }
 
 /// Where the motion starts.

@@ -6,7 +6,7 @@ use super::lift_off::tilting_arm;
 use super::point::Attachment;
 use super::static_search::{Balance, StaticCoordinate, StaticSearch};
 use super::structure::{Structure, UnbalancedPoint};
-use super::{FREEDOMS, Freedoms, RotorDefinition, RotorError};
+use super::{FREEDOMS, Freedoms, RotorDefinition, RotorError, build_supports};
 use crate::bearing::{
     Bearing, BearingState, Facing, Geometry, Matrix5, MountedBearing, Support, Vector5,
 };
@@ -186,13 +186,37 @@ pub(crate) struct StaticPlace {
 }
 
 impl StaticPlace {
-    /// What is known of every bearing there at a speed of the shaft in rad/s.
-    pub fn bearing_states(&self, supports: &[Support], speed: f64) -> Vec<BearingState> {
+    /// What is known of every bearing of a definition there.
+    pub fn bearing_states(
+        &self,
+        definition: &RotorDefinition,
+        supports: &[Support],
+    ) -> Vec<BearingState> {
         let pairs = supports.iter().zip(&self.structure.attachments);
         let state = |(support, attachment): (&Support, &Attachment)| {
-            support.state(&attachment.displacement(&self.coordinates, &[]), speed)
+            let place = attachment.displacement(&self.coordinates, &[]);
+            support.state(&place, definition.speed, definition.cage)
         };
         pairs.map(state).collect()
+    }
+}
+
+impl RotorDefinition {
+    /// The bearings as their balls go round; where the shaft has no equilibrium, as without load.
+    ///
+    /// # Errors
+    /// [`RotorError`] where a bearing cannot be built.
+    pub(crate) fn rolling_supports(&self) -> Result<Vec<Support>, RotorError> {
+        let mut supports = build_supports(self)?;
+        let found = static_place(self, &supports, false, &[None; FREEDOMS]).ok();
+        for (index, support) in supports.iter_mut().enumerate() {
+            let place = found.as_ref().map(|found| {
+                let attachment = &found.structure.attachments[index];
+                attachment.displacement(&found.coordinates, &[])
+            });
+            support.roll(self.cage, place.as_ref(), self.speed);
+        }
+        Ok(supports)
     }
 }
 

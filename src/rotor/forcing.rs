@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 use std::fmt;
 
 use super::{LoadKind, Rotor};
+use crate::bearing::Support;
 
 /// What repeats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -111,13 +112,12 @@ impl Rotor {
                 });
             }
         };
-        let mut unbalances = self.structure.unbalances.iter();
-        if unbalances.any(|own| own.unbalance.is_some()) {
+        if self.is_unbalanced() {
             add(ForcingCause::Unbalance, speed, 0.0);
         }
         for (bearing, support) in self.supports.iter().enumerate() {
             let balls = support.definition().bearing.geometry.balls() as f64;
-            let cage = self.cage_ratio(support) * speed;
+            let cage = support.cage_ratio() * speed;
             if support.cage_jitter().is_some() && cage > 0.0 {
                 return Err(Unrepeated::CageJitter { bearing });
             }
@@ -146,6 +146,28 @@ impl Rotor {
         Ok(found)
     }
 
+    /// Whether any unbalance turns with the shaft.
+    pub(crate) fn is_unbalanced(&self) -> bool {
+        let mut unbalances = self.structure.unbalances.iter();
+        unbalances.any(|own| own.unbalance.is_some())
+    }
+
+    /// Whether a load or a cage moves by chance, or a load as a record does: it may vibrate at any frequency.
+    pub(crate) fn is_random(&self) -> bool {
+        let wanders = |support: &Support| support.cage_jitter().is_some();
+        self.loads.iter().any(|load| load.kind.is_random()) || self.supports.iter().any(wanders)
+    }
+
+    /// Frequencies of the varying loads that repeat at a speed in rad/s, by their numbers from 0, Hz; not of sprockets.
+    pub(crate) fn load_frequencies(&self, speed: f64) -> Vec<(usize, f64)> {
+        let loads = self.loads.iter().enumerate();
+        let repeating = loads.filter_map(|(number, load)| match load.kind {
+            LoadKind::Sprocket(_) => None,
+            _ => Some((number, load.kind.repetition(speed).ok()??.0 / TAU)),
+        });
+        repeating.collect()
+    }
+
     /// Ball passes a revolution of the shaft at the outer and the inner race, of every bearing whose balls
     /// go round.
     pub(crate) fn ball_pass_orders(&self) -> Vec<[f64; 2]> {
@@ -155,7 +177,7 @@ impl Rotor {
             .filter(|support| support.follows_cage());
         let orders = passing.map(|support| {
             let balls = support.definition().bearing.geometry.balls() as f64;
-            let outer = balls * self.cage_ratio(support);
+            let outer = balls * support.cage_ratio();
             [outer, balls - outer]
         });
         orders.filter(|[outer, _]| *outer > 0.0).collect()

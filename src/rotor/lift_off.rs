@@ -4,7 +4,7 @@
 
 use super::motion::AttachedBearing;
 use super::motion_scale::add_sizes;
-use super::{CageMotion, Rotation, Rotor};
+use super::{Rotation, Rotor};
 use crate::bearing::Support;
 
 impl Rotor {
@@ -13,7 +13,7 @@ impl Rotor {
     /// vibrations of a start beside the forced motion, reach the lift-off of any ball at any position of the cage; at
     /// the start's speed, at those of the profile and at the highest.
     pub(super) fn balls_may_part(&self) -> bool {
-        let cage_turns = self.cage == CageMotion::Rolling;
+        let cage_turns = self.cage.turns();
         self.balls_that_lift_off > 0
             && self.speeds().any(|speed| {
                 let mut amplitudes = self.amplitude_estimate(speed);

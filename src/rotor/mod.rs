@@ -34,11 +34,12 @@ mod tabulation;
 mod unbalance;
 mod unconstrained;
 
+pub(crate) use crate::bearing::CageMotion;
 pub use assembly::RotorError;
 pub(crate) use assembly::build_supports;
 pub use definition::{
-    CageMotion, Damping, FREEDOMS, Freedoms, InitialPosition, InitialState, RotorDefinition,
-    STANDARD_GRAVITY, Shaft,
+    Damping, FREEDOMS, Freedoms, InitialPosition, InitialState, RotorDefinition, STANDARD_GRAVITY,
+    Shaft,
 };
 pub use drive::{Drive, DriveMoments};
 pub use energy::{EnergyBalance, Works};

@@ -190,15 +190,9 @@ impl Rotor {
     pub(crate) fn bearing_states(&self, speed: f64) -> Vec<BearingState> {
         let state = |bearing: AttachedBearing<'_>| {
             let place = bearing.displacement(&self.rest[..self.dofs()]);
-            bearing.support.state(&place, speed)
+            bearing.support.state(&place, speed, self.cage)
         };
         self.bearings().map(state).collect()
-    }
-
-    /// Speed of the cage of a bearing over that of the shaft.
-    #[inline]
-    pub(crate) fn cage_ratio(&self, support: &Support) -> f64 {
-        self.cage.ratio(support)
     }
 
     /// Where shaft and cages point.
@@ -237,7 +231,7 @@ impl Rotor {
         rotation: &Rotation,
         phases: &Phases,
     ) -> BearingRotation {
-        let ratio = self.cage_ratio(support);
+        let ratio = support.cage_ratio();
         if let Some(jitter) = support.cage_jitter() {
             return jittering(jitter, ratio, rotation, phases);
         }

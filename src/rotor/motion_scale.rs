@@ -4,11 +4,11 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Complex, DMatrix, DVector};
 
+use super::Rotor;
 use super::motion::AttachedBearing;
 use super::static_search::POSITION_ROUND_OFF;
 use super::structure::UnbalancedPoint;
 use super::unconstrained::{NOTHING, contact_stiffness};
-use super::{CageMotion, Rotor};
 use crate::bearing::{BearingRotation, Geometry, Support};
 
 /// Smallest error of a position that a tolerance can ask for, relative to the groove centre distance.
@@ -204,7 +204,7 @@ impl Rotor {
     /// and imperfect surfaces pass; none in a direction that nothing holds.
     fn passing_amplitudes(&self) -> Vec<Vec<f64>> {
         let imperfect = self.supports.iter().any(Support::is_imperfect);
-        let still = self.cage == CageMotion::Frozen && !imperfect;
+        let still = !self.cage.turns() && !imperfect;
         if still || self.highest_speed() == 0.0 {
             return Vec::new();
         }
@@ -213,7 +213,7 @@ impl Rotor {
         let least = NOTHING * contact_stiffness(&self.supports);
         let factors = stiffness.svd(true, true);
         let mut changes = self.imperfect_changes();
-        if self.cage == CageMotion::Rolling {
+        if self.cage.turns() {
             changes.extend(self.passing_changes());
         }
         let shift = |change| Some(factors.solve(&change, least).ok()?.as_slice().to_vec());

@@ -21,7 +21,7 @@ impl Rotor {
             .iter()
             .filter(|support| support.is_imperfect());
         let times = imperfect.flat_map(|support| {
-            let ratio = self.cage_ratio(support);
+            let ratio = support.cage_ratio();
             support.passings().iter().map(move |passing| {
                 self.first_time(after, |later| match support.cage_jitter() {
                     None => passing.next_angle(now, ratio, later),
@@ -36,7 +36,7 @@ impl Rotor {
     pub(super) fn next_cage_step(&self, after: f64) -> f64 {
         let now = self.speed.at(after).angle;
         let times = self.supports.iter().filter_map(|support| {
-            let (spacing, ratio) = (support.cage_jitter()?.spacing(), self.cage_ratio(support));
+            let (spacing, ratio) = (support.cage_jitter()?.spacing(), support.cage_ratio());
             let passed = (ratio * now / spacing).floor();
             let angle = |later: u32| Some((passed + f64::from(later + 1)) * spacing / ratio);
             (ratio > 0.0).then(|| self.first_time(after, angle))
@@ -54,7 +54,7 @@ impl Rotor {
 
     /// Change of a cage's angle by that of the shaft.
     pub(super) fn cage_rate(&self, support: &Support, angle: f64) -> f64 {
-        let ratio = self.cage_ratio(support);
+        let ratio = support.cage_ratio();
         let slope = support
             .cage_jitter()
             .map_or(0.0, |jitter| jitter.at(ratio * angle)[1]);
@@ -102,7 +102,7 @@ impl Rotor {
         if !support.is_imperfect() {
             return Vec::new();
         }
-        let (ratio, speed) = (self.cage_ratio(support), self.speed());
+        let (ratio, speed) = (support.cage_ratio(), self.speed());
         let passings = support.passings().iter();
         let kinks = passings.filter_map(|passing| passing.next_angle(0.0, ratio, 0));
         let even = (0..ANGLES).map(|part| std::f64::consts::TAU * part as f64 / ANGLES as f64);

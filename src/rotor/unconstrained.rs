@@ -18,7 +18,7 @@ use std::f64::consts::PI;
 use nalgebra::{Complex, DMatrix, SymmetricEigen};
 
 use super::structure::Structure;
-use super::{CageMotion, Damping, InitialPosition, Rotor, RotorDefinition};
+use super::{Damping, InitialPosition, Rotor, RotorDefinition};
 use crate::bearing::{ContactLaw, Geometry, Support};
 
 /// Stiffness, as a part of that of a loaded contact, below which nothing holds the shaft: the force
@@ -224,7 +224,7 @@ impl Rotor {
     /// with the cages turned by half a ball spacing, if that holds the shaft.
     pub(super) fn damp_by_later_balls(&mut self, definition: &RotorDefinition) {
         let undamped = |rotor: &Self| !rotor.free.undamped(&definition.damping).is_empty();
-        let rolls = definition.cage == CageMotion::Rolling && self.speed.highest() > 0.0;
+        let rolls = definition.cage.turns() && self.speed.highest() > 0.0;
         if !rolls || !undamped(self) {
             return;
         }
@@ -251,7 +251,7 @@ impl Rotor {
                 *driven |= *part != Complex::ZERO;
             }
         }
-        if turns && self.cage == CageMotion::Rolling {
+        if turns && self.cage.turns() {
             let nothing = NOTHING * contact * SMALL_DISPLACEMENT;
             for (driven, change) in driven.iter_mut().zip(self.passing_force().iter()) {
                 *driven |= *change > nothing;

@@ -99,7 +99,7 @@ fn spalls(model: &Model, rotor: &Rotor, grid: &Grid) -> Vec<SpallRecorder> {
     let samples = (model.duration - model.settle) / grid.interval;
     let supports = rotor.supports().iter().enumerate();
     let passes = supports.flat_map(|(bearing, support)| {
-        let ratio = rotor.cage_ratio(support);
+        let ratio = support.cage_ratio();
         let passes = support.race_passes();
         passes.map(move |pass| {
             SpallRecorder::new(bearing, pass, ratio, speed, [model.settle, samples])

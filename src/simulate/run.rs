@@ -119,13 +119,11 @@ pub struct Run {
     #[serde(flatten)]
     pub equilibrium: StaticState,
     /// Ball-pass frequencies of each bearing, in the order of the scenario, at the speed after the
-    /// settle time; at the highest speed where it changes there.
+    /// settle time; at the highest speed where it changes there. Their lines are there in the simulation: its cages keep
+    /// the ratio to the speed that the static equilibrium at t = 0 gives them.
     pub ball_pass: Vec<BallPass>,
-    /// The same at the mean operating contact angle of the static equilibrium; none without spectra.
-    ///
-    /// The simulated cages keep the nominal angle: simulated lines are at [`Run::ball_pass`], those of a
-    /// bearing whose cage follows its balls here.
-    pub operating_ball_pass: Vec<BallPass>,
+    /// The same at the nominal contact angles without slip, as handbooks print them.
+    pub nominal_ball_pass: Vec<BallPass>,
     /// Work done.
     pub counters: Counters,
     /// Which methods did it, where the choice was left open.

@@ -7,6 +7,7 @@ use crate::analysis::{
     Analysis, BearingFrequencies, Channel, Line, LineSurfaces, Recording, SampleGrid, Segment,
     Sources, SpectrumKind, SpectrumRequest, causes,
 };
+use crate::bearing::Support;
 use crate::integrate::Grid;
 use crate::physics::BallPass;
 use crate::rotor::Rotor;
@@ -98,21 +99,11 @@ pub(super) fn ball_pass(rotor: &Rotor, speed: f64) -> Vec<BallPass> {
     supports.map(|support| support.ball_pass(speed)).collect()
 }
 
-/// Ball-pass frequencies at the operating contact angles of the static equilibrium, at the reported
-/// speed; none without spectra and their peaks.
-pub(super) fn operating_ball_pass(model: &Model, rotor: &Rotor) -> Vec<BallPass> {
-    if model.spectrum.is_none() || model.analyses.highest_order.is_some() {
-        return Vec::new();
-    }
-    let speed = reported_speed(model, rotor);
-    let elsewhere = at_speed(model, rotor, speed);
-    operating_at(elsewhere.as_ref().unwrap_or(rotor), speed)
-}
-
-/// At the operating contact angles of a rotor's own equilibrium.
-fn operating_at(rotor: &Rotor, speed: f64) -> Vec<BallPass> {
-    let states = rotor.bearing_states(speed).into_iter();
-    states.map(|state| state.ball_pass).collect()
+/// The same at the nominal contact angles, without slip.
+pub(super) fn nominal_ball_pass(rotor: &Rotor, speed: f64) -> Vec<BallPass> {
+    let supports = rotor.supports().iter();
+    let nominal = |support: &Support| support.definition().bearing.geometry.ball_pass(speed);
+    supports.map(nominal).collect()
 }
 
 /// The rotor in the equilibrium of another speed than that of its start, where it has one.
@@ -121,7 +112,8 @@ fn at_speed(model: &Model, rotor: &Rotor, speed: f64) -> Option<Rotor> {
     (speed != rotor.speed()).then(elsewhere).flatten()
 }
 
-/// Spectra of what was recorded, where the scene asks for them, their peaks named by `causes`.
+/// Spectra of what was recorded, where the scene asks for them, their peaks named by `causes`; beside what is random, those
+/// alone that are above the noise.
 pub(super) fn analyse(
     model: &Model,
     rotor: &Rotor,
@@ -131,7 +123,13 @@ pub(super) fn analyse(
     let (recording, window) = recording.zip(model.spectrum)?;
     let channels = channels(model, rotor);
     match model.analyses.highest_order {
-        None => recording.spectrum(&channels, window, causes),
+        None => {
+            let found = recording.spectrum(&channels, window, causes)?;
+            Some(match rotor.is_random() {
+                true => found.without_names_of_noise(),
+                false => found,
+            })
+        }
         Some(highest) => Some(Analysis {
             spectrum: recording.lines(&channels, window, highest)?,
             peaks: Vec::new(),
@@ -165,18 +163,24 @@ fn sources(model: &Model, rotor: &Rotor) -> Sources {
     };
     let elsewhere = at_speed(model, rotor, speed);
     let rotor_there = elsewhere.as_ref().unwrap_or(rotor);
-    let frequencies = |(simulated, operating)| BearingFrequencies {
-        simulated,
-        operating,
-    };
-    let simulated = ball_pass(rotor, speed).into_iter();
+    let frequencies = |(simulated, nominal)| BearingFrequencies { simulated, nominal };
+    let simulated = rotor
+        .supports()
+        .iter()
+        .map(|support| match support.follows_cage() {
+            true => support.ball_pass(speed),
+            // a stiffness matrix knows no balls
+            false => BallPass::of_rings([0.0; 2], 0.0, 0, 0.0),
+        });
     Sources {
         shaft: speed / TAU,
         bearings: simulated
-            .zip(operating_at(rotor_there, speed))
+            .zip(nominal_ball_pass(rotor, speed))
             .map(frequencies)
             .collect(),
         surfaces: line_surfaces(rotor),
+        unbalanced: rotor.is_unbalanced(),
+        loads: rotor.load_frequencies(speed),
         natural: rotor_there.natural_frequencies(),
         meshing: rotor.meshing_frequencies(speed),
     }
@@ -184,10 +188,13 @@ fn sources(model: &Model, rotor: &Rotor) -> Sources {
 
 /// What the surfaces of every bearing add to the lines.
 fn line_surfaces(rotor: &Rotor) -> Vec<LineSurfaces> {
-    let definitions = rotor.supports().iter().map(|support| support.definition());
-    definitions
-        .map(|own| LineSurfaces::new(own.bearing.geometry.balls(), &own.imperfections))
-        .collect()
+    let supports = rotor.supports().iter();
+    let surfaces = supports.map(|support| {
+        let own = support.definition();
+        let turning = support.surfaces_that_turn();
+        LineSurfaces::new(own.bearing.geometry.balls(), &own.imperfections, turning)
+    });
+    surfaces.collect()
 }
 
 /// Bytes of what does not grow with the duration: program, page, figures, blocks of samples.

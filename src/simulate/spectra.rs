@@ -17,11 +17,13 @@ const RESAMPLING: f64 = 1e-3;
 /// A spectrum, or the name of the one that could not be estimated and why.
 pub(super) type Estimate<'a> = (&'a str, Result<EstimatedSpectrum, EstimateError>);
 
-/// The spectra that a model asks for, in its order, the lines of envelopes named by their causes.
+/// The spectra that a model asks for, in its order, the lines of envelopes named by their causes; beside what is random,
+/// those alone that are above the noise.
 pub(super) fn estimated<'a>(
     model: &'a Model,
     recording: Option<&Recording>,
     causes: &[Line],
+    random: bool,
 ) -> Vec<Estimate<'a>> {
     let requests = recording.map_or(&[][..], |_| &model.spectra).iter();
     let pairs = requests.filter_map(|request| Some((request, recording?)));
@@ -30,6 +32,9 @@ pub(super) fn estimated<'a>(
             let mut found = estimate(recording, request);
             if let Ok(spectrum) = &mut found {
                 spectrum.name_lines(causes);
+                if random {
+                    spectrum.forget_lines_of_noise();
+                }
             }
             (request.name.as_str(), found)
         })

@@ -8,7 +8,7 @@ use super::{MeasuredError, Model};
 use crate::analysis::{Channel, Kind, Motion};
 use crate::bearing::{ContactLaw, Support};
 use crate::integrate::{Method, Stiffness};
-use crate::physics::{ball_mass, centrifugal_force};
+use crate::physics::{ball_mass, centrifugal_force, nominal_cage_speed};
 use crate::rotor::{Rotor, RotorDefinition};
 
 /// Balance quality grade of ISO 21940-11 beyond all that it lists but rigidly mounted marine engines, mm/s.
@@ -114,7 +114,7 @@ fn inertia_left_out(rotor: &Rotor) -> Vec<String> {
         let factor = 1e3 * geometry.pitch_diameter() * rotor.highest_speed().abs() * 60.0 / TAU;
         let left_out = support.definition().law == ContactLaw::Hertz;
         (left_out && factor > INERTIA_FREE).then(|| {
-            let speed = support.cage_ratio() * rotor.highest_speed();
+            let speed = nominal_cage_speed(rotor.highest_speed(), geometry.gamma());
             let density = support.definition().bearing.ball_material.density;
             let mass = ball_mass(geometry.ball_diameter(), density);
             format!(

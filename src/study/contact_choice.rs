@@ -27,9 +27,7 @@ use crate::bearing::{
     BearingRotation, ContactLaw, Geometry, Matrix5, MountedBearing, Support, Vector5,
 };
 use crate::keys;
-use crate::rotor::{
-    CageMotion, FREEDOMS, Rotor, RotorDefinition, RotorError, build_supports, static_place,
-};
+use crate::rotor::{FREEDOMS, Rotor, RotorDefinition, RotorError, build_supports, static_place};
 
 /// What a scene lets the program choose.
 #[derive(Debug, Clone, PartialEq)]
@@ -293,7 +291,7 @@ fn difference(
     };
     let mut found = Difference::default();
     for point in points {
-        let rolls = rotor.cage == CageMotion::Rolling && point.moves() && point.speed > 0.0;
+        let rolls = rotor.cage.turns() && point.moves() && point.speed > 0.0;
         let before = found.largest();
         let (rest, _) = apart(&point.positions[0], 0.0, point.speed);
         for cage in 0..if rolls { CAGE_POSITIONS } else { 1 } {

@@ -106,7 +106,8 @@ fn a_browser_is_told_the_page_or_the_reader_where_it_is() {
 
 #[test]
 fn orders_of_bearings_mix_with_numbers() {
-    let folder = folder_with("a.toml", &scenario());
+    let scene = loaded_7205c("contact = \"hertz\"\ncage = \"rolling\"", "");
+    let folder = folder_with("a.toml", &scene);
     let arguments = "campbell a.toml --to 60000rpm --count 5 --json --orders 1,bpfo,BPFI,ftf,bsf";
     let output = done(jeffcott_in(
         &folder,

@@ -156,7 +156,7 @@ fn run() -> Run {
         shaft: SPEED / TAU,
         bearings: vec![BearingFrequencies {
             simulated: pass,
-            operating: pass,
+            nominal: pass,
         }],
         natural: vec![natural],
         ..Sources::default()
@@ -175,7 +175,7 @@ fn run() -> Run {
             bearings: vec![None],
         },
         ball_pass: vec![pass],
-        operating_ball_pass: vec![pass],
+        nominal_ball_pass: vec![pass],
         counters: Counters {
             steps: 1000,
             rejected: 20,

@@ -1,7 +1,7 @@
 //! Named lines of an envelope spectrum.
 
 use super::{Axis, EnvelopeLine, EstimatedSpectrum, SpectrumKind, SpectrumQuantity};
-use crate::analysis::{Line, Precision, Window, nearest_cause};
+use crate::analysis::{Line, Precision, Window, is_above_noise, nearest_cause};
 
 /// Lines sought in a column, the strongest.
 const MOST_LINES: usize = 12;
@@ -47,6 +47,19 @@ impl EstimatedSpectrum {
             })
         });
         self.lines = lines.collect();
+    }
+
+    /// Takes the lines away that are no higher than the noise around them.
+    pub(crate) fn forget_lines_of_noise(&mut self) {
+        let is_square = self.request.scaling.is_square();
+        let amplitude = |value: f64| if is_square { value.sqrt() } else { value };
+        let (columns, resolution) = (&self.columns, self.resolution);
+        self.lines.retain(|line| {
+            let values = columns[line.column].values.iter();
+            let amplitudes: Vec<f64> = values.map(|value| amplitude(*value)).collect();
+            let bin = (line.place / resolution).round() as usize;
+            is_above_noise(&amplitudes, bin, amplitude(line.value))
+        });
     }
 }
 

@@ -9,8 +9,8 @@ mod waves;
 pub use cage_jitter::CageJitter;
 pub use passing::{Passing, RacePass, SideView};
 pub use slot::DefectProfile;
-pub(super) use surfaces::ImperfectSurfaces;
 pub use surfaces::TurningSurfaces;
+pub(super) use surfaces::{ImperfectSurfaces, rolling_ratio};
 pub use waves::Wave;
 
 use std::fmt;
@@ -52,7 +52,7 @@ pub struct Imperfections {
     pub waves: Vec<(Surface, Wave)>,
     /// How much larger than nominal the diameter of each ball is, m; empty where all are nominal.
     pub oversizes: Vec<f64>,
-    /// How much slower than nominal the cage turns, as a part of its nominal speed.
+    /// How much slower the cage turns than it would roll, as a part of that speed.
     pub cage_slip: f64,
     /// Angles that the cage gains, one with every ball pass and then again, rad; empty where it turns evenly.
     pub cage_steps: Vec<f64>,

@@ -6,7 +6,7 @@ use super::slot::Slot;
 use super::waves::Waves;
 use super::{Defect, Imperfections, Passing, Surface};
 use crate::bearing::number::LANES;
-use crate::bearing::{Angle, BearingRotation, Geometry, MountedBearing};
+use crate::bearing::{Angle, BearingRotation, Geometry};
 
 /// Drops of balls side by side, or their rates: at the inner and at the outer race.
 type Drops = [[f64; LANES]; 2];
@@ -63,17 +63,18 @@ struct BallSurface {
 }
 
 impl ImperfectSurfaces {
-    /// Of a bearing whose ball 0 starts at an azimuth in rad; none where they are perfect. What does not fit has been
+    /// Of a bearing whose ball 0 starts at an azimuth in rad and whose balls roll at γ; none where they are perfect. What does not fit has been
     /// refused.
     pub fn new(
         imperfections: &Imperfections,
         geometry: &Geometry,
         first_ball: f64,
+        gamma: f64,
     ) -> Option<Self> {
         if imperfections.has_perfect_surfaces() {
             return None;
         }
-        let rolling_ratio = rolling_ratio(geometry);
+        let rolling_ratio = rolling_ratio(geometry, gamma);
         let races = [Surface::Inner, Surface::Outer]
             .map(|race| RaceSurface::new(race, imperfections, geometry));
         let balls = (0..geometry.balls())
@@ -316,8 +317,8 @@ impl Imperfections {
 }
 
 /// Angle that a ball turns by over that of the cage: (1 + γ) d_m/D.
-pub(super) fn rolling_ratio(geometry: &Geometry) -> f64 {
-    (1.0 + geometry.gamma()) * geometry.pitch_diameter() / geometry.ball_diameter()
+pub(in crate::bearing) fn rolling_ratio(geometry: &Geometry, gamma: f64) -> f64 {
+    (1.0 + gamma) * geometry.pitch_diameter() / geometry.ball_diameter()
 }
 
 /// Radius of a race in the rolling plane, m: (d_m ± D cos α)/(2 cos α).
@@ -360,22 +361,10 @@ impl Defect {
     }
 }
 
-impl MountedBearing {
-    /// The same bearing that starts with its shaft and its cage at these angles in rad.
-    pub(crate) fn turned(&self, shaft: f64, cage: f64) -> Self {
-        let rolled = rolling_ratio(&self.bearing.geometry) * cage;
-        Self {
-            first_ball: self.first_ball + cage,
-            imperfections: self.imperfections.turned(shaft, rolled),
-            ..self.clone()
-        }
-    }
-}
-
 impl Imperfections {
     /// The same with the inner race and the balls turned by angles in rad, the balls past the place where they meet the outer
     /// race.
-    fn turned(&self, inner: f64, balls: f64) -> Self {
+    pub(in crate::bearing) fn turned(&self, inner: f64, balls: f64) -> Self {
         let mut turned = self.clone();
         let by = |on: Surface| match on {
             Surface::Outer => 0.0,

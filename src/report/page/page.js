@@ -377,7 +377,10 @@
   }
 
   function bearings() {
-    const passes = summary.ball_pass.map((pass, index) => [String(index + 1), ...[pass.outer_Hz, pass.inner_Hz, pass.spin_Hz, pass.cage_Hz].map((v) => number(v))]);
+    const passes = summary.ball_pass.map((pass, index) => [String(index + 1), ...["outer_Hz", "inner_Hz", "spin_Hz", "cage_Hz"].map((key) => {
+      const [own, nominal] = [pass[key], summary.nominal_ball_pass[index][key]].map((value) => number(value));
+      return own === nominal ? own : `${own} (nominal ${nominal})`;
+    })]);
     const told = summary.bearings.map((bearing, index) => {
       const zone = bearing.load_zone;
       const life = bearing.life?.after_settle.life_h ? bearing.life.after_settle : bearing.life?.whole_run;

@@ -53,8 +53,8 @@ pub(in crate::report) fn phase_column(channel: Channel) -> String {
 
 /// One row a peak, channel by channel, strongest first.
 ///
-/// `distance` is that of the peak from its name's frequency, `operating_f_Hz` where the same line stands
-/// with the cage rolling at the operating contact angle.
+/// `distance` is that of the peak from its name's frequency, `nominal_f_Hz` where the same line
+/// is by the nominal contact angle.
 pub(in crate::report) fn peak_table(peaks: &[Peak], spectrum: &Spectrum) -> Table<'static> {
     let named = peaks
         .iter()
@@ -75,7 +75,7 @@ pub(in crate::report) fn peak_table(peaks: &[Peak], spectrum: &Spectrum) -> Tabl
     table.numbers("name_f_Hz", peaks().map(|peak| peak.name_frequency));
     table.numbers("distance_Hz", peaks().map(|peak| peak.distance));
     table.numbers("distance_bins", peaks().map(|peak| peak.distance_bins));
-    table.numbers("operating_f_Hz", peaks().map(|peak| peak.operating));
+    table.numbers("nominal_f_Hz", peaks().map(|peak| peak.nominal));
     table.words(
         "other_names",
         peaks().map(|peak| peak.other_names.join("; ")),
@@ -102,9 +102,9 @@ pub(in crate::report) struct NamedPeak<'a> {
     #[serde(rename = "distance_Hz")]
     pub distance: Option<f64>,
     pub distance_bins: Option<f64>,
-    /// Where the same line stands with the cage rolling at the operating contact angle.
-    #[serde(rename = "operating_Hz")]
-    pub operating: Option<f64>,
+    /// Where the same line is by the nominal contact angle.
+    #[serde(rename = "nominal_Hz")]
+    pub nominal: Option<f64>,
     /// What else the peak could be called, nearest first.
     pub other_names: Vec<String>,
 }
@@ -127,7 +127,7 @@ impl<'a> NamedPeak<'a> {
             name_frequency: peak.line.map(|line| line.frequency),
             distance,
             distance_bins: distance.zip(spectrum).map(bins),
-            operating: peak.line.and_then(|line| line.operating),
+            nominal: peak.line.and_then(|line| line.nominal),
             other_names: others.map(|line| line.kind.to_string()).collect(),
         }
     }

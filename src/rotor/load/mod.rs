@@ -159,6 +159,15 @@ impl LoadKind {
         }
     }
 
+    /// Whether it is random, or a record, which may be.
+    pub fn is_random(&self) -> bool {
+        match self {
+            Self::RandomShocks(_) | Self::Noise(_) | Self::Series(_) => true,
+            Self::Constant(_) | Self::Harmonic(_) | Self::Shock(_) | Self::Sprocket(_) => false,
+            Self::Base(acceleration) => acceleration.is_random(),
+        }
+    }
+
     /// The first time after `after` at which the load or its slope jumps, s.
     pub fn next_break(&self, after: f64) -> f64 {
         match self {

@@ -112,7 +112,7 @@ pub struct BearingInput {
     /// Balls of unequal size.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ball_sizes: Option<BallSizesInput>,
-    /// How much slower than nominal the cage turns, as a part: real cages slip by 1 or 2 %. Default: 0.
+    /// How much slower the cage turns than it would roll, as a part: real cages slip by 1 or 2 %. Default: 0.
     #[serde(default, skip_serializing_if = "is_zero")]
     #[schemars(range(min = 0.0, max = 0.9))]
     pub cage_slip: f64,

@@ -32,7 +32,7 @@ pub struct ModelInput {
     /// static ball load, which the summary states. Where a ball leaves the table, and where the speed
     /// varies, the law itself is used. Default: false.
     pub table: bool,
-    /// How the balls go round. Default: "rolling".
+    /// How the balls go round. Default: "operating".
     pub cage: CageMotion,
 }
 

@@ -35,6 +35,7 @@ pub struct Configuration {
 impl fmt::Display for Configuration {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let cage = match self.cage {
+            CageMotion::Operating => "operating",
             CageMotion::Rolling => "rolling",
             CageMotion::Frozen => "frozen",
         };
@@ -127,12 +128,16 @@ pub(super) fn plan(model: &Model, oils: &[Option<Oil>]) -> Vec<Level> {
         as_written: written == Some(configuration),
         model: build(model, oils, configuration),
     };
+    let cage = match model.rotor.cage {
+        CageMotion::Frozen => CageMotion::default(),
+        turns => turns,
+    };
     // the highest configuration that can be built
     let all = FREEDOMS.iter().flat_map(|&freedoms| {
         let laws = Fidelity::ALL.into_iter().rev();
         laws.map(move |fidelity| Configuration {
             fidelity,
-            cage: CageMotion::Rolling,
+            cage,
             freedoms,
         })
     });

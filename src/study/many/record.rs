@@ -4,8 +4,7 @@ use std::f64::consts::TAU;
 use std::io;
 
 use super::{KeptTrace, Turn};
-use crate::physics::nominal_cage_speed;
-use crate::rotor::{CageMotion, InitialPosition, InitialState, Sample};
+use crate::rotor::{InitialPosition, InitialState, Sample};
 use crate::simulate::{Model, TraceSink};
 
 /// One run of a study.
@@ -200,13 +199,15 @@ impl End {
     pub(super) fn carried(&self, model: &Model) -> Option<Carried> {
         let sample = self.whole?;
         let rotor = &model.rotor;
-        let turned = match rotor.cage {
-            CageMotion::Rolling if rotor.shaft.is_unbalanced() => sample.angle,
-            _ => 0.0,
+        let turned = match rotor.shaft.is_unbalanced() {
+            true => sample.angle,
+            false => 0.0,
         };
-        let first_balls = rotor.bearings.iter().map(|bearing| {
-            let gamma = bearing.bearing.geometry.gamma();
-            (bearing.first_ball + nominal_cage_speed(turned, gamma)).rem_euclid(TAU)
+        // it has run, so that it can be built
+        let supports = rotor.rolling_supports().ok()?;
+        let bearings = rotor.bearings.iter().zip(supports);
+        let first_balls = bearings.map(|(bearing, support)| {
+            (bearing.first_ball + support.cage_ratio() * turned).rem_euclid(TAU)
         });
         Some(Carried {
             sample,
@@ -218,10 +219,11 @@ impl End {
 /// Turns of the shaft after which unbalance or, without one, the balls of the first bearing are where they
 /// were.
 fn cycle(model: &Model) -> f64 {
-    match model.rotor.bearings.first() {
-        Some(first) if !model.rotor.shaft.is_unbalanced() => {
-            1.0 / first.bearing.geometry.ball_pass(TAU).outer
-        }
-        _ => 1.0,
+    let rotor = &model.rotor;
+    let supports = rotor.rolling_supports().unwrap_or_default();
+    let passes = supports.first().map(|first| first.ball_pass(TAU).outer);
+    match passes.filter(|passes| *passes > 0.0 && !rotor.shaft.is_unbalanced()) {
+        Some(passes) => passes.recip(),
+        None => 1.0,
     }
 }

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::analysis::SectionKind;
 use crate::bearing::ContactLaw;
-use crate::rotor::{CageMotion, RotorDefinition};
+use crate::rotor::RotorDefinition;
 
 /// Order of runs that each go on from where their neighbour along the last axis ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -263,16 +263,14 @@ impl Cycles {
         if self.of == SectionKind::Revolution {
             return Ok(1.0);
         }
-        let passing = rotor
-            .bearings
+        let supports = rotor.rolling_supports().unwrap_or_default();
+        let passing = supports
             .iter()
-            .find(|bearing| bearing.law != ContactLaw::Linear);
-        match (rotor.cage, passing) {
-            (CageMotion::Rolling, Some(bearing)) => {
-                Ok(bearing.bearing.geometry.ball_pass(TAU).outer)
-            }
-            _ => Err(CyclesError::BallPass),
-        }
+            .find(|support| support.definition().law != ContactLaw::Linear);
+        let passes = passing.map(|support| support.ball_pass(TAU).outer);
+        passes
+            .filter(|passes| *passes > 0.0)
+            .ok_or(CyclesError::BallPass)
     }
 }
 

@@ -1,6 +1,8 @@
 //! The balls' lines and the support's force say the same.
 
-use crate::bearing::{BearingState, ContactLaw, Facing, MountedBearing, Preload, Support};
+use crate::bearing::{
+    BearingState, CageMotion, ContactLaw, Facing, MountedBearing, Preload, Support,
+};
 
 use super::{LAWS, state_at};
 use crate::tests::support::{assert_near, bearing, mounted};
@@ -61,7 +63,7 @@ fn force_and_stiffness_are_those_of_the_support() {
         let place = [5e-6, 3e-6, 20e-6, 0.0, 1e-4];
         let rotation = crate::bearing::BearingRotation::at_start(600.0);
         let (force, stiffness) = support.force_and_stiffness(&place, &rotation);
-        let state = support.state(&place, 600.0);
+        let state = support.state(&place, 600.0, CageMotion::default());
         assert_eq!(state.force, force);
         assert_eq!(state.stiffness, stiffness);
         assert_eq!(state.displacement, place);
@@ -78,7 +80,8 @@ fn a_frozen_bearing_shows_the_balls_of_the_hertz_law() {
     };
     let mut support = Support::new(&linear, 0.0).expect("a bearing");
     support.freeze(&[0.0, 0.0, 20e-6, 0.0, 0.0], 0.0);
-    assert_eq!(support.state(&place, 0.0), state_at(&hertz, place, 0.0));
+    let state = support.state(&place, 0.0, CageMotion::default());
+    assert_eq!(state, state_at(&hertz, place, 0.0));
 }
 
 /// A mirrored bearing pushed the way that loads it is in the same state, in its own orientation.

@@ -7,7 +7,7 @@ mod life;
 mod motion;
 mod warnings;
 
-use crate::bearing::{BearingState, ContactLaw, MountedBearing, Oil, Support, Vector5};
+use crate::bearing::{BearingState, CageMotion, ContactLaw, MountedBearing, Oil, Support, Vector5};
 use crate::physics::RaceControl;
 use crate::rotor::StaticProblem;
 
@@ -29,7 +29,7 @@ const LAWS: [(ContactLaw, Option<Oil>); 5] = [
 /// State of a bearing with its inner ring at a place.
 fn state_at(bearing: &MountedBearing, place: Vector5, speed: f64) -> BearingState {
     let support = Support::new(bearing, speed).expect("a bearing that can be mounted");
-    support.state(&place, speed)
+    support.state(&place, speed, CageMotion::default())
 }
 
 /// State of a bearing under a load; held freedoms stay at zero.
@@ -48,7 +48,7 @@ fn state_under(
         speed,
     };
     let equilibrium = problem.solve().expect("the load is carried");
-    supports[0].state(&equilibrium.displacement, speed)
+    supports[0].state(&equilibrium.displacement, speed, CageMotion::default())
 }
 
 /// State of a bearing under a pure thrust in N, x, y and the tilts held.

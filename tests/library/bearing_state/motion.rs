@@ -92,8 +92,9 @@ fn ball_pass_frequencies_follow_the_operating_angle() {
     assert_near("BPFI", state.ball_pass.inner, inner, 1e-7 * inner);
     // of the ball with inertia the mean of both races
     let state = state_under_thrust(&jones(RaceControl::Outer), 1000.0, speed);
-    let mean = 0.5 * (19.45580f64 + 19.28689).to_radians();
-    let outer = 12.0 * shaft / 2.0 * (1.0 - 7.938 / 38.5 * mean.cos());
+    let cosines = [19.45580f64, 19.28689].map(|angle| angle.to_radians().cos());
+    let mean = 0.5 * (cosines[0] + cosines[1]);
+    let outer = 12.0 * shaft / 2.0 * (1.0 - 7.938 / 38.5 * mean);
     assert_near("BPFO", state.ball_pass.outer, outer, 1e-7 * outer);
 }
 

@@ -205,7 +205,7 @@ fn a_turned_bearing_has_the_surfaces_of_one_that_has_turned() {
     };
     mounted.imperfections.waves = on.map(|on| (on, wave)).to_vec();
     let (shaft, cage) = (2.7, 1.1);
-    let turned = support(&mounted.turned(shaft, cage), 0.0);
+    let turned = support(&support(&mounted, 0.0).turned(shaft, cage), 0.0);
     let place = [9e-6, 7e-6, 0.0, 0.0, 0.0];
     let found = turned.force(&place, &BearingRotation::at_start(0.0));
     let rotation = BearingRotation {

@@ -3,8 +3,8 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::analysis::{
-    Analysis, BearingFrequencies, Channel, Line, MOST_PEAKS, Peak, Precision, Recording,
-    SampleGrid, Sources, Transform, Window, causes, nearest_cause, other_causes,
+    Analysis, BearingFrequencies, Channel, Line, LineSurfaces, MOST_PEAKS, Peak, Precision,
+    Recording, SampleGrid, Sources, Transform, Window, causes, nearest_cause, other_causes,
 };
 use crate::physics::BallPass;
 use crate::rotor::{Freedoms, NaturalFrequency, Sample, Whirl};
@@ -197,7 +197,7 @@ fn less_than_a_revolution_makes_no_spectrum() {
     assert_eq!(recording.spectrum(&channels, Window::Hann, &[]), None);
 }
 
-/// Lines of a shaft, of bearings whose cages follow their balls, and of natural frequencies.
+/// Lines of an unbalanced shaft, of bearings whose balls differ and have dents, and of natural frequencies.
 fn lines_of(shaft: f64, bearings: &[BallPass], natural: &[f64]) -> Vec<Line> {
     causes(&Sources {
         shaft,
@@ -206,14 +206,24 @@ fn lines_of(shaft: f64, bearings: &[BallPass], natural: &[f64]) -> Vec<Line> {
             .iter()
             .map(|frequency| undamped(*frequency))
             .collect(),
+        surfaces: bearings.iter().map(|_| dented_ball()).collect(),
+        unbalanced: true,
         ..Sources::default()
     })
+}
+
+fn dented_ball() -> LineSurfaces {
+    LineSurfaces {
+        balls_show_spin: true,
+        balls_differ: true,
+        ..LineSurfaces::default()
+    }
 }
 
 fn same(pass: BallPass) -> BearingFrequencies {
     BearingFrequencies {
         simulated: pass,
-        operating: pass,
+        nominal: pass,
     }
 }
 
@@ -260,7 +270,8 @@ fn bearings_are_told_apart_only_where_their_frequencies_differ() {
         spin: 235.7 * scale,
         cage: 39.8 * scale,
     };
-    let lines = lines_of(100.0, &[bearing(1.0), bearing(1.0), bearing(1.1)], &[]);
+    let mut lines = lines_of(100.0, &[bearing(1.0), bearing(1.0), bearing(1.1)], &[]);
+    lines.retain(|line| !line.kind.to_string().contains("BSF"));
     let name = |frequency| cause(frequency, 0.1, &lines);
     assert_eq!(name(717.0).as_deref(), Some("2×BPFO"));
     assert_eq!(name(441.5).as_deref(), Some("BPFI − 1×"));
@@ -296,17 +307,57 @@ fn a_spot_on_a_ball_shows_at_its_spin_beside_the_cage() {
         shaft: 100.0,
         bearings: vec![BearingFrequencies {
             simulated: pass(1.0),
-            operating: pass(0.99),
+            nominal: pass(0.99),
         }],
+        surfaces: vec![dented_ball()],
         ..Sources::default()
     });
     let name = |frequency| cause(frequency, 0.1, &lines);
-    // 2 × 0.99 × 235.7 − 0.99 × 39.83: balls roll as they are loaded
-    assert_eq!(name(427.2543).as_deref(), Some("2×BSF − 1×cage"));
+    assert_eq!(name(2.0 * 235.7 - 39.83).as_deref(), Some("2×BSF − 1×cage"));
     // the outer race's line stands where the simulated cage puts it
     assert_eq!(name(358.5).as_deref(), Some("BPFO"));
     let line = nearest_cause(358.5, 0.1, &lines).unwrap();
-    assert!((line.operating.unwrap() - 354.915).abs() < 1e-9);
+    assert!((line.nominal.unwrap() - 354.915).abs() < 1e-9);
+}
+
+/// Perfect bearings of a balanced shaft: neither spin nor cage nor orders of the shaft, whose place a load takes.
+#[test]
+fn only_what_the_scene_has_names_a_line() {
+    let pass = BallPass {
+        outer: 358.5,
+        inner: 541.5,
+        spin: 235.7,
+        cage: 39.83,
+    };
+    let mut sources = Sources {
+        shaft: 100.0,
+        bearings: vec![same(pass)],
+        meshing: vec![800.0],
+        loads: vec![(1, 300.0)],
+        ..Sources::default()
+    };
+    let names = [
+        (358.5, "BPFO"),
+        (717.0, "2×BPFO"),
+        (800.0, "meshing"),
+        (600.0, "2×varying load 2"),
+        (39.83, ""),
+        (2.0 * 235.7, ""),
+        (541.5, ""),
+        (458.5, ""),
+        (100.0, ""),
+    ];
+    let name = |frequency, lines: &[Line]| cause(frequency, 0.1, lines).unwrap_or_default();
+    let lines = causes(&sources);
+    for (frequency, expected) in names {
+        assert_eq!(name(frequency, &lines), expected, "{frequency} Hz");
+    }
+    sources.unbalanced = true;
+    let lines = causes(&sources);
+    for (frequency, expected) in [(100.0, "1×"), (458.5, "BPFO + 1×"), (541.5, "BPFI")] {
+        assert_eq!(name(frequency, &lines), expected, "{frequency} Hz");
+    }
+    assert_eq!(name(800.0, &lines), "meshing");
 }
 
 #[test]

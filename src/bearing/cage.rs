@@ -1,0 +1,136 @@
+//! How the balls of a bearing go round with their cage.
+
+use std::f64::consts::TAU;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::surface::{ImperfectSurfaces, rolling_ratio};
+use super::{CageJitter, Geometry, MountedBearing, Support, Vector5};
+use crate::physics::{BallPass, nominal_cage_speed};
+
+/// How the balls go round.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum CageMotion {
+    /// The cage rolls at the contact angles of the balls loaded at the static equilibrium at t = 0, and keeps that
+    /// ratio to the speed; where no ball is loaded, at the nominal angle, 0 for a deep groove bearing.
+    #[default]
+    Operating,
+    /// The cage rolls at the free contact angle.
+    Rolling,
+    /// The cage stands: no ball-pass lines.
+    Frozen,
+}
+
+impl CageMotion {
+    /// Whether the balls go round, and the stiffness varies with the ball pass.
+    pub fn turns(self) -> bool {
+        self != Self::Frozen
+    }
+}
+
+/// How the cage of one bearing turns.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Cage {
+    /// γ = D cos α/d_m of the contact angle that the balls roll at.
+    pub gamma: f64,
+    /// Its speed over that of the shaft.
+    pub ratio: f64,
+}
+
+impl Cage {
+    /// `ω_c/ω = (1 − γ)/2 (1 − slip)`; zero where it stands.
+    pub fn new(definition: &MountedBearing, motion: CageMotion, gamma: f64) -> Self {
+        let kept = match motion.turns() {
+            true => 1.0 - definition.imperfections.cage_slip,
+            false => 0.0,
+        };
+        let ratio = kept * nominal_cage_speed(1.0, gamma);
+        Self { gamma, ratio }
+    }
+
+    /// Frequencies at a speed of the shaft in rad/s. Balls roll on the outer race, also under a cage that slips.
+    pub fn ball_pass(&self, geometry: &Geometry, speed: f64) -> BallPass {
+        let shaft = speed / TAU;
+        let rolling = rolling_ratio(geometry, self.gamma);
+        BallPass::of_rings([shaft, 0.0], self.ratio * shaft, geometry.balls(), rolling)
+    }
+}
+
+impl Support {
+    /// Lets the balls go round as from an equilibrium at a displacement of the shaft and a speed in rad/s; where there is no
+    /// equilibrium, as without load.
+    pub(crate) fn roll(&mut self, motion: CageMotion, displacement: Option<&Vector5>, speed: f64) {
+        self.cage = self.cage_at(motion, displacement, speed);
+        let own = &self.definition;
+        let (geometry, gamma) = (&own.bearing.geometry, self.cage.gamma);
+        let surfaces = ImperfectSurfaces::new(&own.imperfections, geometry, own.first_ball, gamma);
+        self.ring.surfaces = surfaces.map(Box::new);
+    }
+
+    /// The cage of an equilibrium.
+    ///
+    /// ```text
+    /// γ = (D/d_m) Σ Q_j (cos α_ij + cos α_oj)/2 / Σ Q_j        Q_j load of ball j at the inner race
+    /// ```
+    pub(super) fn cage_at(
+        &self,
+        motion: CageMotion,
+        displacement: Option<&Vector5>,
+        speed: f64,
+    ) -> Cage {
+        let geometry = &self.definition.bearing.geometry;
+        let nominal = geometry.nominal_angle().cos();
+        let gamma = match (motion, displacement) {
+            (CageMotion::Rolling | CageMotion::Frozen, _) => geometry.gamma(),
+            (CageMotion::Operating, None) => geometry.gamma_at(nominal),
+            (CageMotion::Operating, Some(displacement)) => {
+                let cosine = self.operating_cosine(displacement, speed);
+                geometry.gamma_at(cosine.unwrap_or(nominal))
+            }
+        };
+        Cage::new(&self.definition, motion, gamma)
+    }
+
+    /// Mean of cos α over the balls, weighted by their loads; none without load.
+    fn operating_cosine(&self, displacement: &Vector5, speed: f64) -> Option<f64> {
+        let (mut moment, mut load) = (0.0, 0.0);
+        for ball in self.around(displacement, speed, None) {
+            let contact = ball.contact;
+            let cosine = 0.5 * (contact.angle_inner.cos() + contact.angle_outer.cos());
+            moment += contact.load_inner * cosine;
+            load += contact.load_inner;
+        }
+        (load > 0.0).then(|| moment / load)
+    }
+
+    /// The bearing as it starts with its shaft and its cage at these angles in rad.
+    pub(crate) fn turned(&self, shaft: f64, cage: f64) -> MountedBearing {
+        let own = &self.definition;
+        let rolled = rolling_ratio(&own.bearing.geometry, self.cage.gamma) * cage;
+        MountedBearing {
+            first_ball: own.first_ball + cage,
+            imperfections: own.imperfections.turned(shaft, rolled),
+            ..own.clone()
+        }
+    }
+
+    /// Speed of the cage over that of the shaft.
+    #[inline]
+    pub(crate) fn cage_ratio(&self) -> f64 {
+        self.cage.ratio
+    }
+
+    /// How the cage wanders, where it does.
+    #[inline]
+    pub(crate) fn cage_jitter(&self) -> Option<&CageJitter> {
+        self.cage_jitter.as_ref()
+    }
+
+    /// Ball-pass frequencies at a speed of the shaft in rad/s, with the cage as it turns.
+    pub(crate) fn ball_pass(&self, speed: f64) -> BallPass {
+        self.cage
+            .ball_pass(&self.definition.bearing.geometry, speed)
+    }
+}
