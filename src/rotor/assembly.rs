@@ -5,7 +5,8 @@ use super::equilibrium::{Equilibrium, EquilibriumError, StaticPlace, static_plac
 use super::structure::Structure;
 use super::unconstrained::FreeDirections;
 use super::{
-    FREEDOMS, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY, ShaftError, SpeedProfile,
+    Damping, FREEDOMS, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY, ShaftError,
+    SpeedProfile,
 };
 use crate::bearing::{BearingError, Geometry, MountedBearing, Support, Vector5};
 use fearless_simd::Level;
@@ -100,7 +101,8 @@ impl Rotor {
         }
         let shaft = &definition.shaft;
         let dofs = structure.dofs;
-        let constant_force = structure.constant_load(definition)[..dofs].to_vec();
+        let tangent = structure.condensed(tangent);
+        let constant_force = structure.carried(structure.constant_load(definition));
         let loads = definition.loads.iter().zip(&structure.load_places);
         let (loads, load_places) = loads
             .filter(|(load, _)| load.as_constant().is_none())
@@ -112,12 +114,17 @@ impl Rotor {
         };
         let mass = structure.mass.view((0, 0), (dofs, dofs)).into_owned();
         let damping = &structure.damping + definition.damping.matrix(&structure, &tangent);
+        let by_rate = match definition.damping {
+            Damping::Coefficients(_) => &damping,
+            _ => &structure.damping,
+        };
+        structure.check_followers(definition, by_rate)?;
         let inertia = |axis| structure.inertia_along(axis).as_slice()[..dofs].to_vec();
         let base_inertia = [inertia(0), inertia(1), inertia(2)];
         Ok(Self {
             level: Level::new(),
             mass: Mass::new(mass).ok_or(RotorError::Mass)?,
-            stiffness: Coefficients::new(structure.stiffness.clone(), dofs),
+            stiffness: Coefficients::new(structure.condensed(structure.stiffness.clone()), dofs),
             damping: Coefficients::new(damping, dofs),
             gyroscopic: Coefficients::new(structure.gyroscopic.clone(), dofs),
             circulatory: Coefficients::new(structure.circulatory.clone(), dofs),

@@ -149,7 +149,7 @@ impl Balance {
             // what is elastic inside the shaft does no work as it moves as a rigid body
             force: std::array::from_fn(|axis| motions[axis].dot(&self.restoring.force)),
             stiffness: if structure.bending.is_some() {
-                condensed(stiffness, structure.dofs, indices)
+                condensed(stiffness, indices)
             } else {
                 Matrix5::from_fn(|row, column| stiffness[(indices[row], indices[column])])
             },
@@ -159,10 +159,11 @@ impl Balance {
     }
 }
 
-/// Stiffness of some coordinates with all other degrees of freedom yielding: `K_oo − K_oe K_ee⁻¹ K_eo`. Where the others have
+/// Stiffness of some coordinates with all others yielding: `K_oo − K_oe K_ee⁻¹ K_eo`. Where the others have
 /// no stiffness of their own, that with them held.
-fn condensed(stiffness: &DMatrix<f64>, dofs: usize, kept: [usize; FREEDOMS]) -> Matrix5 {
-    let yielding: Vec<usize> = (0..dofs).filter(|index| !kept.contains(index)).collect();
+fn condensed(stiffness: &DMatrix<f64>, kept: [usize; FREEDOMS]) -> Matrix5 {
+    let all = 0..stiffness.nrows();
+    let yielding: Vec<usize> = all.filter(|index| !kept.contains(index)).collect();
     let block =
         |rows: &[usize], columns: &[usize]| stiffness.select_rows(rows).select_columns(columns);
     let mut own = block(&kept, &kept);

@@ -1,7 +1,9 @@
 //! The shaft in motion: the right-hand side of its equations.
 
+use std::borrow::Cow;
+
 use fearless_simd::{Level, Simd};
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use super::coefficients::{Coefficients, Mass};
 use super::equilibrium::Equilibrium;
@@ -132,8 +134,34 @@ impl Rotor {
 
     /// Displacement of the observed point of the shaft in a state.
     pub(crate) fn displacement(&self, state: &[f64]) -> Vector5 {
-        let shaft = &self.structure.shaft;
-        shaft.displacement(&state[..self.dofs()], &self.rest)
+        let place = self.place_of_all(&state[..self.dofs()]);
+        self.structure.shaft.displacement(&place, &self.rest)
+    }
+
+    /// Place of all coordinates where some have no mass and follow, else that of the degrees of freedom.
+    pub(super) fn place_of_all<'a>(&self, dofs: &'a [f64]) -> Cow<'a, [f64]> {
+        self.of_all(dofs, &self.rest)
+    }
+
+    /// Rates likewise.
+    pub(super) fn rate_of_all<'a>(&self, rates: &'a [f64]) -> Cow<'a, [f64]> {
+        self.of_all(rates, &vec![0.0; self.rest.len()])
+    }
+
+    fn of_all<'a>(&self, dofs: &'a [f64], rest: &[f64]) -> Cow<'a, [f64]> {
+        let followers = &self.structure.followers;
+        if followers.is_empty() {
+            return Cow::Borrowed(dofs);
+        }
+        let moved = dofs.iter().zip(rest).map(|(own, rest)| own - rest);
+        let moved = followers * DVector::from_iterator(dofs.len(), moved);
+        let first = rest.len() - followers.nrows();
+        let mut all = [dofs, &rest[dofs.len()..]].concat();
+        all[first..]
+            .iter_mut()
+            .zip(&moved)
+            .for_each(|(sum, part)| *sum += part);
+        Cow::Owned(all)
     }
 
     /// Modes of bending that are kept in each plane of a shaft that bends.

@@ -62,7 +62,7 @@ impl Rotor {
             angle: rotation.angle,
             speed: rotation.speed,
             displacement: self.displacement(state),
-            velocity: self.structure.shaft.rate(velocity),
+            velocity: self.structure.shaft.rate(&self.rate_of_all(velocity)),
             acceleration: None,
             housings: self.housing_motions(position, velocity),
             force_on_shaft: force,

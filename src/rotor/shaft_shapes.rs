@@ -30,8 +30,13 @@ impl Rotor {
         };
         let (real, imaginary) = (part(|own| own.re)?, part(|own| own.im)?);
         self.shape_of(|rows| {
-            let moving = rows.columns(0, real.len());
-            let parts = [moving * &real, moving * &imaginary];
+            let (dofs, followers) = (real.len(), &self.structure.followers);
+            let mut moving = rows.columns(0, dofs).into_owned();
+            if !followers.is_empty() {
+                let first = rows.ncols() - followers.nrows();
+                moving += rows.columns(first, followers.nrows()) * followers;
+            }
+            let parts = [&moving * &real, &moving * &imaginary];
             let pairs = parts[0].iter().zip(parts[1].iter());
             pairs.map(|(re, im)| Complex::new(*re, *im)).collect()
         })

@@ -61,7 +61,7 @@ pub(super) struct UnbalancedPoint {
 /// What moves, and where bearings and loads act on it.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Structure {
-    /// Degrees of freedom first, behind them what is held.
+    /// Degrees of freedom first, behind them what is held, and last what has no mass and follows.
     pub coordinates: Vec<Coordinate>,
     /// Number of degrees of freedom.
     pub dofs: usize,
@@ -90,6 +90,8 @@ pub(super) struct Structure {
     pub attachments: Vec<Attachment>,
     /// Masses on the ground that bearings stand in.
     pub housings: Vec<HousingPoint>,
+    /// Displacement of the last coordinates, which have no mass, by that of the degrees of freedom: `−K_ss⁻¹ K_sd`.
+    pub followers: DMatrix<f64>,
     /// Where the shaft bends: all of it.
     pub bending: Option<Bending>,
 }
@@ -142,6 +144,7 @@ impl Structure {
                 bearings
             ],
             housings: Vec::new(),
+            followers: DMatrix::zeros(0, 0),
             bending: None,
         }
     }
@@ -156,7 +159,16 @@ impl Structure {
             None => Self::of_rigid(definition),
         };
         let axes = definition.shaft.freedoms.lengths();
-        Ok(grounded.on_housings(&definition.bearings, axes))
+        let (mut structure, massless) = grounded.with_massless_last();
+        structure = structure.on_housings(&definition.bearings, axes);
+        if massless > 0 {
+            structure.followers = structure
+                .followers_of(massless)
+                .ok_or(ShaftError::Singular {
+                    points: structure.coordinates.len() - massless,
+                })?;
+        }
+        Ok(structure)
     }
 
     /// That of a definition whose shaft is rigid.
@@ -222,14 +234,7 @@ impl Structure {
     fn with_room_for(mut self, added: usize) -> Self {
         let dofs = self.dofs;
         let index = |old: usize| if old < dofs { old } else { old + added };
-        for matrix in [
-            &mut self.mass,
-            &mut self.damping,
-            &mut self.stiffness,
-            &mut self.gyroscopic,
-            &mut self.internal_damping,
-            &mut self.circulatory,
-        ] {
+        for matrix in self.matrices_mut() {
             let taller = matrix.clone().insert_rows(dofs, added, 0.0);
             *matrix = taller.insert_columns(dofs, added, 0.0);
         }
@@ -239,11 +244,10 @@ impl Structure {
         for motion in &mut self.rigid_motions {
             *motion = motion.clone().insert_rows(dofs, added, 0.0);
         }
-        let attachments = self.attachments.iter_mut().map(|own| &mut own.inner);
-        let unbalances = self.unbalances.iter_mut().map(|own| &mut own.point);
-        let loads = self.load_places.iter_mut().map(|own| &mut own.point);
-        let points = attachments.chain(unbalances).chain(loads);
-        for point in points.chain([&mut self.shaft]) {
+        for (first, second, _) in self.bending.iter_mut().flat_map(|own| &mut own.planes) {
+            (*first, *second) = (index(*first), index(*second));
+        }
+        for point in self.points_mut() {
             point.coordinates = point.coordinates.map(index);
         }
         let room = Coordinate::of_axis(0, "");
@@ -253,6 +257,133 @@ impl Structure {
             dofs: dofs + added,
             ..self
         }
+    }
+
+    /// The same with the degrees of freedom that have no mass behind all others, and how many these are.
+    fn with_massless_last(mut self) -> (Self, usize) {
+        let massless = |index: &usize| *index < self.dofs && self.mass[(*index, *index)] == 0.0;
+        let (last, first): (Vec<_>, Vec<_>) = (0..self.coordinates.len()).partition(massless);
+        if last.is_empty() {
+            return (self, 0);
+        }
+        let order = [first, last.clone()].concat();
+        let mut places = vec![0; order.len()];
+        for (place, old) in order.iter().enumerate() {
+            places[*old] = place;
+        }
+        for matrix in self.matrices_mut() {
+            *matrix = matrix.select_rows(&order).select_columns(&order);
+        }
+        if let Some(bending) = &mut self.bending {
+            for deflections in &mut bending.deflections {
+                *deflections = deflections.select_columns(&order);
+            }
+            for (first, second, _) in &mut bending.planes {
+                (*first, *second) = (places[*first], places[*second]);
+            }
+        }
+        for motion in &mut self.rigid_motions {
+            *motion = motion.select_rows(&order);
+        }
+        for point in self.points_mut() {
+            point.coordinates = point.coordinates.map(|old| places[old]);
+        }
+        let mut coordinates = std::mem::take(&mut self.coordinates);
+        self.coordinates = order
+            .iter()
+            .map(|old| std::mem::replace(&mut coordinates[*old], Coordinate::of_axis(0, "")))
+            .collect();
+        self.dofs -= last.len();
+        (self, last.len())
+    }
+
+    /// [`Structure::followers`] of the last coordinates; none where nothing holds them.
+    fn followers_of(&self, count: usize) -> Option<DMatrix<f64>> {
+        let first = self.coordinates.len() - count;
+        let own = self.stiffness.view((first, first), (count, count));
+        let moved = self.stiffness.view((first, 0), (count, self.dofs));
+        own.into_owned().lu().solve(&-moved)
+    }
+
+    /// A stiffness of all coordinates as it meets the degrees of freedom, with the massless ones following.
+    pub fn condensed(&self, mut stiffness: DMatrix<f64>) -> DMatrix<f64> {
+        let (count, dofs) = (self.followers.nrows(), self.dofs);
+        if count > 0 {
+            let first = self.coordinates.len() - count;
+            let by_followers = stiffness.view((0, first), (dofs, count)) * &self.followers;
+            let mut own = stiffness.view_mut((0, 0), (dofs, dofs));
+            own += by_followers;
+        }
+        stiffness
+    }
+
+    /// Constant forces on all coordinates as they act on the degrees of freedom.
+    pub fn carried(&self, mut forces: Vec<f64>) -> Vec<f64> {
+        let count = self.followers.nrows();
+        let on_followers = forces.split_off(forces.len() - count);
+        forces.truncate(self.dofs);
+        if count > 0 {
+            let carried = self.followers.tr_mul(&DVector::from_vec(on_followers));
+            forces
+                .iter_mut()
+                .zip(&carried)
+                .for_each(|(sum, part)| *sum += part);
+        }
+        forces
+    }
+
+    /// Checks that nothing acts on massless coordinates but springs and constant loads; `damping` is C.
+    ///
+    /// # Errors
+    /// [`ShaftError::Followers`] names all coordinates where something does.
+    pub fn check_followers(
+        &self,
+        definition: &RotorDefinition,
+        damping: &DMatrix<f64>,
+    ) -> Result<(), ShaftError> {
+        let mut acts: Vec<f64> = damping.column_iter().map(|column| column.amax()).collect();
+        for UnbalancedPoint { point, unbalance } in &self.unbalances {
+            let force = unbalance.phasor(1.0).map(|part| part.norm());
+            point.add_force(1.0, &force, &mut acts);
+        }
+        for (load, place) in definition.loads.iter().zip(&self.load_places) {
+            if !load.acts_on_mass() {
+                let varying = load.kind.main_vibration().amplitude.map(f64::abs);
+                let force = load.kind.static_part().map(f64::abs);
+                place.point.add_force(1.0, &varying, &mut acts);
+                place.point.add_force(1.0, &force, &mut acts);
+            }
+        }
+        let first = self.coordinates.len() - self.followers.nrows();
+        let names = self.coordinates.iter().zip(acts).skip(first);
+        let names = names.filter(|(_, acts)| *acts != 0.0);
+        let names: Vec<_> = names.map(|(own, _)| own.name.as_str()).collect();
+        match names.is_empty() {
+            true => Ok(()),
+            false => Err(ShaftError::Followers(names.join(", "))),
+        }
+    }
+
+    fn matrices_mut(&mut self) -> [&mut DMatrix<f64>; 6] {
+        [
+            &mut self.mass,
+            &mut self.damping,
+            &mut self.stiffness,
+            &mut self.gyroscopic,
+            &mut self.internal_damping,
+            &mut self.circulatory,
+        ]
+    }
+
+    /// All points of the shaft.
+    fn points_mut(&mut self) -> impl Iterator<Item = &mut Point> {
+        let attachments = self.attachments.iter_mut().map(|own| &mut own.inner);
+        let unbalances = self.unbalances.iter_mut().map(|own| &mut own.point);
+        let loads = self.load_places.iter_mut().map(|own| &mut own.point);
+        attachments
+            .chain(unbalances)
+            .chain(loads)
+            .chain([&mut self.shaft])
     }
 
     /// M t of a unit translation t of shaft and housings along an axis, kg.

@@ -179,6 +179,7 @@ impl Rotor {
         rate.resize(state.len(), 0.0);
         self.derivative(time, state, rate);
         let dofs = self.dofs();
-        self.structure.shaft.rate(&rate[dofs..2 * dofs])
+        let rates = self.rate_of_all(&rate[dofs..2 * dofs]);
+        self.structure.shaft.rate(&rates)
     }
 }

@@ -1,6 +1,6 @@
 //! What carries the shaft: freedoms that nothing holds, bearings of constant stiffness, shafts without mass.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use crate::analysis::{Channel, Peak};
 use crate::rotor::{Freedoms, Rotor};
@@ -251,4 +251,88 @@ fn a_preload_of_all_bearings_the_same_way_is_warned_of() {
     assert!(!warned(&text("facing = \"-z\"\n"), "not borne"));
     let single = text("").replacen("preload = \"300 N\"\n", "", 1);
     assert!(!warned(&single, "not borne"));
+}
+
+/// 0.1 kg in the middle of a massless shaft of 200 mm × 5 mm, on springs of 5 kN/m at its ends.
+fn jeffcott(at_bearings: &str, more: &str) -> String {
+    let bearing = |position: &str| {
+        format!(
+            "[[bearing]]\nposition = \"{position}\"\nlinear = {{ stiffness = {{ x = \"5e3 N/m\", y = \"5e3 N/m\" }}{at_bearings} \
+             }}\n"
+        )
+    };
+    format!(
+        "[shaft]\nmassless = true\nfreedoms = \"radial\"\ngravity = true\n[[shaft.section]]\nlength = \"200 mm\"\n\
+         outer_diameter = \"5 mm\"\n[[disc]]\nposition = \"100 mm\"\nmass = \"0.1 kg\"\n{}{}[speed]\nconstant = \"600 rpm\"\n\
+         [integrator]\nverify = false\n{more}",
+        bearing("0 mm"),
+        bearing("200 mm")
+    )
+}
+
+/// 1/k = L³/(48 E I) + L/(4 κ G A) + 1/(2 k_b), N/m.
+fn jeffcott_stiffness() -> f64 {
+    let (length, diameter, young, poisson) = (0.2_f64, 5e-3_f64, 210e9, 0.3);
+    let (second, area) = (PI * diameter.powi(4) / 64.0, PI * diameter.powi(2) / 4.0);
+    // Cowper's κ of a solid round section
+    let shear = 6.0 * (1.0 + poisson) / (7.0 + 6.0 * poisson);
+    let shear = length * 2.0 * (1.0 + poisson) / (4.0 * shear * young * area);
+    let bending = length.powi(3) / (48.0 * young * second);
+    1.0 / (bending + shear + 1.0 / 1e4)
+}
+
+/// x, y of the disc are all that has mass: two modes of √(k/m), and no others.
+#[test]
+fn a_point_mass_on_a_massless_shaft_is_a_laval_rotor() {
+    let found = frequencies(&jeffcott("", ""));
+    assert_eq!(found.len(), 2);
+    for found in found {
+        close(found, (jeffcott_stiffness() / 0.1).sqrt() / TAU, 1e-9);
+    }
+    let scene = scenario(&jeffcott("", ""));
+    let place = Rotor::assemble(&scene.question.rotor)
+        .expect("a rotor")
+        .equilibrium()
+        .displacement;
+    close(place[1], -0.1 * 9.80665 / jeffcott_stiffness(), 1e-9);
+}
+
+/// The forced amplitude U ω²/(k − m ω²) under 1 g mm and what stays of a load of 3 N between disc and bearing.
+#[test]
+fn a_massless_shaft_turns_under_unbalance_and_constant_loads() {
+    let more = "[[unbalance]]\namount = \"1 g mm\"\nposition = \"100 mm\"\n[[load]]\nposition = \"50 mm\"\nconstant = { x = \"3 \
+                N\" }\n[damping]\nratio = 0.5\n[output]\nenergy = true\n[time]\nduration = \"0.4 s\"\nsettle = \"0.2 s\"\n";
+    let recorded = scenario(&jeffcott("", more)).simulate().expect("a run");
+    let speed: f64 = 600.0 * TAU / 60.0;
+    let natural = (jeffcott_stiffness() / 0.1).sqrt();
+    let ratio = speed / natural;
+    let gain = ratio.powi(2) / (1.0 - ratio.powi(2)).hypot(2.0 * 0.5 * ratio);
+    let motion = recorded.run.motion.as_ref().expect("a motion");
+    let x = &motion.statistics[0].moments;
+    close(x.rms(), 1e-6 / 0.1 * gain / 2.0_f64.sqrt(), 1e-6);
+    let rotor = Rotor::assemble(&scenario(&jeffcott("", more)).question.rotor).expect("a rotor");
+    close(x.mean(), rotor.equilibrium().displacement[0], 1e-9);
+    // the disc has no moment of inertia, and tilts by the load beside it all the same
+    let tilt = recorded.column("tilt_y").expect("a column");
+    assert!(
+        tilt.iter().all(|tilt| tilt.abs() > 1e-5),
+        "{:?}",
+        tilt.first()
+    );
+    let energy = recorded.run.energy.as_ref().expect("an audit");
+    assert!(energy.relative_residual < 1e-6, "{energy:?}");
+}
+
+#[test]
+fn what_moves_a_massless_place_by_itself_is_refused_all_at_once() {
+    let more = "[[unbalance]]\namount = \"1 g mm\"\nposition = \"50 mm\"\n";
+    let damped = jeffcott(", damping = { x = \"10 N s/m\", y = \"10 N s/m\" }", more);
+    let error = refusal(&damped);
+    for place in [
+        "x of the shaft at 0.0 mm",
+        "y of the shaft at 200.0 mm",
+        "x of the shaft at 50.0 mm",
+    ] {
+        assert!(error.contains(place), "{error}");
+    }
 }

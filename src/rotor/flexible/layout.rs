@@ -103,7 +103,8 @@ pub(in crate::rotor) struct Bending {
 }
 
 impl FlexibleShaft {
-    /// Positions of the points that are kept: the observed one first, then those of bearings, loads and unbalances.
+    /// Positions of the points that are kept: the observed one first, then those of bearings, loads and unbalances, and of
+    /// a massless shaft those of discs, so that all of its mass is at points.
     fn points(&self, definition: &RotorDefinition) -> Vec<f64> {
         let bearings = definition.bearings.iter().map(|bearing| bearing.position);
         let linear = definition.linear_bearings.iter().map(|own| own.position);
@@ -111,7 +112,10 @@ impl FlexibleShaft {
         let loads = loads.map(|load| load.position);
         let unbalances = self.unbalances.iter().map(|own| own.position);
         let mut points = vec![self.observed];
-        for position in bearings.chain(linear).chain(loads).chain(unbalances) {
+        let discs = self.discs.iter().filter(|_| self.is_massless());
+        let discs = discs.map(|disc| disc.position);
+        let others = bearings.chain(linear).chain(loads).chain(unbalances);
+        for position in others.chain(discs) {
             if self.index_of(position, &points).is_none() {
                 points.push(position);
             }
@@ -202,6 +206,7 @@ impl Structure {
                 .collect(),
             attachments: definition.bearings.iter().map(placed).collect(),
             housings: Vec::new(),
+            followers: DMatrix::zeros(0, 0),
             bending: Some(Bending {
                 deflections: deflections(&layout, &reduction),
                 planes: layout.planes(),

@@ -101,15 +101,19 @@ pub enum ShaftError {
         /// Number of points that are kept.
         points: usize,
     },
-    /// A point without mass or moment of inertia: its motion would follow from no equation of motion.
+    /// Points without mass or moment of inertia, positions from the left end in m, of a shaft that has some elsewhere.
     #[error(
-        "a bearing, load, unbalance or the observed point sits at {position} m, where the shaft has no mass or no moment of \
-         inertia: put a disc there that has both, or give the shaft its mass"
+        "bearings, loads, unbalances or the observed point sit at {}, where the shaft has no mass or no moment of inertia, \
+         although it has some between them: put a disc there that has both, or give these nodes some",
+        millimetres(.0)
     )]
-    Massless {
-        /// The position from the left end, m.
-        position: f64,
-    },
+    Massless(Vec<f64>),
+    /// Coordinates without mass follow from the forces on them, and these must not vary by themselves.
+    #[error(
+        "{0} have no mass or moment of inertia, and damping, an unbalance or a varying load acts there: put a disc there \
+         that has both, however small, or take what acts there to a disc"
+    )]
+    Followers(String),
     /// A point between the nodes of given matrices.
     #[error(
         "no node of the shaft's matrices lies at {position} m: the nearest one is at {nearest} m"
@@ -120,6 +124,12 @@ pub enum ShaftError {
         /// Of the nearest node, m.
         nearest: f64,
     },
+}
+
+/// `0.0 mm, 200.0 mm`.
+fn millimetres(positions: &[f64]) -> String {
+    let texts = positions.iter().map(|at| format!("{:.1} mm", 1e3 * at));
+    texts.collect::<Vec<_>>().join(", ")
 }
 
 /// Matrices of one plane of bending: deflection and slope of every node, from the left.
@@ -175,6 +185,12 @@ impl FlexibleShaft {
             .chain(self.elements_of_sections().map(of_section))
             .chain(given)
             .sum()
+    }
+
+    /// Whether its sections have stiffness and no mass.
+    pub(super) fn is_massless(&self) -> bool {
+        let mut sections = self.sections.iter();
+        !self.sections.is_empty() && sections.all(|section| section.material.density == 0.0)
     }
 
     /// Positions of its ends, m.

@@ -46,15 +46,21 @@ impl Mesh {
     /// Source: R. R. Craig & M. C. C. Bampton, *AIAA J.* 6 (1968) 1313–1319.
     ///
     /// # Errors
-    /// [`ShaftError::Singular`] where the inside is not held by the points, [`ShaftError::Massless`] where one of them has
-    /// no inertia.
+    /// [`ShaftError::Singular`] where the inside is not held by the points, [`ShaftError::Massless`] where some of them have
+    /// no inertia and the inside has.
     pub(in crate::rotor) fn reduced(
         self,
         positions: &[f64],
         count: impl Fn(&[f64]) -> usize,
     ) -> Result<ReducedShaft, ShaftError> {
-        if let Some(&position) = positions.iter().find(|at| self.is_massless(**at)) {
-            return Err(ShaftError::Massless { position });
+        let kept: Vec<usize> = positions.iter().map(|at| self.node_at(*at)).collect();
+        let inside = (0..self.nodes.len()).filter(|node| !kept.contains(node));
+        let inertia_inside = inside.flat_map(|node| self.inertia_at(node));
+        let lack = |node: &&usize| self.inertia_at(**node).contains(&0.0);
+        let massless = kept.iter().filter(lack).map(|node| self.nodes[*node]);
+        let massless: Vec<f64> = massless.collect();
+        if !massless.is_empty() && inertia_inside.fold(0.0, f64::max) > 0.0 {
+            return Err(ShaftError::Massless(massless));
         }
         let singular = ShaftError::Singular {
             points: positions.len(),
@@ -78,12 +84,9 @@ impl Mesh {
         })
     }
 
-    /// Whether the node at a position has no mass or no moment of inertia.
-    fn is_massless(&self, position: f64) -> bool {
-        let deflection = 2 * self.node_at(position);
-        [deflection, deflection + 1]
-            .into_iter()
-            .any(|row| self.plane.mass[(row, row)] == 0.0)
+    /// Mass and moment of inertia of a node.
+    fn inertia_at(&self, node: usize) -> [f64; 2] {
+        [2 * node, 2 * node + 1].map(|row| self.plane.mass[(row, row)])
     }
 
     /// T, a row for each deflection and slope of the nodes.

@@ -61,7 +61,8 @@ pub struct ShaftInput {
     #[serde(default)]
     pub gravity: bool,
     /// Whether the sections have stiffness and no mass: the shaft of a Laval rotor. Discs have the mass, and where a ball
-    /// bearing sits its inner ring does. Default: false.
+    /// bearing sits its inner ring does; other places follow from the forces on them, where neither damping, an unbalance
+    /// nor a varying load may act. Default: false.
     #[serde(default)]
     pub massless: bool,
     /// Moment of inertia of all that turns, discs included, about a transverse axis through its centre of mass, for instance
