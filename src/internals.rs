@@ -37,7 +37,7 @@ pub use crate::scenario::document::written;
 pub use crate::scenario::key::{OpenNumber, method, speed, time};
 pub use crate::scenario::study_file::{StudyFile, load_study, parse_study};
 pub use crate::simulate::passes::BareRun;
-pub use crate::steady::response::{ResponseQuestion, response};
+pub use crate::steady::response::{ResponseQuestion, response, response_warnings};
 pub use crate::study::accuracy::Question as AccuracyQuestion;
 pub use crate::study::campbell::{CampbellQuestion, check_range};
 pub use crate::study::many::{Shard, Unmade};

@@ -135,10 +135,11 @@ pub(crate) fn answer_on(
         residual: equilibrium.residual,
         newton_steps: equilibrium.newton_steps,
         twist: question.torsion.map(|torsion| torsion.twist(friction)),
-        warnings: unconstrained(&equilibrium.stiffness, &free)
-            .into_iter()
-            .chain(warnings(supports, &bearings))
-            .collect(),
+        warnings: rotor.warnings_with(
+            unconstrained(&equilibrium.stiffness, &free)
+                .into_iter()
+                .chain(warnings(supports, &bearings)),
+        ),
         bearings,
     })
 }

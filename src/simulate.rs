@@ -211,7 +211,7 @@ fn answer(
         bearings: observers.observation.finish(),
         largest_ball_load: observers.largest_ball_load,
         tables: observers.tables.finish(),
-        warnings,
+        warnings: model.rotor.warnings_with(warnings),
         measured_error,
         reduction: passes.reduction(),
         energy: observers.audit.finish(),

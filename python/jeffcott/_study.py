@@ -70,7 +70,10 @@ class _Folder:
         return f"{found['title']}\n  {digest['runs']} runs, {digest['failed']} of them failed; {self.path}"
 
     def warnings(self) -> list[str]:
-        return [warned["warning"] for warned in json.loads(self.document())["digest"]["warnings"]]
+        def told(run: int, runs: int, warning: str) -> str:
+            return f"run {run}{f' and {runs - 1} more' if runs > 1 else ''}: {warning}"
+
+        return [told(**warned) for warned in json.loads(self.document())["digest"]["warnings"]]
 
     def tables(self) -> list[str]:
         return self._named("csv")

@@ -45,7 +45,6 @@ pub struct Answer {
     pub(crate) title: String,
     pub(crate) scenario: serde_json::Value,
     pub(crate) formats: Vec<TableFormat>,
-    pub(crate) warnings: Vec<String>,
 }
 
 #[pymethods]
@@ -62,7 +61,12 @@ impl Answer {
 
     /// What the reader should know.
     fn warnings(&self) -> Vec<String> {
-        self.warnings.clone()
+        let warnings = self.findings.document["warnings"].as_array();
+        let warnings = warnings
+            .into_iter()
+            .flatten()
+            .filter_map(|one| one.as_str());
+        warnings.map(str::to_owned).collect()
     }
 
     /// Names of the tables.

@@ -8,12 +8,12 @@ use jeffcott::bearing::CATALOGUE;
 use jeffcott::internals::{
     AccuracyQuestion, CampbellQuestion, Destination, Findings, OpenNumber, ResponseQuestion,
     RunFindings, accuracy_findings, answer_findings, campbell_findings, check_range,
-    contact_choice_text, method, response, response_findings, speed, steady_findings,
-    study_findings, time, written,
+    contact_choice_text, method, response, response_findings, response_warnings, speed,
+    steady_findings, study_findings, time, written,
 };
 use jeffcott::scenario::{self, Format, Scenario};
 use jeffcott::simulate::{Model, Monitor};
-use jeffcott::steady::{SteadyQuestion, steady};
+use jeffcott::steady::{SteadyError, SteadyQuestion, steady};
 use jeffcott::study::quasi_static;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -63,14 +63,13 @@ impl Scene {
         }
     }
 
-    fn answer(&self, findings: Findings, warnings: Vec<String>) -> Answer {
+    fn answer(&self, findings: Findings) -> Answer {
         Answer {
             findings,
             remark: String::new(),
             title: self.scenario.title.clone(),
             scenario: self.scenario.echo.clone(),
             formats: self.scenario.formats().to_vec(),
-            warnings,
         }
     }
 }
@@ -154,9 +153,7 @@ impl Scene {
         if let Some(study) = &self.scenario.study {
             let rows = watched(py, None, None, |_| study.run())?;
             let rows = rows.map_err(|error| run_error(py, &error))?;
-            let warnings = rows.iter().flat_map(|row| row.answer.warnings.clone());
-            let findings = study_findings(&destination, study, &rows);
-            return Ok(self.answer(findings, warnings.collect()));
+            return Ok(self.answer(study_findings(&destination, study, &rows)));
         }
         let found = watched(py, None, None, |_| quasi_static(&self.scenario.question))?;
         let found = found.map_err(|error| run_error(py, &error))?;
@@ -164,7 +161,7 @@ impl Scene {
         let findings = answer_findings(&destination, &self.scenario.question, &found);
         Ok(Answer {
             remark: choice.map(contact_choice_text).unwrap_or_default(),
-            ..self.answer(findings, found.warnings)
+            ..self.answer(findings)
         })
     }
 
@@ -181,7 +178,7 @@ impl Scene {
         })?;
         let found = found.map_err(|error| run_error(py, &error))?;
         let findings = steady_findings(&self.destination(), model, &found);
-        Ok(self.answer(findings, found.warnings))
+        Ok(self.answer(findings))
     }
 
     /// The same along a number of the scenario.
@@ -207,7 +204,7 @@ impl Scene {
         for end in [first, last] {
             varied.rotor(end).map_err(refused)?;
         }
-        let branches = watched(py, None, progress.as_ref(), |watch| {
+        let (branches, warnings) = watched(py, None, progress.as_ref(), |watch| {
             let question = ResponseQuestion {
                 model,
                 family: &|value| varied.rotor(value).map_err(|issue| issue.to_string()),
@@ -218,13 +215,13 @@ impl Scene {
                 stop: watch.stop,
                 integrated: &AtomicU64::new(0),
             };
-            response(&question, watch.progress)
-        })?;
-        let branches = branches.map_err(|error| run_error(py, &error))?;
-        let incomplete = branches.iter().filter(|branch| branch.incomplete);
-        let warnings = incomplete.map(|branch| branch.end.to_string()).collect();
-        let findings = response_findings(&self.destination(), &variable, &branches);
-        Ok(self.answer(findings, warnings))
+            let branches = response(&question, watch.progress)?;
+            let warnings = response_warnings(&question, &branches);
+            Ok::<_, SteadyError>((branches, warnings))
+        })?
+        .map_err(|error| run_error(py, &error))?;
+        let findings = response_findings(&self.destination(), &variable, &branches, &warnings);
+        Ok(self.answer(findings))
     }
 
     /// Natural frequencies over the speed.
@@ -249,7 +246,7 @@ impl Scene {
         let found = watched(py, None, None, |_| question.solve())?;
         let found = found.map_err(|error| run_error(py, &error))?;
         let findings = campbell_findings(&self.destination(), &question.rotor, &found);
-        Ok(self.answer(findings, Vec::new()))
+        Ok(self.answer(findings))
     }
 
     /// Speed against error of methods at tolerances, the loosest first.
@@ -282,7 +279,7 @@ impl Scene {
         })?;
         let found = found.map_err(|error| run_error(py, &error))?;
         let findings = accuracy_findings(&self.destination(), &found);
-        Ok(self.answer(findings, Vec::new()))
+        Ok(self.answer(findings))
     }
 }
 

@@ -64,29 +64,21 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
 }
 
 fn answer(job: &Job, question: &StaticQuestion) -> Result<Answer, Failure> {
-    let destination = job.destination();
-    let answer = quasi_static(question)?;
-    job.warn(&answer.warnings);
-    let findings = report::answer_findings(&destination, question, &answer);
-    let written = destination.write(findings)?;
-    let (text, mut json) = (written.text + &job.contact_choice_text(), written.json);
+    let found = quasi_static(question)?;
+    let findings = report::answer_findings(&job.destination(), question, &found);
+    let mut answer = job.write(findings)?;
+    answer.text += &job.contact_choice_text();
     if let Some(choice) = &job.scenario.contact_choice {
-        json["contact_choice"] = json!(choice);
+        answer.json["contact_choice"] = json!(choice);
     }
-    Ok(Answer::new(text, json, &written.files))
+    Ok(answer)
 }
 
 fn answer_study(job: &Job, study: &Study) -> Result<Answer, Failure> {
     let destination = job.destination();
     let rows = study.run()?;
-    for row in &rows {
-        let variable = &study.variable;
-        let shown = variable.shown(row.value);
-        let place = format!("{} = {shown} {}", variable.key, variable.shown_unit);
-        let warnings = row.answer.warnings.iter();
-        job.warn(warnings.map(|warning| format!("{place}: {warning}")));
-    }
-    let written = destination.write(report::study_findings(&destination, study, &rows))?;
-    let json = report::study_json(&destination, study, &rows);
-    Ok(Answer::new(written.text, json, &written.files))
+    let answer = job.write(report::study_findings(&destination, study, &rows))?;
+    let mut json = report::study_json(&destination, study, &rows);
+    json["files"] = answer.json["files"].clone();
+    Ok(Answer { json, ..answer })
 }

@@ -9,7 +9,6 @@ use crate::physics::BallPass;
 use crate::report;
 use crate::rotor::CageMotion;
 use crate::scenario;
-use crate::simulate::speed_warnings;
 use crate::study::campbell::{self, CampbellQuestion};
 
 /// Follows natural frequencies over the speed, and finds the critical speeds.
@@ -98,8 +97,6 @@ fn answer(job: &Job, arguments: &Arguments) -> Result<Answer, Failure> {
         orders: orders(job, arguments),
     };
     let campbell = question.solve()?;
-    let fastest = question.rotor.at_constant_speed(question.to);
-    job.warn(speed_warnings(&fastest));
     job.write(report::campbell_findings(
         &job.destination(),
         &question.rotor,

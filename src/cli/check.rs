@@ -10,11 +10,11 @@ use super::demand::Demand;
 use super::jobs::name_of;
 use super::{Outcome, terminal};
 use crate::quasi_static::quasi_static;
+use crate::report::many::StudyRuns;
 use crate::report::scene::scene_figure;
 use crate::report::{FigureFormat, write_whole};
 use crate::rotor::RotorDefinition;
-use crate::scenario::{self, Issue, Loaded, ScenarioError, StudyFile};
-use crate::simulate::Model;
+use crate::scenario::{self, Issue, Loaded, ScenarioError};
 
 /// Checks scenario and study files without running them; shows all that is wrong, and what a run takes. A scenario whose
 /// shaft cannot be built, or has no equilibrium, is wrong as well.
@@ -88,51 +88,46 @@ fn draw(checked: &Checked, file: &Path) -> bool {
     written.is_ok()
 }
 
+/// The error of a file that has no answer.
+fn refused<E: Display>(file: &Path) -> impl FnOnce(E) -> ScenarioError {
+    let name = name_of(file);
+    move |error| ScenarioError::new(&name, "", vec![Issue::new("", error.to_string())])
+}
+
+/// Checks a file, and whether its motion can begin, or without one its shaft stands.
 fn check(file: &Path) -> Result<Checked, ScenarioError> {
     let mut checked = match scenario::load_any(file)? {
-        Loaded::Study(study) => Checked {
-            demand: demand_of_study(&study),
-            title: study.title,
-            warnings: Vec::new(),
-            scene: None,
-        },
+        Loaded::Study(study) => {
+            let first = StudyRuns::new(&study).map_err(refused(file))?.first;
+            let failing = |error| vec![format!("the first run fails: {error}")];
+            Checked {
+                demand: Demand::of_runs(&first, &study).ok(),
+                warnings: first.first_warnings().unwrap_or_else(failing),
+                title: study.title,
+                scene: None,
+            }
+        }
         Loaded::Scenario(scenario) => {
             let model = scenario.model.as_ref();
-            let of_speed = model.map(Model::speed_warnings).unwrap_or_default();
-            let demand = match model {
-                Some(model) => Demand::of(&scenario, model)
-                    .map(Some)
-                    .map_err(refused(file)),
-                None => quasi_static(&scenario.question)
-                    .map(|_| None)
-                    .map_err(refused(file)),
+            let demand = model.map(|model| Demand::of(&scenario, model));
+            let warnings = match model {
+                Some(model) => model.first_warnings().map_err(refused(file))?,
+                None => {
+                    let found = quasi_static(&scenario.question);
+                    found.map_err(refused(file))?.warnings
+                }
             };
             Checked {
-                demand: demand?,
+                demand: demand.transpose().map_err(refused(file))?,
                 scene: Some(scenario.question.rotor.clone()),
                 title: scenario.title,
-                warnings: [scenario.warnings, of_speed].concat(),
+                warnings,
             }
         }
     };
     let refused = checked.demand.as_ref().and_then(Demand::memory_warning);
     checked.warnings.extend(refused);
     Ok(checked)
-}
-
-/// What a verb would say of a file that is well written and has no answer.
-fn refused<E: Display>(file: &Path) -> impl Fn(E) -> ScenarioError {
-    let name = name_of(file);
-    move |error| ScenarioError {
-        name: name.clone(),
-        text: String::new(),
-        issues: vec![Issue::new("", error.to_string())],
-    }
-}
-
-fn demand_of_study(study: &StudyFile) -> Option<Demand> {
-    let first = study.model(&study.plan.values(0)).ok()?;
-    Demand::of_runs(&first, study).ok()
 }
 
 fn finding(name: &str, checked: &Result<Checked, ScenarioError>) -> Value {

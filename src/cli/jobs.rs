@@ -195,9 +195,12 @@ impl Job {
         }
     }
 
-    /// Writes the files of what was found, and answers with it.
+    /// Writes the files of what was found, and answers with it after telling its warnings.
     pub fn write(&self, findings: Findings) -> Result<Answer, Failure> {
         let written = self.destination().write(findings)?;
+        let warnings = written.json["warnings"].as_array();
+        let warnings = warnings.into_iter().flatten().filter_map(Value::as_str);
+        self.warn_besides(warnings);
         Ok(Answer::new(written.text, written.json, &written.files))
     }
 
@@ -227,12 +230,21 @@ impl Job {
     /// Tells why there is no answer, and returns it for programs.
     fn failed(&self, message: &str) -> Value {
         self.tell("error", message);
-        failure(&self.name, message)
+        let mut failure = failure(&self.name, message);
+        failure["warnings"] = json!(self.scenario.warnings);
+        failure
     }
 
     /// Tells what is good to know, unless quiet is asked for.
     pub fn note(&self, message: &str) {
         terminal::remark(&format!("note: {}: {message}\n", self.name));
+    }
+
+    /// Tells those warnings that were not told with the scenario.
+    pub fn warn_besides<'a>(&self, warnings: impl IntoIterator<Item = &'a str>) {
+        let told = &self.scenario.warnings;
+        let warnings = warnings.into_iter();
+        self.warn(warnings.filter(|warning| told.iter().all(|known| known != warning)));
     }
 
     /// Tells warnings.

@@ -159,7 +159,7 @@ fn finish(
 ) -> Result<Answer, Failure> {
     let scenario = &job.scenario;
     let campbell = along_run_up(model, &mut run);
-    job.warn(&run.warnings);
+    job.warn_besides(run.warnings.iter().map(String::as_str));
     let report = report.with_campbell(campbell.clone());
     let files = report.finish(model, &run)?;
     if opens {

@@ -7,11 +7,11 @@ use std::time::{Duration, Instant};
 
 use super::jobs::{Answer, Failure, Files, Job};
 use super::terminal::{Progress, in_words};
-use super::{Outcome, terminal, without_repeats};
+use super::{Outcome, terminal};
 use crate::report;
 use crate::scenario::OpenNumber;
-use crate::simulate::{Model, speed_warnings};
-use crate::steady::{ResponseQuestion, SteadyQuestion, response, steady};
+use crate::simulate::Model;
+use crate::steady::{ResponseQuestion, SteadyQuestion, response, response_warnings, steady};
 use crate::study::Variable;
 
 /// Finds the motion that the shaft settles to, without waiting for it, and whether it is stable.
@@ -124,15 +124,7 @@ fn alone(job: &Job, model: &Model, arguments: &Arguments) -> Result<Answer, Fail
             integrated: &pace.periods,
         })
     })?;
-    job.warn(&found.warnings);
     job.write(report::steady_findings(&job.destination(), model, &found))
-}
-
-/// What is told at both ends of its range before anything moves, each once.
-fn warnings_at_ends(over: &VariedNumber) -> Vec<String> {
-    let rotors = over.ends.into_iter().map(|end| over.number.rotor(end));
-    let warnings = rotors.flatten().flat_map(|rotor| speed_warnings(&rotor));
-    without_repeats(warnings)
 }
 
 /// Time that a search goes without a word.
@@ -202,13 +194,11 @@ fn along(
     };
     let mut reached = |part: f64| pace.part.store(part.to_bits(), Ordering::Relaxed);
     let branches = pace.watched(job, || response(&question, &mut reached))?;
-    job.warn(warnings_at_ends(over));
-    let incomplete = || branches.iter().filter(|branch| branch.incomplete);
-    job.warn(incomplete().map(|branch| &branch.end));
-    let variable = &over.variable;
-    let findings = report::response_findings(&job.destination(), variable, &branches);
+    let warnings = response_warnings(&question, &branches);
+    let (destination, variable) = (job.destination(), &over.variable);
+    let findings = report::response_findings(&destination, variable, &branches, &warnings);
     Ok(Answer {
-        incomplete: incomplete().next().is_some(),
+        incomplete: branches.iter().any(|branch| branch.incomplete),
         ..job.write(findings)?
     })
 }

@@ -227,6 +227,9 @@ fn only(
     let run = simulate(&model, &mut report, &mut monitor).map_err(failed)?;
     drop(progress);
     let files = report.finish(&model, &run).map_err(failed)?;
+    for warning in &run.warnings {
+        terminal::tell(&format!("warning: {title}: {warning}\n"));
+    }
     let text = report::text(&title, &model, &run, &files);
     Ok(terminal::summarise(&text).map(|()| Outcome::Done))
 }

@@ -48,6 +48,7 @@ pub fn campbell_findings(
             "branches": branches.collect::<Value>(),
             "least_assurance": campbell.least_assurance,
             "critical_speeds": campbell.critical_speeds,
+            "warnings": campbell.warnings,
         })),
         text,
     }

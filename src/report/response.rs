@@ -18,6 +18,7 @@ pub fn response_findings(
     destination: &Destination<'_>,
     variable: &Variable,
     branches: &[Response],
+    warnings: &[String],
 ) -> Findings {
     let title = destination.title;
     Findings {
@@ -35,6 +36,7 @@ pub fn response_findings(
             "over": variable.key,
             "unit": variable.unit,
             "branches": branches,
+            "warnings": warnings,
         })),
         text: text(title, variable, branches),
     }

@@ -213,6 +213,7 @@ fn about(study: &Study, rows: &[StudyRow]) -> Value {
     json!({
         "varied": { "key": key, "unit": unit },
         "points": rows.len(),
+        "warnings": study.warnings(rows),
     })
 }
 

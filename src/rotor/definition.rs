@@ -157,9 +157,22 @@ pub struct RotorDefinition {
     pub(crate) linear_bearings: Vec<LinearBearing>,
     /// The shaft that bends, in place of the concentrated mass.
     pub(crate) flexible: Option<FlexibleShaft>,
+    /// What the reader of any answer about it should know from the start; no answer depends on it.
+    pub(crate) warnings: Vec<String>,
 }
 
 impl RotorDefinition {
+    /// What the reader of an answer about it should know: its own warnings first, each once.
+    pub(crate) fn warnings_with(&self, further: impl IntoIterator<Item = String>) -> Vec<String> {
+        let mut warnings = self.warnings.clone();
+        for warning in further {
+            if !warnings.contains(&warning) {
+                warnings.push(warning);
+            }
+        }
+        warnings
+    }
+
     /// Highest speed that the shaft is meant for, rad/s: of its points, or the no-load speed of its
     /// drive.
     pub(crate) fn highest_speed(&self) -> f64 {

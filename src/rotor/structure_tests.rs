@@ -58,6 +58,7 @@ fn definition(law: ContactLaw, freedoms: Freedoms) -> RotorDefinition {
         bearings: vec![mounted(-0.03, Facing::PlusZ), mounted(0.04, Facing::MinusZ)],
         linear_bearings: Vec::new(),
         flexible: None,
+        warnings: Vec::new(),
     }
 }
 

@@ -163,6 +163,8 @@ fn check(document: &Document) -> Result<Scenario, ScenarioError> {
         (input, questions, echo, study)
     });
     let ((input, questions, echo, study), warnings) = document.finish(made, problems)?;
+    let questions = questions.with_warnings(&warnings);
+    let study = study.map(|study| study.with_warnings(&warnings));
     let mut output = input.output;
     let with_housings = || ScenarioInput::columns_with_housings(&questions.question.rotor);
     output.channels = output.channels.or_else(with_housings);
@@ -215,7 +217,7 @@ fn questions(scenario: &Value, folder: &Path) -> Result<Questions, Issue> {
         return Err(issue);
     }
     let (_, questions) = built.ok_or_else(|| Issue::new("", "the scenario asks nothing"))?;
-    Ok(questions)
+    Ok(questions.with_warnings(&problems.warnings))
 }
 
 /// A scenario without some of its tables.

@@ -145,7 +145,10 @@ impl<'a> Problems<'a> {
 
     /// Notes what the user should know although the scenario can be run.
     pub fn warn(&mut self, warning: impl Into<String>) {
-        self.warnings.push(warning.into());
+        let warning = warning.into();
+        if !self.warnings.contains(&warning) {
+            self.warnings.push(warning);
+        }
     }
 }
 
@@ -252,7 +255,7 @@ pub struct ScenarioError {
 
 impl ScenarioError {
     /// Sorts the problems by their place.
-    pub(super) fn new(name: &str, text: &str, mut issues: Vec<Issue>) -> Self {
+    pub(crate) fn new(name: &str, text: &str, mut issues: Vec<Issue>) -> Self {
         issues.sort_by_key(|issue| issue.span.as_ref().map_or(0, |span| span.start));
         Self {
             name: name.to_owned(),

@@ -51,6 +51,8 @@ pub struct StudyFile {
     folder: PathBuf,
     keys: Vec<Key>,
     cycles: Option<Cycles>,
+    /// Warnings of the file of the base that its tables with their defaults do not give again.
+    warnings: Vec<String>,
 }
 
 /// JSON Schema (draft 7) of a study file.
@@ -151,7 +153,7 @@ impl StudyFileInput {
             return None;
         };
         let columns = self.columns(model, problems);
-        let base = self.base_scenario(scenario, &folder, problems)?;
+        let (base, repeated) = self.base_scenario(scenario, &folder, problems)?;
         let known = number_keys(&base, &LEFT_OUT);
         let (mut axes, mut variables, mut keys) = (Vec::new(), Vec::new(), Vec::new());
         problems.each("axis", &self.axis, |input, problems| {
@@ -192,16 +194,35 @@ impl StudyFileInput {
             folder,
             keys,
             cycles: self.cycles,
+            warnings: self.further_warnings(scenario, &repeated),
         })
     }
 
-    /// The scenario with what all runs have otherwise.
+    /// Warnings of the scenario that are not among `repeated` and concern no key that the study decides.
+    fn further_warnings(&self, scenario: &Scenario, repeated: &[String]) -> Vec<String> {
+        let axes = self.axis.iter().map(|axis| &axis.key);
+        let keys = axes.chain(self.set.iter().map(|set| &set.key));
+        let keys = keys.flat_map(|keys| keys.all().iter().map(String::as_str));
+        let keys: Vec<_> = keys
+            .chain(TIMES.into_iter().filter(|_| self.cycles.is_some()))
+            .collect();
+        let decided = |warning: &String| {
+            let mut names = keys.iter().map(|key| format!("`{}`", reader::last(key)));
+            names.any(|name| warning.contains(&name))
+        };
+        let warnings = scenario.warnings.iter().cloned();
+        warnings
+            .filter(|one| !repeated.contains(one) && !decided(one))
+            .collect()
+    }
+
+    /// The scenario with what all runs have otherwise, and its warnings.
     fn base_scenario(
         &self,
         scenario: &Scenario,
         folder: &Path,
         problems: &mut Problems<'_>,
-    ) -> Option<Value> {
+    ) -> Option<(Value, Vec<String>)> {
         let mut base = without(&scenario.echo, &["study"]);
         let known = all_keys(&base, &LEFT_OUT);
         for (index, set) in self.set.iter().enumerate() {
@@ -210,12 +231,12 @@ impl StudyFileInput {
             let value = key.read(&format!("set[{index}].value"), problems)?;
             key.set(&mut base, &value);
         }
-        if let Err(issue) = questions(&base, folder) {
+        let found = questions(&base, folder).map_err(|issue| {
             let message = format!("the base with `set`: {}", issue.message);
-            problems.refuse(Issue::new("set", message));
-            return None;
-        }
-        Some(base)
+            Issue::new("set", message)
+        });
+        let warnings = problems.take(found)?.question.rotor.warnings;
+        Some((base, warnings))
     }
 
     /// The numbers that are kept: of a scene all, or those that are named and the measured error.
@@ -368,7 +389,12 @@ impl StudyFile {
     /// # Errors
     /// [`Issue`] where its values make no scenario.
     pub fn model(&self, values: &[f64]) -> Result<Model, Issue> {
-        questions(&self.scenario(values)?, &self.folder)?.motion()
+        let mut model = questions(&self.scenario(values)?, &self.folder)?.motion()?;
+        model
+            .rotor
+            .warnings
+            .splice(0..0, self.warnings.iter().cloned());
+        Ok(model)
     }
 }
 

@@ -2,11 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use super::Machine;
-use super::warnings::speed_warnings;
+use super::warnings::of_speed;
+use super::{Machine, SimulateError};
 use crate::analysis::{SectionKind, SpectrumRequest, Window};
 use crate::integrate::Settings;
-use crate::rotor::RotorDefinition;
+use crate::rotor::{Rotor, RotorDefinition, check_constraints};
 
 /// How often the motion is sampled.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,9 +61,17 @@ impl Model {
         self.duration * self.sampling.rate(self.rotor.highest_speed())
     }
 
-    /// What is told of its highest speed before anything moves; nothing where it cannot be assembled.
-    pub(crate) fn speed_warnings(&self) -> Vec<String> {
-        speed_warnings(&self.rotor)
+    /// What is told before anything moves, of its highest speed too.
+    ///
+    /// # Errors
+    /// [`SimulateError`] where no motion can begin.
+    pub(crate) fn first_warnings(&self) -> Result<Vec<String>, SimulateError> {
+        let rotor = Rotor::assemble(&self.rotor)?;
+        let unconstrained = check_constraints(&self.rotor, &rotor)?;
+        let of_speed = of_speed(&self.rotor, &rotor);
+        Ok(self
+            .rotor
+            .warnings_with(unconstrained.into_iter().chain(of_speed)))
     }
 }
 

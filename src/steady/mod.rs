@@ -24,7 +24,7 @@ pub use measured::Measured;
 use measured::{measured, reduction};
 pub(crate) use periods::Base;
 use periods::Periods;
-pub(crate) use response::{Response, ResponsePoint, ResponseQuestion, response};
+pub(crate) use response::{Response, ResponsePoint, ResponseQuestion, response, response_warnings};
 use rotor_map::{RotorMap, Solver};
 use samples::{observed, peak_warnings, trace, trajectories};
 use search::{Found, find, found_from, subharmonic};
@@ -172,7 +172,8 @@ pub fn steady(question: &SteadyQuestion<'_>) -> Result<Steady, SteadyError> {
         rotor.tabulate();
     }
     let mut answer = answer(question, rotor, periods)?;
-    answer.warnings.splice(0..0, unconstrained);
+    let further = unconstrained.into_iter().chain(answer.warnings);
+    answer.warnings = model.rotor.warnings_with(further);
     Ok(answer)
 }
 

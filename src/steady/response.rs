@@ -20,7 +20,7 @@ use crate::shooting::{
     Branch, BranchEnd, BranchPoint, Continuation, ReturnMap, SpecialKind, Unrefined, follow,
     follow_doubled,
 };
-use crate::simulate::{Model, reference_settings};
+use crate::simulate::{Model, reference_settings, speed_warnings};
 
 /// Steps that the range of the parameter is divided into at least, and the least part of one.
 const STEPS: f64 = 50.0;
@@ -170,6 +170,21 @@ pub fn response(
         }
     }
     Ok(found)
+}
+
+/// What the reader of the branches should know: of the scene at both ends of the range, then what ends a branch early.
+pub fn response_warnings(question: &ResponseQuestion<'_>, branches: &[Response]) -> Vec<String> {
+    let ends = question
+        .range
+        .into_iter()
+        .filter_map(|end| (question.family)(end).ok());
+    let at_ends = ends.flat_map(|rotor| rotor.warnings_with(speed_warnings(&rotor)));
+    let incomplete = branches.iter().filter(|branch| branch.incomplete);
+    let ended_early = incomplete.map(|branch| branch.end.clone());
+    question
+        .model
+        .rotor
+        .warnings_with(at_ends.chain(ended_early))
 }
 
 /// Ends the search where somebody stopped it.

@@ -7,7 +7,7 @@ use serde::Serialize;
 use crate::integrate::root::Bracket;
 use crate::keys;
 use crate::rotor::{Rotor, RotorDefinition, RotorError, Whirl};
-use crate::simulate::{MORE_MODES, Model, Run};
+use crate::simulate::{MORE_MODES, Model, Run, speed_warnings};
 
 pub use crate::rotor::Mode;
 
@@ -108,6 +108,8 @@ pub struct Campbell {
     pub critical_speeds: Vec<CriticalSpeed>,
     /// The least likeness, [`Mode::assurance`], by which two modes were taken for the same.
     pub least_assurance: f64,
+    /// What the reader should know, of the highest speed too.
+    pub warnings: Vec<String>,
 }
 
 /// Why there is no diagram.
@@ -175,10 +177,12 @@ impl CampbellQuestion {
         for critical in &mut campbell.critical_speeds {
             critical.reduction_error = self.reduction_error(critical)?;
         }
+        let fastest = speed_warnings(&self.rotor.at_constant_speed(self.to));
+        campbell.warnings = self.rotor.warnings_with(fastest);
         Ok(campbell)
     }
 
-    /// The same without the error of the reduction.
+    /// The same without the error of the reduction and warnings.
     fn diagram(&self) -> Result<Campbell, CampbellError> {
         check_range([self.from, self.to], self.count, &self.orders)?;
         let speeds = self.speeds();
@@ -190,6 +194,7 @@ impl CampbellQuestion {
             orders: self.orders.clone(),
             critical_speeds,
             least_assurance,
+            warnings: Vec::new(),
         })
     }
 

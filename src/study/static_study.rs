@@ -38,6 +38,8 @@ pub struct Study {
     /// Number of azimuths around a bearing that are evaluated, from +X on; where `None`, those of its
     /// balls.
     pub(crate) positions: Option<usize>,
+    /// What the reader should know of the scenario whatever the value.
+    pub(crate) warnings: Vec<String>,
 }
 
 /// The answer at one value.
@@ -75,6 +77,29 @@ impl Variable {
 }
 
 impl Study {
+    /// The same with the warnings of the scenario; the questions keep those that it has not.
+    pub(crate) fn with_warnings(mut self, warnings: &[String]) -> Self {
+        for point in &mut self.points {
+            let own = &mut point.question.rotor.warnings;
+            own.retain(|warning| !warnings.contains(warning));
+        }
+        self.warnings = warnings.to_vec();
+        self
+    }
+
+    /// What the reader should know: of the scenario, then at every value.
+    pub(crate) fn warnings(&self, rows: &[StudyRow]) -> Vec<String> {
+        let at_values = rows.iter().flat_map(|row| {
+            let Variable {
+                key, shown_unit, ..
+            } = &self.variable;
+            let place = format!("{key} = {} {shown_unit}", self.variable.shown(row.value));
+            let warnings = row.answer.warnings.iter();
+            warnings.map(move |warning| format!("{}: {warning}", place.trim_end()))
+        });
+        self.warnings.iter().cloned().chain(at_values).collect()
+    }
+
     /// Answers the question at every value.
     ///
     /// # Errors

@@ -27,3 +27,4 @@ mod steady;
 mod studies;
 mod support;
 mod tables;
+mod warnings;

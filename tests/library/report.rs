@@ -59,6 +59,7 @@ fn model() -> Model {
             bearings: Vec::new(),
             linear_bearings: Vec::new(),
             flexible: None,
+            warnings: Vec::new(),
         },
         duration: 0.1,
         settle: 0.0,

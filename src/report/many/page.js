@@ -112,7 +112,8 @@
 
   figures.tellRuns(runText);
   document.getElementById("origin").textContent = `jeffcott ${jeffcott}, a study of ${number(digest.runs, 12)} runs`;
-  section("numbers", "Key numbers", keyNumbers());
+  const warned = digest.warnings.map(({ run, runs, warning }) => `run ${run}${runs > 1 ? ` and ${runs - 1} more` : ""}: ${warning}`);
+  section("numbers", "Key numbers", keyNumbers(), ...page.warnings(warned));
   if (digest.failed) section("failures", "Failed runs", failures());
   if (drawn.length) section("figures", "Figures", ...drawn.map(figures.add));
   folded("plan", "Plan", ...plan());

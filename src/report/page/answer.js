@@ -1,7 +1,7 @@
 
 (() => {
   const { element, section, folded, table, number } = page;
-  const { jeffcott, sealed, parts, figures: drawn, tables, scenario } = page.data;
+  const { jeffcott, sealed, parts, warnings, figures: drawn, tables, scenario } = page.data;
 
   /** Most rows of a table that stands open. */
   const LONGEST = 10;
@@ -46,7 +46,7 @@
   }
 
   document.getElementById("origin").textContent = `jeffcott ${jeffcott}; all numbers stand in ${sealed}`;
-  section("numbers", "Answer", ...told());
+  section("numbers", "Answer", ...page.warnings(warnings ?? []), ...told());
   if (drawn.length) section("figures", "Figures", ...drawn.map(figures.add));
   for (const entry of tables) folded(`table-${entry.name}`, `Table ${entry.name}`, rows(entry));
   if (scenario) page.scenarioSection("as it was read, with defaults", scenario);

@@ -41,6 +41,7 @@ impl AnswerPage<'_> {
             "jeffcott": env!("CARGO_PKG_VERSION"),
             "sealed": self.sealed,
             "parts": self.parts,
+            "warnings": self.document["warnings"],
             "figures": figures_json(self.figures),
             "tables": self.tables.iter().map(|(name, table)| rows(name, table)).collect::<Value>(),
             "scenario": self.document["scenario"],

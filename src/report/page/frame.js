@@ -54,6 +54,8 @@ const page = (() => {
     return element("dl", { class: "tiles" }, ...entries.filter(Boolean).map(tile));
   }
 
+  const warnings = (texts) => texts.map((text) => element("p", { class: "warning" }, text));
+
   // Numbers.
 
   function number(value, digits = 5) {
@@ -94,5 +96,5 @@ const page = (() => {
     document.documentElement.dataset.readyMs = String(Math.round(performance.now()));
   }
 
-  return { data, element, drawn, section, folded, table, tiles, number, bytes, places, floats, scenarioSection, ready };
+  return { data, element, drawn, section, folded, table, tiles, warnings, number, bytes, places, floats, scenarioSection, ready };
 })();

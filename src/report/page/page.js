@@ -349,7 +349,7 @@
   }
 
   function warnings() {
-    const all = summary.warnings.map((text) => element("p", { class: "warning" }, text));
+    const all = page.warnings(summary.warnings);
     return all.length ? all : [element("p", { class: "quiet" }, "No warnings.")];
   }
 

@@ -99,6 +99,7 @@ fn on_bearings(flexible: FlexibleShaft) -> RotorDefinition {
         ],
         linear_bearings: Vec::new(),
         flexible: Some(flexible),
+        warnings: Vec::new(),
     }
 }
 

@@ -119,6 +119,15 @@ pub struct Questions {
 }
 
 impl Questions {
+    /// The same with the warnings of the scenario, which all answers repeat.
+    pub fn with_warnings(mut self, warnings: &[String]) -> Self {
+        let model = self.model.as_mut().map(|model| &mut model.rotor);
+        for rotor in std::iter::once(&mut self.question.rotor).chain(model) {
+            rotor.warnings = warnings.to_vec();
+        }
+        self
+    }
+
     /// The motion, which a scenario may leave out.
     pub fn motion(self) -> Result<Model, Issue> {
         let missing = || Issue::new("time", "the scenario has no `[time]`");
@@ -265,6 +274,7 @@ impl ScenarioInput {
             bearings,
             linear_bearings: self.linear_bearings(problems),
             flexible,
+            warnings: Vec::new(),
         };
         if rotor.flexible.is_none() {
             let text = self.shaft.unbalance.as_deref();

@@ -87,6 +87,7 @@ impl StudyInput {
             variable,
             points,
             positions: self.positions.map(|positions| positions as usize),
+            warnings: Vec::new(),
         })
     }
 

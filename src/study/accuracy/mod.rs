@@ -15,7 +15,7 @@ use crate::analysis::Moments;
 use crate::bearing::Oil;
 use crate::integrate::{IntegrateError, Method};
 use crate::rotor::{MotionScale, Rotor};
-use crate::simulate::{Model, Monitor, SimulateError};
+use crate::simulate::{Model, Monitor, SimulateError, of_speed};
 use reference::{Reference, Trial};
 use trace::View;
 
@@ -53,6 +53,8 @@ pub struct Accuracy {
     /// Simulated time, s.
     #[serde(rename = "duration_s")]
     pub duration: f64,
+    /// What the reader should know of the scene.
+    pub warnings: Vec<String>,
 }
 
 /// Why speed cannot be measured against error.
@@ -81,7 +83,8 @@ impl Question<'_> {
     /// method or fidelity level that fails is reported in its row.
     pub fn measure(&self, monitor: &mut Monitor<'_>) -> Result<Accuracy, AccuracyError> {
         let stop = monitor.stop;
-        let rotor = Rotor::assemble(&self.model.rotor).map_err(SimulateError::from)?;
+        let definition = &self.model.rotor;
+        let rotor = Rotor::assemble(definition).map_err(SimulateError::from)?;
         let scale = rotor.motion_scale(self.model.integrator.tolerance);
         let view = View::new(&rotor, &scale, self.model);
         let levels = levels::plan(self.model, self.oils);
@@ -104,6 +107,7 @@ impl Question<'_> {
             rows,
             ladder,
             duration: self.model.duration,
+            warnings: definition.warnings_with(of_speed(definition, &rotor)),
         })
     }
 }

@@ -208,6 +208,7 @@ pub fn rotor(shaft: Shaft, bearings: Vec<MountedBearing>) -> RotorDefinition {
         bearings,
         linear_bearings: Vec::new(),
         flexible: None,
+        warnings: Vec::new(),
     }
 }
 
