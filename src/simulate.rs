@@ -61,8 +61,11 @@ pub fn simulate(
     simulate_part(model, sink, monitor, &mut Part::default())
 }
 
-/// Modes in each plane that the pass which measures the error of the reduction has besides.
-pub(crate) const MORE_MODES: usize = 4;
+/// Modes in each plane of the reduction that measures the error of one with so many: twice as many, and at least four
+/// more, as the modes that follow the last one kept may be local ones that hardly move the bearings.
+pub(crate) fn finer_modes(modes: usize) -> usize {
+    modes + modes.max(4)
+}
 
 /// As [`simulate`], but from where an earlier part of the run stopped, and up to where this one is
 /// to stop; the sink takes all samples from the first on.
@@ -111,7 +114,7 @@ pub(crate) fn simulate_part(
 pub(crate) fn finer_rotor(model: &Model, rotor: &Rotor) -> Result<Option<Rotor>, RotorError> {
     let modes = rotor.bending_modes().filter(|_| model.verify);
     let Some(modes) = modes else { return Ok(None) };
-    let definition = model.rotor.with_modes(modes + MORE_MODES);
+    let definition = model.rotor.with_modes(finer_modes(modes));
     let mut finer = Rotor::assemble(&definition)?;
     if model.table {
         finer.tabulate();

@@ -27,4 +27,4 @@ pub use settings::{Counters, Method, Pace, Settings};
 pub use stepper::{ChangeReason, MethodUse};
 pub use stiffness::Stiffness;
 pub use system::{Scaling, Shifted, System};
-pub use variation::variation;
+pub use variation::{linear_variation, variation};

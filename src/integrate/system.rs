@@ -109,7 +109,7 @@ impl Scaling {
     }
 
     /// `∂f/∂y` in scaled states, in place.
-    pub(super) fn scale_jacobian(&self, jacobian: &mut DMatrix<f64>) {
+    pub fn scale_jacobian(&self, jacobian: &mut DMatrix<f64>) {
         for (column, mut entries) in jacobian.column_iter_mut().enumerate() {
             for (row, entry) in entries.iter_mut().enumerate() {
                 *entry *= self.scale[column] / self.scale[row];

@@ -140,6 +140,30 @@ pub fn variation(
     })
 }
 
+/// Slopes `∂(end)/∂(start)` over a duration of a system that is linear in its states, with the same slopes at all times:
+///
+/// ```text
+/// Φ = exp(A T),   A = ∂f/∂y
+/// ```
+///
+/// by scaling and squaring.
+///
+/// Source: N. J. Higham, *SIAM J. Matrix Anal. Appl.* 26 (2005) 1179–1193.
+pub fn linear_variation(system: &dyn System, scaling: &Scaling, duration: f64) -> DMatrix<f64> {
+    let states = system.states();
+    let mut slopes = DMatrix::zeros(states, states);
+    system.linearisation(0.0, &scaling.origin, &mut slopes, &mut vec![0.0; states]);
+    scaling.scale_jacobian(&mut slopes);
+    let mut slopes = (slopes * duration).exp();
+    let scale = &scaling.scale;
+    for (column, mut entries) in slopes.column_iter_mut().enumerate() {
+        for (row, entry) in entries.iter_mut().enumerate() {
+            *entry *= scale[row] / scale[column];
+        }
+    }
+    slopes
+}
+
 /// Units of the state, and of its slopes as they follow from them.
 fn augmented_scaling(scaling: &Scaling) -> Scaling {
     let scale = &scaling.scale;

@@ -11,7 +11,6 @@ use super::table::Table;
 use super::terminal::{Lines, PER_MINUTE, PER_SECOND, or_dash, rounded};
 use super::{Destination, FileSet, Findings};
 use crate::rotor::{Mode, RotorDefinition, Whirl};
-use crate::simulate::MORE_MODES;
 use crate::study::campbell::{Branch, Campbell};
 
 /// Branches and critical speeds.
@@ -131,7 +130,7 @@ fn add_critical(out: &mut Lines, campbell: &Campbell) {
     let errors = errors.filter_map(|critical| critical.reduction_error);
     if let Some(largest) = errors.max_by(f64::total_cmp) {
         out.put(format!(
-            "with {MORE_MODES} more modes of bending in each plane the frequencies there differ by at most {largest:.1e}"
+            "with more modes of bending in each plane the frequencies there differ by at most {largest:.1e}"
         ));
     }
 }

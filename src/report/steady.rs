@@ -17,7 +17,7 @@ use super::{Destination, FileSet, Findings};
 use crate::analysis::Channel;
 use crate::shooting::Multipliers;
 use crate::simulate::Model;
-use crate::steady::{Base, Steady, SteadyLine, SteadyLines};
+use crate::steady::{Base, Stability, Steady, SteadyLine, SteadyLines};
 
 /// A steady motion: its trace, its spectrum, its stability and its error.
 pub fn steady_findings(destination: &Destination<'_>, model: &Model, steady: &Steady) -> Findings {
@@ -30,6 +30,11 @@ pub fn steady_findings(destination: &Destination<'_>, model: &Model, steady: &St
     let measured = measured.map(|error| with_keys(error, json!({ "tolerance": tolerance })));
     let further = json!({
         "stable": steady.is_stable(),
+        "neutral": steady.stability == Stability::Neutral,
+        "instability": match steady.stability {
+            Stability::Unstable(kind) => Some(kind.to_string()),
+            _ => None,
+        },
         "lines": steady.lines.lines.len(),
         "measured_error": measured,
     });
@@ -191,8 +196,10 @@ fn multipliers(steady: &Steady) -> String {
 }
 
 fn stability(steady: &Steady) -> String {
-    if let Some(kind) = steady.instability {
-        return format!("not stable: {kind}");
+    match steady.stability {
+        Stability::Unstable(kind) => return format!("not stable: {kind}"),
+        Stability::Neutral => return "neutral: free vibrations beside it last".to_owned(),
+        Stability::Stable => {}
     }
     let single = steady.single_period.as_ref();
     match single.filter(|single| !single.is_stable()) {

@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use super::energy::Works;
 use super::structure::Coordinate;
 use super::{InitialPosition, MotionScale, Rotation, Rotor};
-use crate::bearing::Vector5;
+use crate::bearing::{Support, Vector5};
 use crate::integrate::{Scaling, System};
 
 /// The states are
@@ -86,6 +86,12 @@ impl Rotor {
     /// Whether more than the motion is integrated.
     pub(super) fn is_augmented(&self) -> bool {
         self.energy || self.drive.is_some()
+    }
+
+    /// Whether the forces of all bearings are linear in displacement and rate, with coefficients that do not change.
+    pub(crate) fn is_linear(&self) -> bool {
+        let linear = |support: &Support| !support.follows_cage() && !support.is_damped();
+        !self.is_augmented() && self.supports.iter().all(linear)
     }
 
     /// Index of the first work among the states.

@@ -23,5 +23,5 @@ pub use branch::{
 };
 pub use circle::Circle;
 pub use map::{Image, MapError, ReturnMap, Slopes, mixed};
-pub use multipliers::{Crossing, Multipliers, SpecialKind, multipliers};
+pub use multipliers::{Multipliers, SpecialKind, Stability, multipliers};
 pub use newton::{Returned, ShootingError, solve};

@@ -31,15 +31,56 @@ impl Multipliers {
         self.largest() < 1.0
     }
 
-    /// How far each is from the nearest of others, with the round-off of an eigenvalue.
-    pub fn distances(&self, others: &Self) -> Vec<f64> {
+    /// The same where each multiplier is known to an error, which holds within a factor of 3.
+    pub fn stability(&self, errors: &[f64]) -> Stability {
+        let beyond = |(value, error): (&Complex<f64>, &f64)| (value.norm() - 1.0) / (3.0 * error);
+        let values = self.values();
+        let furthest = values.iter().zip(errors).map(beyond);
+        match furthest.fold(f64::NEG_INFINITY, f64::max) {
+            errors if errors > 1.0 => Stability::Unstable(self.instability()),
+            errors if errors >= -1.0 => Stability::Neutral,
+            _ => Stability::Stable,
+        }
+    }
+
+    /// How a motion that is not stable lost its stability, by the multiplier furthest outside.
+    fn instability(&self) -> SpecialKind {
+        match self {
+            Self::Torus(_) => SpecialKind::TorusStability,
+            Self::Periodic(all) => match all.first() {
+                Some(first) if first.im.abs() > REAL * first.norm() => SpecialKind::NeimarkSacker,
+                Some(first) if first.re < 0.0 => SpecialKind::PeriodDoubling,
+                _ => SpecialKind::Fold,
+            },
+        }
+    }
+
+    /// How far each is from its partner among others, both taken in pairs, the nearest first; and the round-off of them.
+    pub fn distances(&self, others: &Self, round_off: f64) -> Vec<f64> {
         let (own, others) = (self.values(), others.values());
-        let round_off = f64::EPSILON * self.largest();
-        let nearest = |value: &Complex<f64>| {
+        let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
+        for (index, value) in own.iter().enumerate() {
             let distances = others.iter().map(|other| (value - other).norm());
-            distances.fold(f64::INFINITY, f64::min) + round_off
-        };
-        own.iter().map(nearest).collect()
+            pairs.extend(
+                distances
+                    .enumerate()
+                    .map(|(other, apart)| (apart, index, other)),
+            );
+        }
+        pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut found = vec![None; own.len()];
+        let mut taken = vec![false; others.len()];
+        for (apart, index, other) in pairs {
+            if found[index].is_none() && !taken[other] {
+                found[index] = Some(apart + round_off);
+                taken[other] = true;
+            }
+        }
+        let unpaired = f64::INFINITY;
+        found
+            .into_iter()
+            .map(|apart| apart.unwrap_or(unpaired))
+            .collect()
     }
 
     /// The multipliers as complex numbers; magnitudes where arguments have no meaning.
@@ -49,6 +90,17 @@ impl Multipliers {
             Self::Torus(all) => all.iter().map(|size| Complex::new(*size, 0.0)).collect(),
         }
     }
+}
+
+/// Whether neighbouring motions come closer to a motion that repeats.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stability {
+    /// They do: a long run settles to the motion.
+    Stable,
+    /// They neither come closer nor go away, as far as the errors of the multipliers tell: as without damping.
+    Neutral,
+    /// They go away, and this is how the motion lost its stability.
+    Unstable(SpecialKind),
 }
 
 /// Multipliers of a motion from the slopes of the map in its states.
@@ -94,6 +146,8 @@ fn magnitudes(circle: &Circle, slopes: &[DMatrix<f64>]) -> Vec<f64> {
 
 /// A multiplier counts as real where its imaginary part is below this part of its magnitude.
 const REAL: f64 = 1e-9;
+/// Least distance of a multiplier from the unit circle that tells on which side of it a motion of a branch lies.
+const RESOLVED: f64 = 1e-6;
 
 /// What happens to a motion at a value of the parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -155,9 +209,13 @@ impl Crossing {
 
     /// What may happen between two motions of a branch.
     pub fn between(before: &Self, after: &Self) -> Vec<SpecialKind> {
-        // a zero at a point itself belongs to one of its two sides
-        let changes =
-            |kind: &SpecialKind| (before.of_kind(*kind) < 0.0) != (after.of_kind(*kind) < 0.0);
+        // a zero at a point itself belongs to one of its two sides; numbers that stay near zero, as those of undamped
+        // vibrations, change their sign by their errors only
+        let changes = |kind: &SpecialKind| {
+            let [before, after] = [before, after].map(|point| point.of_kind(*kind));
+            let resolved = *kind == SpecialKind::Fold || before.abs().max(after.abs()) > RESOLVED;
+            resolved && (before < 0.0) != (after < 0.0)
+        };
         let folds = changes(&SpecialKind::Fold);
         [
             SpecialKind::Fold,
@@ -170,23 +228,5 @@ impl Crossing {
         // at a fold a multiplier passes 1, and that is all there is to it
         .filter(|kind| changes(kind) && !(folds && *kind == SpecialKind::Branching))
         .collect()
-    }
-
-    /// How a motion that is not stable lost its stability, by the multiplier furthest outside.
-    pub fn instability(multipliers: &Multipliers) -> Option<SpecialKind> {
-        if multipliers.is_stable() {
-            return None;
-        }
-        let Multipliers::Periodic(all) = multipliers else {
-            return Some(SpecialKind::TorusStability);
-        };
-        let first = all.first()?;
-        Some(if first.im.abs() > REAL * first.norm() {
-            SpecialKind::NeimarkSacker
-        } else if first.re < 0.0 {
-            SpecialKind::PeriodDoubling
-        } else {
-            SpecialKind::Fold
-        })
     }
 }

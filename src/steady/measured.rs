@@ -9,7 +9,7 @@ use super::samples::sampled;
 use super::search::{Found, returned_from};
 use crate::rotor::Sample;
 use crate::shooting::{Multipliers, ReturnMap, ShootingError, Slopes, multipliers, solve};
-use crate::simulate::{Model, Reduction, ReductionError, finer_rotor, reference_settings};
+use crate::simulate::{Model, Reduction, ReductionError, finer_rotor};
 
 /// Distance of the motion from one found again at a tenth of the tolerance, with the round-off that both share.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -33,18 +33,19 @@ pub(super) fn measured(
     sampled_before: &[Vec<Sample>],
     model: &Model,
 ) -> Result<Measured, SteadyError> {
-    let asked = map.solver.settings;
-    map.solver.settings = reference_settings(asked);
+    let asked = map.solver;
+    map.solver = asked.reference();
     let tolerance = map.solver.settings.tolerance;
     let (states, multipliers) = found_again(map, &found.states, &found.slopes)?;
     let reference = sampled(map, &states, model, false)?;
-    map.solver.settings = asked;
+    map.solver = asked;
+    let round_off = map.multiplier_round_off(&found.slopes);
     let [apart, excursion] = distance(map, sampled_before, &reference);
     let displacement = apart + map.rotor.displacement_round_off();
     Ok(Measured {
         displacement,
         relative: displacement / excursion,
-        multipliers: found.multipliers.distances(&multipliers),
+        multipliers: found.multipliers.distances(&multipliers, round_off),
         reference_tolerance: tolerance,
     })
 }

@@ -33,8 +33,8 @@ use crate::analysis::Channel;
 use crate::integrate::Counters;
 use crate::keys;
 use crate::rotor::{Rotor, Sample, check_constraints};
-use crate::shooting::{Circle, Crossing, ReturnMap};
-pub use crate::shooting::{Multipliers, SpecialKind};
+use crate::shooting::{Circle, ReturnMap};
+pub use crate::shooting::{Multipliers, SpecialKind, Stability};
 use crate::simulate::{Model, Reduction, StaticState, of_speed};
 
 /// A measured error above this many tolerances is worth a warning.
@@ -74,9 +74,9 @@ pub struct Steady {
     pub multiple: u32,
     /// Floquet multipliers over the period.
     pub multipliers: Multipliers,
-    /// How it lost its stability, where it is not stable.
-    #[serde(serialize_with = "keys::optional_name")]
-    pub instability: Option<SpecialKind>,
+    /// Whether a long run settles to it.
+    #[serde(skip)]
+    pub stability: Stability,
     /// Largest multiplier of the motion of a single period, where the motion found takes several.
     #[serde(rename = "single_period_multipliers")]
     pub single_period: Option<Multipliers>,
@@ -144,7 +144,7 @@ impl Steady {
 
     /// Whether neighbouring motions come closer: the motion is what a long run settles to.
     pub fn is_stable(&self) -> bool {
-        self.multipliers.is_stable()
+        self.stability == Stability::Stable
     }
 
     /// Whether it has two frequencies without a common period.
@@ -182,11 +182,11 @@ fn answer(
     rotor: Rotor,
     periods: Periods,
 ) -> Result<Steady, SteadyError> {
-    let solver = Solver {
-        settings: question.model.integrator,
-        stop: question.stop,
-        integrated: question.integrated,
-    };
+    let solver = Solver::new(
+        question.model.integrator,
+        question.stop,
+        question.integrated,
+    );
     let mut map = RotorMap::new(rotor, periods, solver);
     let (found, single_period) = search(&mut map, question.multiple)?;
     let trajectories = trajectories(&mut map, &found.states, question.model)?;
@@ -200,17 +200,25 @@ fn answer(
     let channels = Channel::of_freedoms(map.rotor.freedoms());
     let error = measured.as_ref().map_or(0.0, |error| error.relative);
     let noise = error.max(NOISE * solver.settings.tolerance);
-    let instability = Crossing::instability(&found.multipliers);
+    let stability = match &measured {
+        Some(error) => found.multipliers.stability(&error.multipliers),
+        None => map.stability(&found),
+    };
     let mut warnings = peak_warnings(&map, &trajectories)?;
     warnings.extend(of_speed(&question.model.rotor, &map.rotor));
     warnings.extend(reduction.as_ref().and_then(Reduction::warning));
     let error = measured.as_ref();
-    warnings.extend(self::warnings(&found, error, solver.settings.tolerance));
+    warnings.extend(self::warnings(
+        &found,
+        stability,
+        error,
+        solver.settings.tolerance,
+    ));
     Ok(Steady {
         equilibrium: StaticState::of(&map.rotor),
         period: map.periods.circle.period,
         multiple: map.periods.multiple,
-        instability,
+        stability,
         single_period,
         missing: found.missing,
         history: found.history,
@@ -244,7 +252,7 @@ fn search(
         map.periods = asked.times(1);
     }
     let single = find(map)?;
-    let stable = single.multipliers.is_stable();
+    let stable = !matches!(map.stability(&single), Stability::Unstable(_));
     if asked.is_torus() || multiple == Some(1) || (stable && multiple.is_none()) {
         return Ok((single, None));
     }
@@ -267,13 +275,24 @@ fn search(
     Ok((again, Some(single.multipliers)))
 }
 
-fn warnings(found: &Found, measured: Option<&Measured>, tolerance: f64) -> Vec<String> {
-    let left = Crossing::instability(&found.multipliers).map(|kind| {
-        format!(
-            "the motion is not stable: a multiplier of magnitude {:.6} ({kind}); a long run leaves it",
-            found.multipliers.largest()
-        )
-    });
+fn warnings(
+    found: &Found,
+    stability: Stability,
+    measured: Option<&Measured>,
+    tolerance: f64,
+) -> Vec<String> {
+    let largest = found.multipliers.largest();
+    let left = match stability {
+        Stability::Stable => None,
+        Stability::Neutral => Some(
+            "the motion is neutral: a multiplier of magnitude 1, as without damping; a long run stays on it only where it \
+             starts there, as every free vibration beside it lasts"
+                .to_owned(),
+        ),
+        Stability::Unstable(kind) => Some(format!(
+            "the motion is not stable: a multiplier of magnitude {largest:.6} ({kind}); a long run leaves it"
+        )),
+    };
     let missed = measured.filter(|error| error.relative > PROMISE * tolerance);
     let missed = missed.map(|error| {
         format!(

@@ -20,7 +20,7 @@ use crate::shooting::{
     Branch, BranchEnd, BranchPoint, Continuation, ReturnMap, SpecialKind, Unrefined, follow,
     follow_doubled,
 };
-use crate::simulate::{Model, reference_settings, speed_warnings};
+use crate::simulate::{Model, speed_warnings};
 
 /// Steps that the range of the parameter is divided into at least, and the least part of one.
 const STEPS: f64 = 50.0;
@@ -131,11 +131,7 @@ pub fn response(
     let source = |parameter: f64| (question.family)(question.value(parameter));
     let mut settings = question.model.integrator;
     settings.tolerance = (EXACTER * settings.tolerance).max(TIGHTEST);
-    let solver = Solver {
-        settings,
-        stop: question.stop,
-        integrated: question.integrated,
-    };
+    let solver = Solver::new(settings, question.stop, question.integrated);
     let mut map = RotorMap::new(rotor, periods, solver);
     let guess = find(&mut map)?.states;
     map.source = Some((&source, 0.0));
@@ -286,10 +282,11 @@ fn response_point(
 /// Distances of the multipliers of a motion from those of the same one found again at a tenth of the tolerance; none
 /// where it is not found again, as where two motions meet.
 fn multiplier_errors(map: &mut RotorMap<'_>, point: &BranchPoint) -> Option<Vec<f64>> {
-    let asked = map.solver.settings;
-    map.solver.settings = reference_settings(asked);
+    let asked = map.solver;
+    map.solver = asked.reference();
     let again = found_again(map, &point.states, &point.slopes);
-    map.solver.settings = asked;
+    map.solver = asked;
     let (_, multipliers) = again.ok()?;
-    Some(point.multipliers.distances(&multipliers))
+    let round_off = map.multiplier_round_off(&point.slopes);
+    Some(point.multipliers.distances(&multipliers, round_off))
 }

@@ -6,15 +6,20 @@ use nalgebra::{DMatrix, DVector};
 
 use super::SteadyError;
 use super::periods::Periods;
+use super::search::Found;
 use crate::integrate::{
     Counters, Grid, IntegrateError, Integration, Scaling, Settings, Shifted, States, System,
-    variation,
+    linear_variation, variation,
 };
 use crate::rotor::{MotionScale, Rotor, RotorDefinition};
-use crate::shooting::{Circle, Image, MapError, ReturnMap, Slopes};
+use crate::shooting::{Circle, Image, MapError, ReturnMap, Slopes, Stability};
+use crate::simulate::reference_settings;
 
 /// Slopes are integrated at least this exactly: the search and the signs of multipliers along a branch rest on them.
 const SLOPE_TOLERANCE: f64 = 1e-7;
+
+/// Multipliers that are not measured are taken for as exact as so many tolerances of their slopes.
+const MULTIPLIER_FACTOR: f64 = 100.0;
 
 /// Makes the rotor of a value of the parameter; what is wrong with it in words.
 pub(super) type Source<'a> = &'a dyn Fn(f64) -> Result<RotorDefinition, String>;
@@ -23,9 +28,35 @@ pub(super) type Source<'a> = &'a dyn Fn(f64) -> Result<RotorDefinition, String>;
 #[derive(Clone, Copy)]
 pub(super) struct Solver<'a> {
     pub settings: Settings,
+    /// Settings of the slopes by the start.
+    pub slopes: Settings,
     pub stop: &'a AtomicBool,
     /// Counts the periods that were integrated.
     pub integrated: &'a AtomicU64,
+}
+
+impl<'a> Solver<'a> {
+    pub fn new(settings: Settings, stop: &'a AtomicBool, integrated: &'a AtomicU64) -> Self {
+        let slopes = Settings {
+            tolerance: settings.tolerance.min(SLOPE_TOLERANCE),
+            ..settings
+        };
+        Self {
+            settings,
+            slopes,
+            stop,
+            integrated,
+        }
+    }
+
+    /// That of a motion found again to measure errors.
+    pub fn reference(self) -> Self {
+        Self {
+            settings: reference_settings(self.settings),
+            slopes: reference_settings(self.slopes),
+            ..self
+        }
+    }
 }
 
 /// The map of a rotor over a multiple of the period of its forcing.
@@ -107,18 +138,52 @@ impl<'a> RotorMap<'a> {
             start,
         };
         let (solver, period) = (&self.solver, self.periods.circle.period);
-        let settings = Settings {
-            tolerance: solver.settings.tolerance.min(SLOPE_TOLERANCE),
-            ..solver.settings
-        };
         let scaling = self.scaling();
-        let found = variation(&system, &scaling, &settings, solver.stop, period, state)?;
-        self.counters.add(&found.counters);
-        solver.integrated.fetch_add(1, Ordering::Relaxed);
+        let slopes = if self.rotor.is_linear() {
+            linear_variation(&system, &scaling, period)
+        } else {
+            let found = variation(
+                &system,
+                &scaling,
+                &solver.slopes,
+                solver.stop,
+                period,
+                state,
+            )?;
+            self.counters.add(&found.counters);
+            solver.integrated.fetch_add(1, Ordering::Relaxed);
+            found.slopes
+        };
         let scale = &self.unit.scale;
         Ok(DMatrix::from_fn(scale.len(), scale.len(), |row, column| {
-            found.slopes[(row, column)] * scale[column] / scale[row]
+            slopes[(row, column)] * scale[column] / scale[row]
         }))
+    }
+
+    /// Whether neighbouring motions come closer, as far as the tolerance of the slopes tells.
+    pub fn stability(&self, found: &Found) -> Stability {
+        let tolerance = match self.rotor.is_linear() {
+            true => 0.0,
+            false => self.solver.slopes.tolerance,
+        };
+        let error = MULTIPLIER_FACTOR * tolerance + self.multiplier_round_off(&found.slopes);
+        found.multipliers.stability(&vec![error; self.size()])
+    }
+
+    /// Round-off of multipliers: what solving for eigenvalues makes of that of the slopes, which are products of as many
+    /// slopes of short times as the motion has time constants in a period.
+    pub fn multiplier_round_off(&self, slopes: &[DMatrix<f64>]) -> f64 {
+        let states = self.rotor.states();
+        let mut jacobian = DMatrix::zeros(states, states);
+        let scaling = self.scaling();
+        self.rotor
+            .linearisation(0.0, &scaling.origin, &mut jacobian, &mut vec![0.0; states]);
+        scaling.scale_jacobian(&mut jacobian);
+        let rates = jacobian.complex_eigenvalues();
+        let fastest = rates.iter().map(|rate| rate.norm()).fold(0.0, f64::max);
+        let time_constants = self.periods.circle.period * fastest;
+        let largest = slopes.iter().map(DMatrix::norm).fold(0.0, f64::max);
+        f64::EPSILON * (largest + time_constants)
     }
 }
 

@@ -7,7 +7,7 @@ use serde::Serialize;
 use crate::integrate::root::Bracket;
 use crate::keys;
 use crate::rotor::{Rotor, RotorDefinition, RotorError, Whirl};
-use crate::simulate::{MORE_MODES, Model, Run, speed_warnings};
+use crate::simulate::{Model, Run, finer_modes, speed_warnings};
 
 pub use crate::rotor::Mode;
 
@@ -88,8 +88,8 @@ pub struct CriticalSpeed {
     pub whirl: Whirl,
     /// How much more it goes round with the rotation than against it, −1 … 1.
     pub forward_share: f64,
-    /// Of a shaft that bends: relative difference of the frequency there from that with four more modes of bending in
-    /// each plane.
+    /// Of a shaft that bends: relative difference of the frequency there from that with more modes of bending in each
+    /// plane: twice as many as the pass of a run that measures the error of the reduction.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reduction_error: Option<f64>,
 }
@@ -217,7 +217,11 @@ impl CampbellQuestion {
         let Some(modes) = assembled(&definition, speed)?.bending_modes() else {
             return Ok(None);
         };
-        let finer = assembled(&definition.with_modes(modes + MORE_MODES), speed)?.modes();
+        let finer = assembled(
+            &definition.with_modes(finer_modes(finer_modes(modes))),
+            speed,
+        )?
+        .modes();
         let difference = |mode: &Mode| (mode.damped_frequency() / critical.frequency - 1.0).abs();
         let alike = finer.iter().filter(|mode| mode.whirl() == critical.whirl);
         Ok(alike.map(difference).min_by(f64::total_cmp))

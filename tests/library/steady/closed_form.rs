@@ -1,11 +1,17 @@
 //! The shaft on linear supports.
 
 use std::f64::consts::TAU;
+use std::sync::atomic::{AtomicBool, AtomicU64};
+
+use nalgebra::{Complex, DMatrix, DVector};
 
 use crate::analysis::Channel;
 use crate::bearing::{ContactLaw, MountedBearing};
+use crate::integrate::System;
 use crate::rotor::{Damping, Freedoms, RotorDefinition};
+use crate::scenario;
 use crate::shooting::Multipliers;
+use crate::steady::{SteadyQuestion, steady};
 
 use super::found;
 use crate::tests::support::{assert_near, bearing, constant, model, mounted, rotor, shaft};
@@ -58,9 +64,9 @@ fn unbalance_whirls_with_the_closed_form_amplitude_and_multipliers() {
             };
             let size = (-ratio * natural * found.period).exp();
             for multiplier in all {
-                assert_near("magnitude", multiplier.norm(), size, 1e-6);
+                assert_near("magnitude", multiplier.norm(), size, 1e-9);
                 let turned = (1.0 - ratio * ratio).sqrt() * natural * found.period;
-                assert_near("real part", multiplier.re, size * turned.cos(), 2e-6);
+                assert_near("real part", multiplier.re, size * turned.cos(), 1e-9);
             }
             assert!(found.is_stable());
         }
@@ -80,4 +86,85 @@ fn a_linear_scene_has_no_line_but_that_of_the_unbalance() {
         .map(|line| line.multiples)
         .collect();
     assert_eq!(heard, [[1, 0]]);
+}
+
+const BENDING: &str = r#"
+[shaft]
+freedoms = "radial"
+[[shaft.section]]
+length = "400 mm"
+outer_diameter = "30 mm"
+[[disc]]
+position = "200 mm"
+outer_diameter = "200 mm"
+width = "30 mm"
+[[unbalance]]
+amount = "100 g mm"
+position = "200 mm"
+[[bearing]]
+position = "0 mm"
+linear = { stiffness = { x = "1e7 N/m", y = "2e7 N/m" }, damping = { x = "500 N s/m", y = "500 N s/m" } }
+[[bearing]]
+position = "400 mm"
+linear = { stiffness = { x = "1e7 N/m", y = "2e7 N/m" }, damping = { x = "500 N s/m", y = "500 N s/m" } }
+[speed]
+constant = "1500 rpm"
+[time]
+duration = "0.5 s"
+"#;
+
+/// A shaft that bends on linear bearings turns as (iω − A)⁻¹ b has it, with ẏ = A y + Re(b e^{iωt}), and is found in a few
+/// periods, however stiff its highest modes are.
+#[test]
+fn a_bending_shaft_on_linear_bearings_is_found_at_once() {
+    let scenario = scenario::parse(BENDING, "bending.toml", scenario::Format::Toml);
+    let mut model = scenario.expect("a scenario").model.expect("a motion");
+    model.integrator.tolerance = 1e-10;
+    let (stop, integrated) = (AtomicBool::new(false), AtomicU64::new(0));
+    let found = steady(&SteadyQuestion {
+        model: &model,
+        multiple: None,
+        stop: &stop,
+        integrated: &integrated,
+    });
+    let found = found.expect("a motion");
+    assert!(integrated.into_inner() < 16);
+    assert!(found.is_stable());
+
+    let rotor = crate::rotor::Rotor::assemble(&model.rotor).expect("a rotor");
+    let (states, frequency) = (rotor.states(), 50.0 * std::f64::consts::PI);
+    let origin = rotor.scaling(&rotor.motion_scale(1e-10)).origin;
+    let mut slopes = DMatrix::zeros(states, states);
+    rotor.linearisation(0.0, &origin, &mut slopes, &mut vec![0.0; states]);
+    let rate_at = |time: f64| {
+        let mut rate = vec![0.0; states];
+        rotor.derivative(time, &origin, &mut rate);
+        rate
+    };
+    let (first, quarter) = (rate_at(0.0), rate_at(0.25 * TAU / frequency));
+    let force = DVector::from_fn(states, |row, _| Complex::new(first[row], -quarter[row]));
+    let dynamic = DMatrix::from_fn(states, states, |row, column| {
+        let inertia = if row == column { frequency } else { 0.0 };
+        Complex::new(-slopes[(row, column)], inertia)
+    });
+    let answer = dynamic.lu().solve(&force).expect("a regular matrix");
+    let part = |pick: fn(&Complex<f64>) -> f64| -> Vec<f64> { answer.iter().map(pick).collect() };
+    let (real, imaginary) = (part(|value| value.re), part(|value| value.im));
+    let rest = rotor.displacement(&origin);
+    for (axis, rest) in rest.into_iter().enumerate().take(2) {
+        let of = |state: &[f64]| {
+            let moved: Vec<f64> = state.iter().zip(&origin).map(|(a, b)| a + b).collect();
+            rotor.displacement(&moved)[axis] - rest
+        };
+        let expected = of(&real).hypot(of(&imaginary));
+        let amplitude = found
+            .lines
+            .amplitude(Channel::Displacement(axis), frequency / TAU);
+        assert_near(
+            "amplitude",
+            amplitude.expect("a channel"),
+            expected,
+            1e-8 * expected,
+        );
+    }
 }

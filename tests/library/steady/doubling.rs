@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64};
 
 use crate::analysis::Channel;
 use crate::rotor::RotorDefinition;
-use crate::shooting::SpecialKind;
+use crate::shooting::{SpecialKind, Stability};
 use crate::simulate::Model;
 use crate::steady::{Response, ResponseQuestion, Steady, response};
 
@@ -104,11 +104,38 @@ fn multipliers_are_exact_where_balls_lift_off() {
     }
 }
 
+/// At tolerances looser than that of the slopes, too, the difference of two solutions tells the error of the first.
+#[test]
+fn errors_of_multipliers_hold_at_loose_tolerances() {
+    let at = |tolerance: f64, verify: bool| {
+        let mut question = question(jis_6306(150.0));
+        question.integrator = settings(tolerance);
+        question.verify = verify;
+        search(&question, Some(2)).expect("a motion")
+    };
+    let exact = at(1e-12, false).multipliers.values();
+    for tolerance in [1e-5, 1e-6] {
+        let found = at(tolerance, true);
+        let stated = found.measured.expect("a measured error").multipliers;
+        for (value, stated) in found.multipliers.values().iter().zip(stated) {
+            let apart = exact.iter().map(|exact| (value - exact).norm());
+            let true_error = apart.fold(f64::INFINITY, f64::min);
+            assert!(
+                true_error < 3.0 * stated && stated < 3.0 * true_error,
+                "{tolerance:e}: {true_error:e} stated as {stated:e}"
+            );
+        }
+    }
+}
+
 #[test]
 fn at_150_radians_per_second_the_single_period_has_left_through_minus_one() {
     let single = search(&question(jis_6306(150.0)), Some(1)).expect("a motion");
     assert_eq!((single.multiple, single.is_stable()), (1, false));
-    assert_eq!(single.instability, Some(SpecialKind::PeriodDoubling));
+    assert_eq!(
+        single.stability,
+        Stability::Unstable(SpecialKind::PeriodDoubling)
+    );
     let all = single.multipliers.values();
     println!("{all:?}");
     assert!(all[0].im == 0.0 && all[0].re < -1.0, "{all:?}");

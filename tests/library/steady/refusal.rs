@@ -8,7 +8,7 @@ use crate::rotor::load::{Harmonic, Pace};
 use crate::rotor::{
     CageMotion, Damping, Freedoms, Load, LoadKind, Rotor, RotorDefinition, RotorError, Unrepeated,
 };
-use crate::steady::{SteadyError, SteadyQuestion, steady};
+use crate::steady::{Stability, SteadyError, SteadyQuestion, steady};
 
 use super::{search, shipped};
 use crate::tests::support::{bearing, constant, model, mounted, rotor, shaft, thrust_rotor};
@@ -90,8 +90,7 @@ fn a_search_can_be_stopped() {
     ));
 }
 
-/// Without damping a free vibration never dies: a multiplier has the magnitude 1 and the motion is not
-/// called stable by more than round-off.
+/// Without damping a free vibration never dies: a multiplier has the magnitude 1 and the motion is neutral.
 #[test]
 fn an_undamped_shaft_has_multipliers_on_the_unit_circle() {
     let mut undamped = rotor(
@@ -108,6 +107,12 @@ fn an_undamped_shaft_has_multipliers_on_the_unit_circle() {
     for multiplier in found.multipliers.values() {
         assert!((multiplier.norm() - 1.0).abs() < 1e-5, "{multiplier}");
     }
+    assert_eq!(found.stability, Stability::Neutral);
+    assert!(
+        found.warnings[0].contains("neutral"),
+        "{:?}",
+        found.warnings
+    );
 }
 
 /// As `run`, `steady` tells of an unbalance and of pressures that no bearing is made for.
