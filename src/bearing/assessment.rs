@@ -39,7 +39,7 @@ impl Assessment<'_> {
             rating_lives: life.and_then(|life| bearing.rating_lives(life, &force, speed)),
             fit: bearing.fit,
             preload: self.preload(),
-            friction_moment_skf: skf_moment(bearing, contacts, &force, speed),
+            friction_moment_skf: skf_moment(bearing, &support.rated_contacts, &force, speed),
             geometry: self.geometry(),
             clearance: bearing.clearance(),
             displacement: self.place,
@@ -66,7 +66,7 @@ impl Assessment<'_> {
     }
 
     fn geometry(&self) -> GeometryState {
-        let (bearing, contacts) = (self.bearing(), &self.support.contacts);
+        let (bearing, contacts) = (self.bearing(), &self.support.rated_contacts);
         let geometry = &bearing.geometry;
         let (balls, ball_diameter) = (geometry.balls(), geometry.ball_diameter());
         let pitch_diameter = geometry.pitch_diameter();

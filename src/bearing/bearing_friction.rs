@@ -16,7 +16,7 @@ pub(super) struct BearingFriction {
 }
 
 impl BearingFriction {
-    /// Of a bearing with Hertz contacts `contacts`, inner race first.
+    /// Of a bearing with `contacts` at its nominal contact angle, inner race first.
     pub fn new(definition: &MountedBearing, contacts: &[HertzContact; 2]) -> Self {
         let bearing = &definition.bearing;
         let lubricant = bearing.lubrication.map(|lubricant| lubricant.viscosity);

@@ -9,8 +9,8 @@ use super::{
     GeometryError, Lubrication, Oil,
 };
 use crate::physics::{
-    Curvature, HertzContact, HertzError, Material, SkfFriction, contact_modulus,
-    inner_race_curvature, outer_race_curvature, series_stiffness,
+    HertzContact, HertzError, Material, SkfFriction, contact_modulus, inner_race_curvature,
+    outer_race_curvature, series_stiffness,
 };
 
 /// Why a bearing cannot be built or mounted.
@@ -165,8 +165,7 @@ impl Bearing {
     /// # Errors
     /// [`BearingError::Contact`] where the curvatures do not meet in an ellipse.
     pub fn inner_contact(&self) -> Result<HertzContact, BearingError> {
-        let groove_factor = self.geometry.groove_factor_inner();
-        self.contact("inner", inner_race_curvature, groove_factor)
+        self.contact("inner", self.geometry.gamma())
     }
 
     /// Hertz contact of ball and outer race, curvature at the free contact angle.
@@ -174,18 +173,18 @@ impl Bearing {
     /// # Errors
     /// [`BearingError::Contact`] where the curvatures do not meet in an ellipse.
     pub fn outer_contact(&self) -> Result<HertzContact, BearingError> {
-        let groove_factor = self.geometry.groove_factor_outer();
-        self.contact("outer", outer_race_curvature, groove_factor)
+        self.contact("outer", self.geometry.gamma())
     }
 
-    fn contact(
-        &self,
-        race: &'static str,
-        curvature: fn(f64, f64, f64) -> Curvature,
-        groove_factor: f64,
-    ) -> Result<HertzContact, BearingError> {
-        let geometry = &self.geometry;
-        let curvature = curvature(geometry.ball_diameter(), groove_factor, geometry.gamma());
+    fn contact(&self, race: &'static str, gamma: f64) -> Result<HertzContact, BearingError> {
+        let (ball, [inner, outer]) = (
+            self.geometry.ball_diameter(),
+            self.geometry.groove_factors(),
+        );
+        let curvature = match race {
+            "inner" => inner_race_curvature(ball, inner, gamma),
+            _ => outer_race_curvature(ball, outer, gamma),
+        };
         let modulus = contact_modulus(&self.ball_material, &self.ring_material);
         HertzContact::new(curvature, modulus)
             .map_err(|source| BearingError::Contact { race, source })
@@ -221,6 +220,12 @@ impl Bearing {
     /// Hertz contacts of ball and races, the inner race first.
     pub(super) fn contacts(&self) -> Result<[HertzContact; 2], BearingError> {
         Ok([self.inner_contact()?, self.outer_contact()?])
+    }
+
+    /// The same with the curvatures at the nominal contact angle, which the ratings belong to, whatever the clearance.
+    pub(super) fn rated_contacts(&self) -> Result<[HertzContact; 2], BearingError> {
+        let gamma = self.geometry.nominal_gamma();
+        Ok([self.contact("inner", gamma)?, self.contact("outer", gamma)?])
     }
 }
 

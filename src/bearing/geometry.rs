@@ -309,6 +309,11 @@ impl Geometry {
         [self.groove_factor_inner, self.groove_factor_outer]
     }
 
+    /// γ = D cos α/d_m with the nominal contact angle.
+    pub(super) fn nominal_gamma(&self) -> f64 {
+        self.ball_diameter * self.nominal_angle().cos() / self.pitch_diameter
+    }
+
     /// γ = D cos α/d_m, the ratio that governs rolling and curvature.
     pub fn gamma(&self) -> f64 {
         let angle = match self.free_position {

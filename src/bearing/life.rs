@@ -85,7 +85,7 @@ impl RatingLife {
 /// Basic dynamic load ratings Q_ci and Q_ce of one ball at the inner and the outer race, N.
 fn race_ratings(geometry: &Geometry, dynamic_rating: f64) -> [f64; 2] {
     let cosine = geometry.nominal_angle().cos();
-    let gamma = geometry.ball_diameter() * cosine / geometry.pitch_diameter();
+    let gamma = geometry.nominal_gamma();
     let [f_i, f_o] = geometry.groove_factors();
     // g = 1.044 ((1 − γ)/(1 + γ))^1.72 (f_i (2f_o − 1)/(f_o (2f_i − 1)))^0.41
     let g = 1.044

@@ -43,6 +43,7 @@ pub(crate) use contact_band::ContactBand;
 pub(crate) use contact_damping::ContactDamping;
 pub use definition::{Bearing, BearingError};
 pub(crate) use definition::{Facing, Housing, MountedBearing, Preload};
+pub(crate) use estimate::REFERENCE_GROOVES;
 pub use estimate::{Candidate, CatalogueLine, Estimate, EstimateError};
 pub use fit::Fit;
 pub(crate) use fit::FitState;

@@ -27,7 +27,7 @@ pub fn permissible_static_load(contact: &HertzContact) -> f64 {
 }
 
 impl Bearing {
-    /// Basic static radial load rating C_0 from the bearing's own contacts, N.
+    /// Basic static radial load rating C_0 from the bearing's own contacts at the nominal contact angle, N.
     ///
     /// `C_0 = Z Q cos α/5`
     ///
@@ -49,7 +49,7 @@ impl Bearing {
     /// # Errors
     /// [`BearingError::Contact`] where ball and race form no contact.
     pub fn static_rating(&self) -> Result<f64, BearingError> {
-        Ok(static_rating(&self.geometry, &self.contacts()?))
+        Ok(static_rating(&self.geometry, &self.rated_contacts()?))
     }
 
     /// Fatigue load limit C_u, N: the radial load at which the contact pressure of the heaviest loaded ball reaches
@@ -71,11 +71,11 @@ impl Bearing {
     /// # Errors
     /// [`BearingError::Contact`] where ball and race form no contact.
     pub fn fatigue_load_limit(&self) -> Result<f64, BearingError> {
-        Ok(fatigue_load_limit(&self.geometry, &self.contacts()?))
+        Ok(fatigue_load_limit(&self.geometry, &self.rated_contacts()?))
     }
 }
 
-/// As [`Bearing::static_rating`], for contacts that are known already.
+/// As [`Bearing::static_rating`], for [`Bearing::rated_contacts`] that are known already.
 pub(super) fn static_rating(geometry: &Geometry, contacts: &[HertzContact; 2]) -> f64 {
     let load = contacts.each_ref().map(permissible_static_load);
     static_rating_of_loads(geometry.balls(), load, geometry.nominal_angle().cos())
@@ -100,7 +100,7 @@ pub(super) fn static_safety(
     safety.is_finite().then_some(safety)
 }
 
-/// As [`Bearing::fatigue_load_limit`], for contacts that are known already.
+/// As [`Bearing::fatigue_load_limit`], for [`Bearing::rated_contacts`] that are known already.
 pub(super) fn fatigue_load_limit(geometry: &Geometry, contacts: &[HertzContact; 2]) -> f64 {
     // Q_u = Q(4200 MPa) (1500/4200)³
     let share = (1500.0_f64 / 4200.0).powi(3);

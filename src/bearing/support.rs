@@ -34,6 +34,8 @@ pub struct Support {
     pub(super) seat: Seat,
     /// Hertz contacts of the geometry, inner race first.
     pub(super) contacts: [HertzContact; 2],
+    /// The same at the nominal contact angle.
+    pub(super) rated_contacts: [HertzContact; 2],
     /// Coefficients of the damping of the contacts, inner race first, s/m, where there is damping.
     pub(super) damped: Option<[f64; 2]>,
     friction: BearingFriction,
@@ -54,6 +56,7 @@ impl Support {
     /// [`BearingError`] where the contact cannot be formed or the preload cannot be reached.
     pub fn new(definition: &MountedBearing, speed: f64) -> Result<Self, BearingError> {
         let contacts = definition.bearing.contacts()?;
+        let rated_contacts = definition.bearing.rated_contacts()?;
         let (geometry, imperfections) = (&definition.bearing.geometry, &definition.imperfections);
         imperfections.check(geometry)?;
         let law = Law::new(definition, &contacts, speed)?;
@@ -61,7 +64,8 @@ impl Support {
             ring: Ring::new(geometry, definition.first_ball, imperfections),
             contacts,
             damped: definition.contact_damping.coefficients()?,
-            friction: BearingFriction::new(definition, &contacts),
+            friction: BearingFriction::new(definition, &rated_contacts),
+            rated_contacts,
             seat: Seat::new(definition, &law)?,
             law,
             table: None,

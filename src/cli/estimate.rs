@@ -13,7 +13,7 @@ use crate::scenario;
 #[command(
     after_help = "Example:\n  jeffcott estimate --bore 40mm --outside-diameter 80mm --contact-angle 0deg --dynamic 29.1kN \
                   --static 17.9kN\n\n\
-                  Exit code: 0 done, 2 the line is wrong, or belongs to no balls or to several."
+                  Exit code: 0 done, 2 the line is wrong, or belongs to no balls."
 )]
 pub struct Arguments {
     /// Bore
@@ -40,7 +40,7 @@ pub struct Arguments {
     /// Pitch diameter, where it is printed
     #[arg(long, value_name = "LENGTH")]
     pitch_diameter: Option<String>,
-    /// Factor f0, where it is printed
+    /// Factor f0, where it is printed, whole or with one decimal
     #[arg(long, value_name = "NUMBER")]
     f0: Option<String>,
     /// Print as JSON

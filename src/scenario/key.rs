@@ -196,7 +196,19 @@ impl Key {
 
     /// The value that stands at a path of the file that is read, if this key can have it.
     pub fn read(&self, path: &str, problems: &mut Problems<'_>) -> Option<Value> {
-        reader::value(problems.node(path)?, self.schema, path, problems)
+        let value = reader::value(problems.node(path)?, self.schema, path, problems)?;
+        let own = self.own(value, path);
+        own.map_err(|issue| problems.add(issue)).ok()
+    }
+
+    /// The value, unless it is a quantity of another dimension that the key may have, too: such numbers cannot be counted up.
+    fn own(&self, value: Value, name: &str) -> Result<Value, Issue> {
+        let (Some(dimension), None) = (self.dimension(), self.parsed(&value)) else {
+            return Ok(value);
+        };
+        let message = format!("only values of {} vary here, not {value}", dimension.name());
+        let units = dimension.symbols().join(", ");
+        Err(Issue::new(name, message).help(format!("its units: {units}")))
     }
 
     /// The value that somebody types, without quotes; `name` is what messages call it.
@@ -220,7 +232,9 @@ impl Key {
         let mut problems = Problems::new(&node, "".as_ref());
         let value = reader::value(&node, self.schema, name, &mut problems);
         let issue = problems.issues.into_iter().next();
-        value.ok_or_else(|| issue.unwrap_or_else(|| Issue::new(name, "it cannot be read")))
+        let value =
+            value.ok_or_else(|| issue.unwrap_or_else(|| Issue::new(name, "it cannot be read")));
+        self.own(value?, name)
     }
 
     /// The words that it can be; none of a number.

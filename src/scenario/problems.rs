@@ -59,11 +59,12 @@ impl<'a> Problems<'a> {
 
     /// Whether a key, or a table that it stands in, has a problem already.
     pub fn distrusts(&self, path: &str) -> bool {
-        let holds = |faulty: &String| {
-            path.strip_prefix(faulty.as_str())
-                .is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
-        };
-        self.faulty.iter().any(holds)
+        self.faulty.iter().any(|faulty| holds(faulty, path))
+    }
+
+    /// Whether a key, a table that it stands in, or one that stands in it has a problem already.
+    pub fn doubts(&self, path: &str) -> bool {
+        self.distrusts(path) || self.faulty.iter().any(|faulty| holds(path, faulty))
     }
 
     /// Checks a table inside of the present one: there a path that begins with a point is one of its keys.
@@ -118,7 +119,7 @@ impl<'a> Problems<'a> {
         let paths = std::iter::once(&mut issue.path);
         for path in paths.chain(issue.related.iter_mut().map(|(path, _)| path)) {
             *path = self.path(path);
-            if self.distrusts(path) {
+            if self.doubts(path) {
                 return;
             }
         }
@@ -150,6 +151,12 @@ impl<'a> Problems<'a> {
             self.warnings.push(warning);
         }
     }
+}
+
+/// Whether a path is that of a table or list, or one inside of it.
+fn holds(table: &str, path: &str) -> bool {
+    let rest = path.strip_prefix(table).filter(|_| !table.is_empty());
+    rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
 }
 
 /// A problem of a scenario file, or of a value on the command line; it is shown in one line with what to do about it.

@@ -1,8 +1,8 @@
 //! Checks the tree against the schema, finding every problem in one pass.
 //!
 //! What passes is a JSON value that the structs of [`super::input`] deserialise from without
-//! error. A required value that is wrong is replaced by its example, so that the checks that
-//! follow can go on; [`Problems`] keeps them from speaking about it.
+//! error. A value that is wrong, or whose key is misspelled, is replaced by an example, so that the
+//! checks that follow find a complete table; [`Problems`] keeps them from speaking about it.
 
 use std::collections::HashSet;
 
@@ -93,7 +93,7 @@ impl Reader<'_, '_> {
                 self.in_range(whole?.into())
             }
             (expected, content) => {
-                let issue = wrong_type(expected, content, self.path);
+                let issue = wrong_type(expected, content, self.schema, self.path);
                 self.problems.add(issue.at(Some(node.span.clone())));
                 None
             }
@@ -195,11 +195,17 @@ impl Reader<'_, '_> {
             match properties.get(&entry.key) {
                 Some(property) => {
                     let inner = join(self.path, &entry.key);
-                    if let Some(value) = value(&entry.node, property, &inner, self.problems) {
+                    let read = value(&entry.node, property, &inner, self.problems);
+                    if let Some(value) = read.or_else(|| stand_in(property)) {
                         values.insert(entry.key.clone(), value);
                     }
                 }
-                None => self.unknown_key(entry, &given, properties),
+                None => {
+                    let meant = self.unknown_key(entry, &given, properties);
+                    let stand_in =
+                        meant.and_then(|key| stand_in(&properties[key]).map(|it| (key, it)));
+                    values.extend(stand_in.map(|(key, value)| (key.to_owned(), value)));
+                }
             }
         }
         for (extension, one_is_due) in [("x-at-most-one", false), ("x-exactly-one", true)] {
@@ -247,7 +253,13 @@ impl Reader<'_, '_> {
         complete
     }
 
-    fn unknown_key(&mut self, entry: &Entry, given: &HashSet<&str>, known: &Map<String, Value>) {
+    /// Refuses a key that the table does not have; the key that was meant, where one is near.
+    fn unknown_key<'k>(
+        &mut self,
+        entry: &Entry,
+        given: &HashSet<&str>,
+        known: &'k Map<String, Value>,
+    ) -> Option<&'k str> {
         let key = &entry.key;
         let message = format!("{} has no key `{key}`", self.table_name());
         let known = known.keys().map(String::as_str);
@@ -255,6 +267,7 @@ impl Reader<'_, '_> {
         // a key nearest to one that stands here already is no misspelling of another
         let free = nearest(key, known.clone()).filter(|known| !given.contains(known));
         let gone = GONE.iter().find(|(gone, _)| gone == key);
+        let free = free.filter(|_| gone.is_none());
         let help = match (gone, free) {
             (Some((_, help)), _) => (*help).to_owned(),
             (None, Some(known)) => {
@@ -265,6 +278,7 @@ impl Reader<'_, '_> {
         };
         let issue = Issue::new(join(self.path, key), message).help(help);
         self.problems.add(issue.at(Some(entry.key_span.clone())));
+        free
     }
 
     /// Refuses several keys of a group of which a table may have one only, or none where one is due.
@@ -306,7 +320,7 @@ fn is_whole(number: &Number) -> bool {
     number.is_i64() || number.as_f64().is_some_and(whole)
 }
 
-fn wrong_type(expected: &str, content: &Content, path: &str) -> Issue {
+fn wrong_type(expected: &str, content: &Content, schema: &Value, path: &str) -> Issue {
     let key = last(path);
     if key.is_empty() {
         let message = format!("a scenario is a table, not {}", content.kind());
@@ -322,8 +336,8 @@ fn wrong_type(expected: &str, content: &Content, path: &str) -> Issue {
         ("array", _) => ("a list", None),
         ("boolean", _) => ("true or false", None),
         ("integer", _) => ("a whole number", None),
-        ("number", Content::Plain(Value::String(_))) => {
-            ("a number", Some("write it without quotes".to_owned()))
+        ("number", Content::Plain(Value::String(text))) => {
+            ("a number", Some(plain_number(key, text, schema)))
         }
         ("number", _) => ("a number", None),
         _ => ("a string", Some("write it in quotes".to_owned())),
@@ -333,6 +347,16 @@ fn wrong_type(expected: &str, content: &Content, path: &str) -> Issue {
     let mut issue = Issue::new(path, format!("`{key}` must be {due}, not {given}"));
     issue.help = help;
     issue
+}
+
+/// How to write the number that a text ends with, as "VG 68" does; a number with a unit after it may mean another one.
+fn plain_number(key: &str, text: &str, schema: &Value) -> String {
+    let number = text.trim_start_matches(|c: char| c.is_alphabetic() || c.is_whitespace());
+    let number = number.trim_end().parse::<f64>().ok();
+    match number.filter(|number| Range::of(schema).contains(*number)) {
+        Some(number) => format!("write it without quotes: {key} = {number}"),
+        None => "write a plain number, without quotes and unit".to_owned(),
+    }
 }
 
 /// Limits of a number.
@@ -363,6 +387,16 @@ impl Range {
         self.minimum.is_none_or(|minimum| number >= minimum)
             && self.above.is_none_or(|above| number > above)
             && self.maximum.is_none_or(|maximum| number <= maximum)
+    }
+
+    /// A number inside.
+    fn inside(&self) -> f64 {
+        match (self.minimum, self.above, self.maximum) {
+            (Some(minimum), ..) => minimum,
+            (None, Some(above), Some(maximum)) => 0.5 * (above + maximum),
+            (None, Some(above), None) => above + 1.0,
+            (None, None, maximum) => maximum.unwrap_or(1.0),
+        }
     }
 
     /// The range in words, each limit converted for the reader.
@@ -398,9 +432,20 @@ fn check(text: &str, schema: &Value, path: &str) -> Result<(), Issue> {
     };
     let (key, text) = (last(path), text.trim());
     let symbols = dimension.symbols();
-    let units = format!("units of {}: {}", dimension.name(), symbols.join(", "));
+    let other = schema["x-or-dimension"].as_str().and_then(Dimension::named);
+    let units = |dimension: Dimension| {
+        format!(
+            "units of {}: {}",
+            dimension.name(),
+            dimension.symbols().join(", ")
+        )
+    };
+    let units = other.map_or(units(dimension), |other| {
+        format!("{}; {}", units(dimension), units(other))
+    });
     let refuse = |message: String| Issue::new(path, format!("`{key}`{message}"));
-    let parsed = match parse(text, dimension) {
+    let parse_other = |error| other.and_then(|other| parse(text, other).ok()).ok_or(error);
+    let parsed = match parse(text, dimension).or_else(parse_other) {
         Ok(parsed) => parsed,
         Err(QuantityError::NoUnit) => return Err(needs_unit(schema, path).help(units)),
         Err(QuantityError::NoNumber) => {
@@ -462,6 +507,19 @@ fn missing_key(inner: &str, table: &str, schema: &Value) -> Issue {
 fn example(schema: &Value) -> Option<Value> {
     let shown = schema["examples"].get(0).cloned();
     shown.or_else(|| choices(schema).first().map(|word| Value::from(*word)))
+}
+
+/// What stands for a wrong value of a key that has no default: an example, or a number in its range.
+fn stand_in(schema: &Value) -> Option<Value> {
+    if !schema["default"].is_null() {
+        return None;
+    }
+    let number = || match schema["type"].as_str()? {
+        "number" => Some(Range::of(schema).inside().into()),
+        "integer" => Some((Range::of(schema).inside().ceil() as i64).into()),
+        _ => None,
+    };
+    example(schema).or_else(number)
 }
 
 /// Keys in quotes, joined.

@@ -66,7 +66,15 @@ fn the_estimate_of_a_line_has_the_ratings_beside_the_geometry() {
             .as_array()
             .is_some_and(|names| names.len() == 5)
     );
-    assert_eq!(found["runner_up"]["balls"], 8);
+    assert_eq!(found["runner_up"]["balls"], 10);
+    let note = found["notes"][0].as_str().unwrap();
+    assert!(note.contains("10 balls of 11.112 mm"), "{note}");
+    let settled = jeffcott_in(
+        root(),
+        &[&LINE[..], &["--f0", "14", "--balls", "9", "--json"]].concat(),
+    );
+    let settled: Value = serde_json::from_slice(&settled.stdout).unwrap();
+    assert_eq!(settled["notes"].as_array().map(Vec::len), Some(0));
     let refused = jeffcott_in(root(), &[&LINE[..9], &["--static", "3 kN"]].concat());
     assert_eq!(refused.status.code(), Some(2));
     assert!(text(&refused.stderr).contains("give `balls` and `ball_diameter`"));

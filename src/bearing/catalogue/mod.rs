@@ -1,6 +1,7 @@
 //! Bearings by their designation: what catalogues print, and what is known of their inside.
 
 mod file;
+mod kind;
 
 pub(crate) use file::read;
 
@@ -54,36 +55,48 @@ pub(crate) struct Found<'a> {
     pub class: Option<ClearanceClass>,
 }
 
-/// Suffixes that change neither balls nor races: seals and shields, cages, tolerances, snap rings, greases. Longer ones
-/// before those that they begin with.
-const SUFFIXES: &str = "2RS1 2RSR 2RSH 2RSL 2RZ 2RS 2ZR 2Z RS1 RSR RSH RSL RS RZ ZZ ZR ZNR Z DDU DD DU VV LLU LLB LLH LU LB EE TN9 TNH TVH TVP TYN TN JN J MA M NR N P6 P5 P4 P2 P0";
+/// Suffixes that change neither balls nor races: seals and shields, cages, tolerances, snap rings, greases, quality of
+/// electric motors, and names of makers.
+const SUFFIXES: &str = "2RS1 2RS2 2RSR 2RSH 2RSL 2RSD 2RS 2HRS 2BRS 2RZ 2RU 2RD 2RK 2ZR 2Z RS1 RS2 RSR RSH RSL RS HRS RZ RU RD ZZ ZR ZNR Z DDU DDW DD DU VV \
+    LLU LLB LLH LLC LU LB EE TN9 TNH TVH TVP TYN TN JEM JN J MA M EM QE6 NR N P6 P5 P4 P2 P0 GJN WT HT MT33 MT47 LHT23 5K 2AS";
 
-/// Capital letters without blanks.
+/// Makers whose names stand before or behind designations.
+const MAKERS: &str =
+    "SKF FAG INA NSK NTN SNR KOYO JTEKT NACHI TIMKEN MRC RHP NKE ZVL ZKL FKL FYH ORS GMN KBC URB";
+
+/// Capital letters without blanks, and without the name of a maker before them.
 fn normal(designation: &str) -> String {
     let letters = designation.chars().filter(|c| !c.is_whitespace());
-    letters.collect::<String>().to_uppercase()
+    let normal = letters.collect::<String>().to_uppercase();
+    let mut makers = MAKERS.split_whitespace();
+    let named = makers.find_map(|maker| normal.strip_prefix(maker));
+    let number = named.map(|rest| rest.trim_start_matches(['-', '_']));
+    let number = number.filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
+    number.map(str::to_owned).unwrap_or(normal)
 }
 
 /// The class that suffixes name, or the part of them that is not known.
 fn suffixes(mut rest: &str) -> Result<Option<ClearanceClass>, &str> {
     let mut class = None;
     loop {
-        rest = rest.trim_start_matches(['-', '/', '.', ',']);
+        rest = rest.trim_start_matches(['-', '/', '.', ',', '_', '(', ')']);
         if rest.is_empty() {
             return Ok(class);
         }
         let named = ClearanceClass::ALL
             .into_iter()
             .find(|class| rest.starts_with(class.name()));
-        let known = || SUFFIXES.split(' ').find(|known| rest.starts_with(known));
-        let suffix = named.map(ClearanceClass::name).or_else(known).ok_or(rest)?;
+        let known = SUFFIXES.split_whitespace().chain(MAKERS.split_whitespace());
+        let known = known.filter(|known| rest.starts_with(known));
+        let longest = known.max_by_key(|known| known.len());
+        let suffix = named.map(ClearanceClass::name).or(longest).ok_or(rest)?;
         class = named.or(class);
         rest = &rest[suffix.len()..];
     }
 }
 
-/// The bearing of a designation; letter case and blanks do not matter, and suffixes of seals, cages and tolerances
-/// change nothing.
+/// The bearing of a designation; letter case, blanks and the maker's name do not matter, and suffixes of seals, cages and
+/// tolerances change nothing.
 ///
 /// # Errors
 /// [`UnknownBearing`] says what comes near.
@@ -99,7 +112,8 @@ pub(crate) fn look_up<'a>(
         let Some(rest) = wanted.strip_prefix(&base) else {
             continue;
         };
-        if rest.starts_with(|c: char| c.is_ascii_digit()) || base.is_empty() {
+        let is_number = rest.starts_with(|c: char| c.is_ascii_digit());
+        if base.is_empty() || is_number && suffixes(rest).is_err() {
             continue;
         }
         let longer = |entry: &CatalogueEntry| base.len() > normal(&entry.designation).len();
@@ -138,19 +152,38 @@ impl UnknownBearing {
         designation: &str,
         odd: Option<(&CatalogueEntry, &str)>,
     ) -> Self {
-        let digits = |text: &str| text.replace(|c: char| !c.is_ascii_digit(), "");
-        let number = digits(designation);
-        let same =
-            |entry: &&CatalogueEntry| !number.is_empty() && number == digits(&entry.designation);
-        let help = match (odd, all(file).find(same)) {
-            (Some((entry, part)), _) => format!(
+        let wanted = normal(designation);
+        let number = |text: &str| {
+            let digits = text.trim_start_matches(|c: char| !c.is_ascii_digit());
+            let end = digits.find(|c: char| !c.is_ascii_digit());
+            digits[..end.unwrap_or(digits.len())].to_owned()
+        };
+        let wanted_number = number(&wanted);
+        let same = |entry: &&CatalogueEntry| wanted_number == number(&entry.designation);
+        let same = all(file).find(same).filter(|_| !wanted_number.is_empty());
+        let kind = kind::not_modelled(&wanted).filter(|_| odd.is_none());
+        let angles = kind::contact_angle(&wanted).zip(same);
+        let angles = angles.map(|(angle, entry)| (angle, entry.line.contact_angle.to_degrees()));
+        let angles = angles.filter(|(angle, own)| (angle - own).abs() > 0.5);
+        let help = match (kind, angles, odd, same) {
+            (Some(kind), ..) => format!(
+                "it is {kind}; jeffcott models deep groove and angular contact ball bearings with one row only so far"
+            ),
+            (_, Some((angle, own)), _, Some(entry)) => format!(
+                "its suffix stands for a contact angle of {angle}°, and \"{}\", of {own:.0}°, is another bearing: give the \
+                 line of its maker's catalogue in [bearing.ratings] with contact_angle = \"{angle} deg\", or its inside in \
+                 [bearing.geometry]",
+                entry.designation
+            ),
+            (_, _, Some((entry, part)), _) => format!(
                 "the suffix \"{part}\" is not known; if it changes neither balls nor races, write \"{}\", else give \
                  [bearing.ratings] with the line of its maker's catalogue",
                 entry.designation
             ),
-            (None, Some(entry)) => format!("did you mean \"{}\"?", entry.designation),
-            (None, None) => format!(
-                "there are {}; any other bearing is found from its catalogue line in [bearing.ratings]",
+            (_, _, None, Some(entry)) => format!("did you mean \"{}\"?", entry.designation),
+            (_, _, None, None) => format!(
+                "there are {}; any other ball bearing with one row of balls is found from its catalogue line in \
+                 [bearing.ratings]",
                 series(file)
             ),
         };
@@ -250,6 +283,14 @@ mod tests {
             ("6306DDUC3", "6306", Some(ClearanceClass::C3)),
             ("7205 c", "7205C", None),
             ("7205C-P4", "7205C", None),
+            ("6205-2RS JEM", "6205", None),
+            ("SKF 6205-2RSH", "6205", None),
+            ("6205-2rs jem skf", "6205", None),
+            ("nsk 6205dduc3", "6205", Some(ClearanceClass::C3)),
+            ("6205 LLU/5K", "6205", None),
+            ("6205-ZZ", "6205", None),
+            ("6205 2RS1", "6205", None),
+            ("6205.2ZR.C4", "6205", Some(ClearanceClass::C4)),
         ] {
             let found = look_up(&[], text).expect(text);
             assert_eq!(
@@ -266,6 +307,52 @@ mod tests {
         assert!(help("6205C").contains("the suffix \"C\" is not known"));
         assert!(help("6299").contains("6200 to 6220"), "{}", help("6299"));
         assert!(!help("62089").contains("did you mean"));
+    }
+
+    #[test]
+    fn other_kinds_of_bearing_are_named() {
+        let help = |text| look_up(&[], text).expect_err(text).help;
+        for (kind, designations) in [
+            (
+                "a cylindrical roller",
+                "NU206,NJ 206 ECP,N206,NUP2206,nu 206",
+            ),
+            ("a tapered roller", "32008 X,30205,33205"),
+            ("a spherical roller", "22208 E,22312,23024 CC/W33"),
+            ("a needle roller", "RNA4905,HK1612,K 12x15x10,NA4905"),
+            ("a self-aligning ball", "1205 ETN9,2205-2RS1,1306 K"),
+            (
+                "an angular contact ball bearing with two rows",
+                "3205 A-2Z,5206",
+            ),
+            ("a thrust ball bearing", "51105,51105 J"),
+            ("a toroidal roller", "C 2205"),
+        ] {
+            for designation in designations.split(',') {
+                let help = help(designation);
+                assert!(
+                    help.starts_with(&format!("it is {kind}")),
+                    "{designation}: {help}"
+                );
+                assert!(!help.contains("catalogue line"), "{designation}: {help}");
+            }
+        }
+        for (designation, angle) in [
+            ("7205B", 40),
+            ("7205 AC", 25),
+            ("7205BECBP", 40),
+            ("7205ACD/P4A", 25),
+        ] {
+            let help = help(designation);
+            assert!(
+                help.contains(&format!("contact_angle = \"{angle} deg\"")),
+                "{help}"
+            );
+            assert!(
+                help.contains("7205C") && !help.contains("did you mean"),
+                "{help}"
+            );
+        }
     }
 
     #[test]

@@ -1,16 +1,27 @@
 //! What is checked of a catalogue line, and of the balls found for it.
 
-use super::{CatalogueLine, Estimate, EstimateError};
+use super::search::{BY_ISO, FACTOR_TOLERANCE};
+use super::{Candidate, CatalogueLine, Estimate, EstimateError};
 use crate::bearing::{Geometry, GeometryError};
 
-/// A runner-up whose deviation is larger by less than this is worth a note.
-const CLOSE: f64 = 0.02;
+/// Balls whose deviation is larger by less than this are named beside those that are taken: makers' C_0 lie up to 3 %
+/// from that of their balls.
+const CLOSE: f64 = 0.03;
 
-/// Largest difference from a printed f0.
-pub(super) const FACTOR_TOLERANCE: f64 = 0.2;
+/// The same where a C of ISO 281, and an f0 that is met to [`MET`], speak for the balls as well.
+const CLOSE_TO_SETTLED: f64 = 0.01;
+
+/// Difference of f0 from its print by the rounding of both ratings.
+const MET: f64 = 0.1;
+
+/// Most other balls that are named.
+const MOST_NAMED: usize = 3;
 
 /// Filling angle (Z − 1)·2 asin(D/d_m) of deep-groove bearings as they are made, degrees.
 const FILLING_ANGLE: [f64; 2] = [180.0, 202.0];
+
+/// Largest ball of bearings as they are made, over the height of the section: both rings need their share under the grooves.
+const USUAL_BALL: f64 = 0.65;
 
 impl CatalogueLine {
     pub(super) fn check(&self) -> Result<(), EstimateError> {
@@ -40,7 +51,12 @@ impl CatalogueLine {
         Ok(())
     }
 
-    pub(super) fn notes(&self, estimate: &Estimate, deviation: f64) -> Vec<String> {
+    pub(super) fn notes(
+        &self,
+        estimate: &Estimate,
+        deviation: f64,
+        others: &[Candidate],
+    ) -> Vec<String> {
         let mut notes = Vec::new();
         let mut off = |name: &str, found: f64, printed: f64, tolerance: f64| {
             let difference = found / printed - 1.0;
@@ -52,34 +68,66 @@ impl CatalogueLine {
             }
         };
         let internal = &estimate.internal;
-        off("C", internal.dynamic_rating, self.dynamic_rating, 0.01);
+        if !self.is_rated_usually(internal.dynamic_rating) {
+            off("C", internal.dynamic_rating, self.dynamic_rating, 0.0);
+        }
         if let Some(printed) = self.static_rating {
             off("C0", internal.static_rating, printed, 0.02);
         }
-        if let Some(other) = &estimate.runner_up
-            && other.deviation - deviation < CLOSE
-            && self.agrees(other)
-        {
+        let dynamic = internal.dynamic_rating / self.dynamic_rating - 1.0;
+        let factors = estimate.static_factor.zip(self.static_factor);
+        let is_met = factors.is_some_and(|(found, printed)| (found - printed).abs() <= MET);
+        let is_settled = is_met && dynamic.abs() <= BY_ISO;
+        let close = if is_settled { CLOSE_TO_SETTLED } else { CLOSE };
+        let fits = |other: &&Candidate| {
+            other.deviation - deviation < close && self.fits(other) && self.agrees(other)
+        };
+        let named = others.iter().filter(fits).take(MOST_NAMED);
+        let named: Vec<_> = named.map(Candidate::to_string).collect();
+        if !named.is_empty() {
             notes.push(format!(
-                "close to it are {other}: give `balls` where you know them"
+                "the ratings fit {} nearly as well: give `balls`, `ball_diameter` or `f0` where you know them",
+                named.join(" and ")
             ));
         }
-        if let (Some(found), Some(printed)) = (estimate.static_factor, self.static_factor)
-            && (found - printed).abs() > FACTOR_TOLERANCE
+        let (balls, ball_diameter) = (internal.balls, internal.ball_diameter);
+        let excess = self.factor_excess(balls, ball_diameter);
+        if let Some((found, printed)) = factors
+            && excess.is_some_and(|excess| excess > FACTOR_TOLERANCE)
         {
             notes.push(format!(
                 "f0 of these balls is {found:.2}, printed is {printed}"
             ));
         }
-        let [least, largest] = FILLING_ANGLE;
-        let angle = estimate.filling_angle;
-        if self.contact_angle == 0.0 && !(least - 0.5..largest + 0.5).contains(&angle) {
+        if self.contact_angle == 0.0
+            && !is_usual_filling(balls, ball_diameter, internal.pitch_diameter)
+        {
+            let ([least, largest], angle) = (FILLING_ANGLE, estimate.filling_angle);
             notes.push(format!(
                 "the filling angle is {angle:.0}°, that of deep-groove bearings {least:.0}° to {largest:.0}°"
             ));
         }
+        if !is_usual_size(ball_diameter, self.section()) {
+            notes.push(format!(
+                "balls of {:.3} mm leave little of rings whose section is {:.2} mm high: usual are balls of at most {:.0} % of it",
+                1e3 * ball_diameter,
+                1e3 * self.section(),
+                1e2 * USUAL_BALL
+            ));
+        }
         notes
     }
+}
+
+/// Whether the balls of a deep-groove bearing can be filled in, and fill it.
+pub(super) fn is_usual_filling(balls: usize, ball_diameter: f64, pitch: f64) -> bool {
+    let [least, largest] = FILLING_ANGLE;
+    (least - 0.5..largest + 0.5).contains(&filling_angle(balls, ball_diameter, pitch))
+}
+
+/// Whether balls are as small as those of bearings as they are made.
+pub(super) fn is_usual_size(ball_diameter: f64, section: f64) -> bool {
+    ball_diameter <= USUAL_BALL * section
 }
 
 pub(super) fn filling_angle(balls: usize, ball_diameter: f64, pitch: f64) -> f64 {

@@ -29,8 +29,8 @@ pub enum EstimateError {
     NoStaticRating,
     /// No balls have these ratings.
     #[error(
-        "no balls of a bearing of this size have the ratings C = {dynamic} N and C0 = {statical} N{}; check the line, or give \
-         `balls` and `ball_diameter`: makers that rate their bearings above ISO 281 print a larger C",
+        "no balls of a bearing of this size have the ratings C0 = {statical} N and, 2 % below to 10 % above ISO 281, \
+         C = {dynamic} N{}; check the line, or give `balls` and `ball_diameter`",
         closest.map_or(String::new(), |closest| format!(": closest are {closest}"))
     )]
     Impossible {
@@ -52,17 +52,6 @@ pub enum EstimateError {
         found: f64,
         /// f0 as printed.
         printed: f64,
-    },
-    /// Two sets of balls have these ratings.
-    #[error(
-        "the ratings fit {best} and {other} alike; give `balls`, `ball_diameter` or `f0`, which the catalogue may \
-         print beside them"
-    )]
-    Ambiguous {
-        /// The closest balls.
-        best: Candidate,
-        /// Those that cannot be told apart from them.
-        other: Candidate,
     },
     /// No groove gives the static rating.
     #[error(

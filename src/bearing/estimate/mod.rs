@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use super::{FreePosition, Geometry, GeometryError, InternalGeometry};
 use checks::filling_angle;
-use rating::REFERENCE_GROOVES;
+pub(crate) use rating::REFERENCE_GROOVES;
 
 /// What a catalogue prints of a bearing; the internal dimensions where they are known.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -52,7 +52,7 @@ pub struct Candidate {
     /// C_0 by the contact pressure of ISO 76, N.
     #[serde(rename = "static_rating_N")]
     pub static_rating: f64,
-    /// |C/C_printed − 1| + |C0/C0_printed − 1|.
+    /// How far they are from the print, by the rules of [`CatalogueLine::estimate`].
     pub deviation: f64,
 }
 
@@ -93,10 +93,14 @@ pub struct Estimate {
 impl CatalogueLine {
     /// Finds balls, ball diameter, pitch diameter and grooves as far as the line does not give them.
     ///
-    /// The pitch diameter is (d + D_o)/2, ball diameters are steps of 1/32 in with 15/64 and 17/64 in, and the
-    /// balls are those with the least |C/C_printed − 1| + |C0/C0_printed − 1|: C by [`crate::physics::dynamic_rating`], C_0 by the
-    /// contact pressure of ISO 76 in grooves of 0.52 and 0.53; balls whose f0 differs by more than 0.2 from a printed one
-    /// are passed over. Of balls that are given in number and diameter both grooves follow from C_0.
+    /// The pitch diameter is (d + D_o)/2, ball diameters are steps of 1/32 in with 15/64 and 17/64 in, or of 0.5 mm where
+    /// none of those fits to 3 %. C_0 decides, by the contact pressure of ISO 76 in grooves of 0.52 and 0.53, and f0 where it
+    /// is printed, with its rounding (0.5 of a whole one, else 0.05): C_0 lies within 4 % and f0 within 0.2. C counts
+    /// where it is that of [`crate::physics::dynamic_rating`] to 1 %; makers print 0.98 to 1.10 times that, and within these
+    /// limits any other C is 1 % off. The least deviation |C0/C0_printed − 1| + |C/C_printed − 1| + |f0 − f0_printed|/f0_printed
+    /// is taken; deep-groove bearings with a filling angle outside 180° to 202°, and balls larger than 0.65 of the section,
+    /// have 5 % on top. Other balls that deviate by at most 3 % more (1 % where C is that of ISO 281 and f0 is met to 0.1) are
+    /// named in the notes. Of balls that are given in number and diameter both grooves follow from C_0.
     ///
     /// Real pitch diameters are up to 1.4 % larger, and makers differ: an estimate.
     ///
@@ -117,8 +121,8 @@ impl CatalogueLine {
         let pitch = self
             .pitch_diameter
             .unwrap_or(0.5 * (self.bore + self.outside_diameter));
-        let (best, runner_up) = match (self.balls, self.ball_diameter) {
-            (Some(balls), Some(diameter)) => (self.candidate(balls, diameter, pitch), None),
+        let (best, others) = match (self.balls, self.ball_diameter) {
+            (Some(balls), Some(diameter)) => (self.candidate(balls, diameter, pitch), Vec::new()),
             _ => self.search(pitch)?,
         };
         let grooves = match (self.groove_factors, self.balls, self.ball_diameter) {
@@ -153,13 +157,13 @@ impl CatalogueLine {
             static_factor: self.static_factor_of(best.balls, best.ball_diameter),
             filling_angle: filling_angle(best.balls, best.ball_diameter, pitch),
             estimated: estimated.map(|(name, _)| name).collect(),
-            runner_up,
+            runner_up: others.first().copied(),
             notes: Vec::new(),
         };
         // refuses balls that overlap and the like
         estimate.geometry(FreePosition::ContactAngle(self.contact_angle))?;
         if estimate.is_estimated() {
-            estimate.notes = self.notes(&estimate, best.deviation);
+            estimate.notes = self.notes(&estimate, best.deviation, &others);
         }
         Ok(estimate)
     }

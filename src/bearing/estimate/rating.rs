@@ -7,7 +7,7 @@ use crate::physics::{
 };
 
 /// Reference grooves of ISO/TS 16281, inner race first: taken where the groove is not known.
-pub(super) const REFERENCE_GROOVES: [f64; 2] = [0.52, 0.53];
+pub(crate) const REFERENCE_GROOVES: [f64; 2] = [0.52, 0.53];
 
 /// Range in which the groove factor of both races is looked for.
 pub(super) const GROOVES: [f64; 2] = [0.502, 0.6];

@@ -1,6 +1,6 @@
 //! The balls whose ratings come closest to the printed ones.
 
-use super::checks::FACTOR_TOLERANCE;
+use super::checks::{is_usual_filling, is_usual_size};
 use super::rating::REFERENCE_GROOVES;
 use super::{Candidate, CatalogueLine, EstimateError};
 use crate::bearing::Geometry;
@@ -9,68 +9,112 @@ use crate::physics::dynamic_rating;
 /// Largest ball over the height of the section (D_o − d)/2.
 const LARGEST_BALL: f64 = 0.8;
 
-/// Largest deviation of a candidate, |C/C_printed − 1| + |C0/C0_printed − 1|, that is taken for the bearing.
-const LARGEST_DEVIATION: f64 = 0.04;
+/// C as makers print it over C by ISO 281: some rate their newer bearings higher.
+const DYNAMIC_RATIO: [f64; 2] = [0.98, 1.10];
 
-/// Two candidates whose deviations differ by less cannot be told apart.
-const AMBIGUOUS: f64 = 0.005;
+/// A C within this of ISO 281 speaks for the balls; any other within [`DYNAMIC_RATIO`] only says that its maker rates higher.
+pub(super) const BY_ISO: f64 = 0.01;
+
+/// Largest deviation of C_0 of balls that are taken for those of the bearing.
+const LARGEST_STATIC: f64 = 0.04;
+
+/// Largest difference from a printed f0 beyond its rounding.
+pub(super) const FACTOR_TOLERANCE: f64 = 0.2;
+
+/// What balls too large or too many or too few for bearings as they are made have on top of their deviation.
+const UNUSUAL: f64 = 0.05;
+
+/// Balls in inches that deviate by more may be metric ones.
+const POOR: f64 = 0.03;
 
 impl CatalogueLine {
-    /// The balls that fit best, and those that fit next to them.
-    pub(super) fn search(
-        &self,
-        pitch: f64,
-    ) -> Result<(Candidate, Option<Candidate>), EstimateError> {
+    /// The balls that fit best, and all others that were looked at, the nearest first.
+    pub(super) fn search(&self, pitch: f64) -> Result<(Candidate, Vec<Candidate>), EstimateError> {
         let statical = self.static_rating.ok_or(EstimateError::NoStaticRating)?;
-        let largest = LARGEST_BALL * 0.5 * (self.outside_diameter - self.bore);
-        let mut best: Vec<Candidate> = Vec::new();
-        let sizes = || ball_sizes().filter(|size| *size <= largest).collect();
+        let agreeing = |found: &Vec<Candidate>| {
+            let mut places = 0..found.len();
+            places.find(|place| self.fits(&found[*place]) && self.agrees(&found[*place]))
+        };
+        let mut found = self.candidates(inch_sizes(), pitch);
+        let is_poor = |place: Option<usize>, found: &[Candidate]| {
+            place.is_none_or(|place| found[place].deviation > POOR)
+        };
+        if is_poor(agreeing(&found), &found) && self.ball_diameter.is_none() {
+            found = self.candidates(inch_sizes().chain(metric_sizes()), pitch);
+        }
+        if let Some(place) = agreeing(&found) {
+            return Ok((found.remove(place), found));
+        }
+        let closest = found.first().copied();
+        let factor = found.iter().find(|found| self.fits(found));
+        Err(match (factor, self.static_factor) {
+            (Some(closest), Some(printed)) => EstimateError::Factor {
+                closest: *closest,
+                found: self
+                    .static_factor_of(closest.balls, closest.ball_diameter)
+                    .unwrap_or(f64::NAN),
+                printed,
+            },
+            _ => EstimateError::Impossible {
+                dynamic: self.dynamic_rating,
+                statical,
+                closest,
+            },
+        })
+    }
+
+    /// Balls of given sizes, the nearest first.
+    fn candidates(&self, sizes: impl Iterator<Item = f64>, pitch: f64) -> Vec<Candidate> {
+        let largest = LARGEST_BALL * self.section();
+        let sizes = || sizes.filter(|size| *size <= largest).collect();
         let diameters: Vec<f64> = self.ball_diameter.map_or_else(sizes, |given| vec![given]);
+        let mut found: Vec<Candidate> = Vec::new();
         for diameter in diameters {
             let most = Geometry::most_balls(diameter, pitch);
             let numbers = self.balls.map_or(Geometry::FEWEST_BALLS..=most, |n| n..=n);
             for balls in numbers.filter(|balls| *balls <= most.min(Geometry::MOST_BALLS)) {
                 let rating = dynamic_rating(balls, diameter, pitch, self.contact_angle);
                 // the contacts of balls that are far off are not worth their time
-                if (rating / self.dynamic_rating - 1.0).abs() > 0.25 {
-                    continue;
+                if (rating / self.dynamic_rating - 1.0).abs() <= 0.25 {
+                    found.push(self.candidate(balls, diameter, pitch));
                 }
-                best.push(self.candidate(balls, diameter, pitch));
             }
         }
-        best.sort_by(|a, b| a.deviation.total_cmp(&b.deviation));
-        let fits = |candidate: &Candidate| candidate.deviation <= LARGEST_DEVIATION;
-        let mut agreeing = best.iter().copied().filter(|balls| self.agrees(balls));
-        match (agreeing.next().filter(fits), agreeing.next()) {
-            (Some(best), Some(other)) if other.deviation - best.deviation < AMBIGUOUS => {
-                Err(EstimateError::Ambiguous { best, other })
-            }
-            (Some(first), _) => Ok((first, best.iter().copied().find(|other| *other != first))),
-            (None, _) => Err(
-                match (best.first().copied().filter(fits), self.static_factor) {
-                    (Some(closest), Some(printed)) => {
-                        let found = self.static_factor_of(closest.balls, closest.ball_diameter);
-                        EstimateError::Factor {
-                            closest,
-                            found: found.unwrap_or(f64::NAN),
-                            printed,
-                        }
-                    }
-                    _ => EstimateError::Impossible {
-                        dynamic: self.dynamic_rating,
-                        statical,
-                        closest: best.first().copied(),
-                    },
-                },
-            ),
-        }
+        found.sort_by(|a, b| a.deviation.total_cmp(&b.deviation));
+        found
+    }
+
+    /// Height of the section, (D_o − d)/2, m.
+    pub(super) fn section(&self) -> f64 {
+        0.5 * (self.outside_diameter - self.bore)
+    }
+
+    /// Whether the ratings of the balls are those of the print.
+    pub(super) fn fits(&self, candidate: &Candidate) -> bool {
+        let statical = self.static_rating.map_or(0.0, |printed| {
+            (candidate.static_rating / printed - 1.0).abs()
+        });
+        statical <= LARGEST_STATIC && self.is_rated_usually(candidate.dynamic_rating)
+    }
+
+    /// Whether the printed C lies about an ISO 281 rating as those of makers do.
+    pub(super) fn is_rated_usually(&self, rating: f64) -> bool {
+        let [least, largest] = DYNAMIC_RATIO;
+        (least..=largest).contains(&(self.dynamic_rating / rating))
+    }
+
+    /// How far the f0 of balls is from the print beyond what rounding explains: f0 is printed whole or with one decimal.
+    pub(super) fn factor_excess(&self, balls: usize, ball_diameter: f64) -> Option<f64> {
+        let found = self.static_factor_of(balls, ball_diameter)?;
+        let printed = self.static_factor?;
+        let rounding = if printed.fract() == 0.0 { 0.5 } else { 0.05 };
+        Some(((found - printed).abs() - rounding).max(0.0))
     }
 
     /// Whether the f0 of the balls is that of the print, where there is one.
     pub(super) fn agrees(&self, candidate: &Candidate) -> bool {
-        let found = self.static_factor_of(candidate.balls, candidate.ball_diameter);
-        let pair = found.zip(self.static_factor);
-        pair.is_none_or(|(found, printed)| (found - printed).abs() <= FACTOR_TOLERANCE)
+        self.factor_excess(candidate.balls, candidate.ball_diameter)
+            .is_none_or(|excess| excess <= FACTOR_TOLERANCE)
     }
 
     pub(super) fn candidate(&self, balls: usize, ball_diameter: f64, pitch: f64) -> Candidate {
@@ -78,20 +122,39 @@ impl CatalogueLine {
         let static_rating = self.static_rating_of(balls, ball_diameter, pitch, REFERENCE_GROOVES);
         let off = |found: f64, printed: f64| (found / printed - 1.0).abs();
         let statical = self.static_rating.map_or(0.0, |c0| off(static_rating, c0));
+        let dynamic = match off(dynamic_rating, self.dynamic_rating) {
+            dynamic if self.is_rated_usually(dynamic_rating) => dynamic.min(BY_ISO),
+            dynamic => dynamic,
+        };
+        let factor = self.factor_excess(balls, ball_diameter);
+        let factor = factor
+            .zip(self.static_factor)
+            .map_or(0.0, |(excess, f0)| excess / f0);
+        let unusual = [
+            is_usual_size(ball_diameter, self.section()),
+            self.contact_angle > 0.0 || is_usual_filling(balls, ball_diameter, pitch),
+        ];
+        let unusual = unusual.into_iter().filter(|usual| !usual).count() as f64;
         Candidate {
             balls,
             ball_diameter,
             dynamic_rating,
             static_rating,
-            deviation: off(dynamic_rating, self.dynamic_rating) + statical,
+            deviation: statical + dynamic + factor + UNUSUAL * unusual,
         }
     }
 }
 
-/// Diameters that balls are made in, m: steps of 1/32 in to 4 in, and 15/64 and 17/64 in.
-fn ball_sizes() -> impl Iterator<Item = f64> {
-    const INCH: f64 = 0.0254;
+const INCH: f64 = 0.0254;
+
+/// Diameters that balls are mostly made in, m: steps of 1/32 in to 4 in, and 15/64 and 17/64 in.
+fn inch_sizes() -> impl Iterator<Item = f64> {
     let steps = (1..=128).map(|step| f64::from(step) / 32.0);
     let others = [15.0 / 64.0, 17.0 / 64.0];
     steps.chain(others).map(|inches| inches * INCH)
+}
+
+/// Diameters of metric balls, m: steps of half a millimetre.
+fn metric_sizes() -> impl Iterator<Item = f64> {
+    (2..=200).map(|half| f64::from(half) / 2e3)
 }

@@ -31,7 +31,7 @@ use crate::scenario::quantity::{
 #[schemars(extend("x-at-most-one" = ["axial_offset", "preload", "spring_preload"]))]
 pub struct BearingInput {
     /// Designation of a bearing that `jeffcott catalogue` lists, for instance "7205C" or "6205-2RS/C3". Without
-    /// it `[bearing.ratings]` or a complete `[bearing.geometry]` is needed.
+    /// it `[bearing.ratings]` or `[bearing.geometry]` is needed.
     #[schemars(extend("examples" = designations()))]
     pub catalogue: Option<String>,
     /// Position along the shaft, from the centre of mass towards +Z, or, of a shaft that bends, from its left end.

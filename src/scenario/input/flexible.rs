@@ -140,6 +140,9 @@ pub fn check_position(
     position: f64,
     problems: &mut Problems<'_>,
 ) {
+    if problems.doubts("shaft.section") {
+        return;
+    }
     let [left, right] = shaft.ends();
     let slack = 1e-9 * (right - left);
     if !(left - slack..=right + slack).contains(&position) {
@@ -185,7 +188,7 @@ fn refuse_without_sections(shaft: &ShaftInput, discs: &[DiscInput], problems: &m
         let help = "describe it by [[shaft.section]], or leave this out";
         problems.refuse(Issue::new(path, message).help(help));
     }
-    if problems.node("shaft.mass").is_none() {
+    if shaft.mass.is_none() {
         let message = "`shaft` needs a `mass`, or sections that it consists of";
         problems.refuse(Issue::new("shaft", message).help(
             "for instance: mass = \"5 kg\", or [[shaft.section]] with length and outer_diameter",

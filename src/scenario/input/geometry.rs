@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::bearing::{
     CatalogueLine, ClearanceClass, Estimate, EstimateError, FreePosition, Geometry, GeometryError,
+    REFERENCE_GROOVES,
 };
 use crate::rotor::Freedoms;
 use crate::scenario::Issue;
@@ -15,8 +16,8 @@ use crate::scenario::quantity::{Angle, ContactStiffness, Length, Quantity, si, s
 const ANY_GROOVE_FACTOR: f64 = 0.52;
 
 /// Internal dimensions of a bearing. With a catalogue bearing each key overrides its value;
-/// without, all dimensions and one of contact_angle, diametral_clearance, radial_clearance are
-/// needed.
+/// without, balls, ball_diameter, pitch_diameter and one of contact_angle, diametral_clearance,
+/// radial_clearance are needed.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("x-at-most-one" = ["contact_angle", "diametral_clearance", "radial_clearance"]))]
@@ -41,10 +42,10 @@ pub struct GeometryInput {
     /// angle, for instance "3 um": the balls roll as at 0°.
     #[schemars(extend("examples" = ["3 um"], "x-minimum" = 0.0))]
     pub radial_clearance: Option<Quantity<Length>>,
-    /// Radius of the inner groove over the ball diameter, above 0.5, at most 1.
+    /// Radius of the inner groove over the ball diameter, above 0.5, at most 1. Default: 0.52, with a warning.
     #[schemars(extend("exclusiveMinimum" = 0.5, "maximum" = 1.0))]
     pub groove_factor_inner: Option<f64>,
-    /// Radius of the outer groove over the ball diameter, above 0.5, at most 1.
+    /// Radius of the outer groove over the ball diameter, above 0.5, at most 1. Default: 0.53, with a warning.
     #[schemars(extend("exclusiveMinimum" = 0.5, "maximum" = 1.0))]
     pub groove_factor_outer: Option<f64>,
     /// Load–deflection constant of a ball between both races, for instance
@@ -100,12 +101,9 @@ impl Sources<'_> {
         let flat = input.contact_stiffness.is_some() && input.radial_clearance.is_some();
         let any = (flat && freedoms == Freedoms::Radial).then_some(ANY_GROOVE_FACTOR);
         let known = entry.map(|e| [e.groove_factor_inner, e.groove_factor_outer]);
-        let [inner, outer] = known.map_or([any; 2], |known| known.map(Some));
-        let inner = input.groove_factor_inner.or(inner);
-        let inner = self.need("groove_factor_inner", inner, problems);
-        let outer = input.groove_factor_outer.or(outer);
-        let outer = self.need("groove_factor_outer", outer, problems);
-        let geometry = Geometry::new(balls?, diameter?, pitch?, free?, inner?, outer?);
+        let known = known.or(any.map(|any| [any; 2]));
+        let [inner, outer] = self.grooves(known, problems);
+        let geometry = Geometry::new(balls?, diameter?, pitch?, free?, inner, outer);
         let geometry = problems.take(geometry.map_err(|error| self.wrong(&error)))?;
         let changed = geometry.with_clearance_change(clearance_change);
         let wrong = |error| Issue::new(".clearance_change", self.message(&error));
@@ -127,6 +125,30 @@ impl Sources<'_> {
             EstimateError::Geometry(error) => self.wrong(&error),
             error => Issue::new(printed.key, format!("{}: {error}", printed.name)),
         }))
+    }
+
+    /// Groove factors, inner race first: those given, those known otherwise, or else those of ISO/TS 16281, with a warning.
+    fn grooves(&self, known: Option<[f64; 2]>, problems: &mut Problems<'_>) -> [f64; 2] {
+        let given = [
+            ("groove_factor_inner", self.input.groove_factor_inner),
+            ("groove_factor_outer", self.input.groove_factor_outer),
+        ];
+        let [inner, outer] = known.unwrap_or(REFERENCE_GROOVES);
+        let all = [(given[0], inner), (given[1], outer)];
+        let assumed = all
+            .iter()
+            .filter(|((_, given), _)| known.is_none() && given.is_none());
+        let assumed: Vec<_> = assumed
+            .map(|((key, _), groove)| format!("{key} = {groove}"))
+            .collect();
+        if !assumed.is_empty() {
+            let table = problems.path(".geometry");
+            problems.warn(format!(
+                "`{table}`: {} assumed, the reference of ISO/TS 16281: contact stiffness and what follows from it rest on that",
+                assumed.join(", ")
+            ));
+        }
+        all.map(|((_, given), otherwise)| given.unwrap_or(otherwise))
     }
 
     fn need<T>(&self, key: &str, value: Option<T>, problems: &mut Problems<'_>) -> Option<T> {

@@ -17,11 +17,13 @@ use crate::scenario::quantity::{
 #[serde(deny_unknown_fields)]
 #[schemars(extend("x-exactly-one" = ["viscosity", "iso_vg", "viscosity_40"]))]
 pub struct OilInput {
-    /// Dynamic viscosity at ambient pressure and the temperature of the bearing, for instance "0.04 Pa s".
-    #[schemars(extend("x-above" = 0.0))]
-    pub viscosity: Option<Quantity<Viscosity>>,
+    /// Viscosity at ambient pressure and the temperature of the bearing: dynamic, for instance "0.04 Pa s", or kinematic, for
+    /// instance "20 mm^2/s".
+    #[schemars(with = "Option<Quantity<Viscosity>>")]
+    #[schemars(extend("x-above" = 0.0, "x-or-dimension" = "kinematic viscosity"))]
+    pub viscosity: Option<WorkingViscosity>,
     /// Number of the ISO VG class, for instance 68: the kinematic viscosity at 40 °C in mm²/s; needs `temperature`.
-    #[schemars(range(min = 2.0, max = 3200.0))]
+    #[schemars(range(min = 2.0, max = 3200.0), extend("examples" = [68.0]))]
     pub iso_vg: Option<f64>,
     /// Viscosity index of an oil of an ISO VG class. Default: 95.
     #[schemars(range(min = 0.0, max = 400.0))]
@@ -35,7 +37,7 @@ pub struct OilInput {
     /// Temperature of the oil in the bearing, for instance "70 degC".
     #[schemars(extend("x-minimum" = -60.0, "x-maximum" = 250.0))]
     pub temperature: Option<Quantity<Temperature>>,
-    /// Density. Default: "870 kg/m^3", mineral oil.
+    /// Density, which kinematic and dynamic viscosity differ by. Default: "870 kg/m^3", mineral oil.
     #[schemars(extend("examples" = ["870 kg/m^3"], "x-above" = 0.0))]
     pub density: Option<Quantity<Density>>,
     /// How the viscosity grows with the pressure, for instance "22 1/GPa". Default: by Wooster from the viscosity, for
@@ -47,6 +49,27 @@ pub struct OilInput {
     pub grease: bool,
     /// How clean it is, by the classes of ISO 281; the modified life L_nm needs it.
     pub contamination: Option<Contamination>,
+}
+
+/// Dynamic or kinematic viscosity.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum WorkingViscosity {
+    /// η, Pa s.
+    Dynamic(Quantity<Viscosity>),
+    /// ν, m²/s.
+    Kinematic(Quantity<KinematicViscosity>),
+}
+
+impl WorkingViscosity {
+    /// Kinematic viscosity in m²/s of an oil of a density in kg/m³.
+    fn kinematic(&self, density: f64) -> f64 {
+        match self {
+            // ν = η/ρ
+            Self::Dynamic(viscosity) => viscosity.si() / density,
+            Self::Kinematic(viscosity) => viscosity.si(),
+        }
+    }
 }
 
 impl OilInput {
@@ -105,7 +128,7 @@ impl OilInput {
     fn kinematic(&self) -> f64 {
         let temperature = si(&self.temperature).unwrap_or(40.0);
         match (&self.viscosity, self.iso_vg) {
-            (Some(viscosity), _) => viscosity.si() / self.density(),
+            (Some(viscosity), _) => viscosity.kinematic(self.density()),
             (None, Some(grade)) => {
                 let index = self.viscosity_index.unwrap_or(ViscosityLaw::USUAL_INDEX);
                 ViscosityLaw::of_grade(1e-6 * grade, index).at(temperature)
@@ -120,7 +143,10 @@ impl OilInput {
 
     /// The oil of the films.
     pub fn build(&self) -> Oil {
-        let viscosity = si(&self.viscosity).unwrap_or_else(|| self.kinematic() * self.density());
+        let viscosity = match &self.viscosity {
+            Some(WorkingViscosity::Dynamic(viscosity)) => viscosity.si(),
+            _ => self.kinematic() * self.density(),
+        };
         Oil {
             viscosity,
             pressure_viscosity: si(&self.pressure_viscosity).unwrap_or_else(|| wooster(viscosity)),

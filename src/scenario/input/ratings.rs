@@ -36,7 +36,8 @@ pub struct RatingsInput {
     /// Pitch diameter, where it is printed. Default: the mean of bore and outside diameter.
     #[schemars(extend("examples" = ["60 mm"], "x-minimum" = 1e-5))]
     pub pitch_diameter: Option<Quantity<Length>>,
-    /// Factor f0 that catalogues print beside the ratings, for instance 14.0; it settles which balls they are.
+    /// Factor f0 that catalogues print beside the ratings, for instance 14.2, or 14 where it is rounded; it helps to settle which
+    /// balls they are.
     #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 30.0))]
     pub f0: Option<f64>,
 }

@@ -256,7 +256,7 @@ impl SpectrumInput {
                 (message, "remove it".to_owned())
             }
         };
-        Err(Issue::new(".band", message).help(help))
+        Err(Issue::new(".band", message).help(help).against(".kind"))
     }
 
     fn check_segment(&self, recorded: &Recorded<'_>, problems: &mut Problems<'_>) {
@@ -313,7 +313,12 @@ impl SpectrumInput {
         } else {
             return;
         };
-        let others = ["time.duration", "time.settle", "output.sample_rate"];
+        let others = [
+            "time.duration",
+            "time.settle",
+            "output.sample_rate",
+            "output.samples_per_revolution",
+        ];
         let issue = Issue::new(format!(".{key}"), message);
         problems.refuse(issue.against_all(others));
     }

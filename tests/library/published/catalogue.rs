@@ -112,7 +112,7 @@ fn exact_ratings_of_known_geometries() {
 }
 
 #[test]
-fn a_line_of_no_balls_or_of_several_is_refused() {
+fn a_line_of_no_balls_is_refused_and_one_of_several_is_doubted() {
     let boundary = [0.025, 0.052];
     let impossible = CatalogueLine::printed(boundary, 0.0, 14_000.0, 20_000.0).estimate();
     let Err(EstimateError::Impossible { .. }) = impossible else {
@@ -121,10 +121,8 @@ fn a_line_of_no_balls_or_of_several_is_refused() {
     // 7934C without its f0: 34 balls of 16.669 mm fit as well as 30 of 17.462 mm
     let angle = SPINDLE_ANGLE.to_radians();
     let line = CatalogueLine::printed([0.17, 0.23], angle, 113_000.0, 148_000.0);
-    let ambiguous = line.estimate();
-    let Err(EstimateError::Ambiguous { .. }) = ambiguous else {
-        panic!("{ambiguous:?}");
-    };
+    let doubted = line.estimate().expect("balls");
+    assert!(names(&doubted, 30, 17.4625) && names(&doubted, 34, 16.66875));
     let settled = CatalogueLine {
         static_factor: Some(16.8),
         ..line
@@ -135,6 +133,131 @@ fn a_line_of_no_balls_or_of_several_is_refused() {
         ..line
     };
     assert_eq!(given.estimate().expect("balls").internal.balls, 30);
+}
+
+/// Whether an estimate has these balls, diameter in mm.
+fn has(estimate: &Estimate, balls: usize, diameter: f64) -> bool {
+    let internal = &estimate.internal;
+    internal.balls == balls && (1e3 * internal.ball_diameter - diameter).abs() < 0.01
+}
+
+/// Whether an estimate has these balls or names them in a note, diameter in mm.
+fn names(estimate: &Estimate, balls: usize, diameter: f64) -> bool {
+    let named = format!("{balls} balls of {diameter:.3} mm");
+    has(estimate, balls, diameter) || estimate.notes.iter().any(|note| note.contains(&named))
+}
+
+/// How many lines lead to their balls, how many to others while theirs are named, and which to others without a word.
+fn outcome<'a>(
+    lines: impl Iterator<Item = (&'a str, CatalogueLine, usize, f64)>,
+) -> ([usize; 2], Vec<String>) {
+    let (mut counts, mut wrong) = ([0; 2], Vec::new());
+    for (name, line, balls, diameter) in lines {
+        match line.estimate() {
+            Ok(estimate) if has(&estimate, balls, diameter) => counts[0] += 1,
+            Ok(estimate) if names(&estimate, balls, diameter) => counts[1] += 1,
+            other => wrong.push(format!("{name}: {other:?}")),
+        }
+    }
+    (counts, wrong)
+}
+
+/// Lines of SKF, whose C is up to 6 % above ISO 281, with the balls that bearings of these designations have; 6217 and 6218
+/// have C0 3 % above that of these balls: 11 smaller ones fit them to 0.6 %.
+#[test]
+fn lines_of_a_maker_that_rates_above_iso_281() {
+    let mut reader = csv::Reader::from_reader(include_bytes!("skf_deep_groove.csv").as_slice());
+    let rows: Vec<_> = reader.records().map(|row| row.expect("a row")).collect();
+    let read = |row: &csv::StringRecord| {
+        let number = |column: usize| row[column].parse::<f64>().ok();
+        let [bore, outside, dynamic, statical, balls, diameter] =
+            [1, 2, 4, 5, 7, 8].map(|column| number(column).expect("a number"));
+        let boundary = [bore / 1e3, outside / 1e3];
+        let line = CatalogueLine {
+            static_factor: number(6),
+            ..CatalogueLine::printed(boundary, 0.0, dynamic, statical)
+        };
+        (line, balls as usize, diameter)
+    };
+    let lines = rows.iter().map(|row| {
+        let (line, balls, diameter) = read(row);
+        // of balls that are no steps of 1/32 in in the file, the step
+        let steps = (diameter / 25.4 * 32.0).round() / 32.0 * 25.4;
+        (&row[0], line, balls, steps)
+    });
+    let (counts, wrong) = outcome(lines);
+    assert_eq!((counts, wrong), ([17, 3], Vec::new()));
+}
+
+/// NSK rates by ISO 281: its 63 deep groove lines with a C that is larger by some per cent, and with no f0, or with a whole
+/// one, as other makers print them. Right at once, right as one that is named.
+#[test]
+fn lines_with_a_larger_c_lead_to_the_same_balls() {
+    let known = estimated();
+    let raised = |share: f64, factor: fn(f64) -> Option<f64>| {
+        let known = known.iter().filter(|known| known.1.contact_angle == 0.0);
+        let raised = known.map(|(name, line, estimate)| {
+            let raised = CatalogueLine {
+                dynamic_rating: share * line.dynamic_rating,
+                static_factor: line.static_factor.and_then(factor),
+                ..*line
+            };
+            let internal = &estimate.internal;
+            (*name, raised, internal.balls, 1e3 * internal.ball_diameter)
+        });
+        let (counts, wrong) = outcome(raised);
+        assert_eq!(wrong, Vec::<String>::new());
+        counts
+    };
+    let shares = [1.03, 1.05, 1.08];
+    let without = shares.map(|share| raised(share, |_| None));
+    let whole = shares.map(|share| raised(share, |f0| Some(f0.round())));
+    assert_eq!(
+        (without, whole),
+        ([[57, 6], [56, 7], [60, 3]], [[58, 5], [58, 5], [61, 2]])
+    );
+}
+
+/// SKF's 6309: 8 balls of 17.462 mm, which pass the outer race of a shaft at 1800 rpm 91.1 times a second.
+#[test]
+fn known_balls_and_a_rounded_f0_go_with_the_rest() {
+    let line = CatalogueLine::printed([0.045, 0.1], 0.0, 55_300.0, 31_500.0);
+    for (balls, static_factor) in [
+        (None, None),
+        (Some(8), None),
+        (None, Some(13.0)),
+        (Some(8), Some(13.0)),
+    ] {
+        let given = CatalogueLine {
+            balls,
+            static_factor,
+            ..line
+        };
+        let estimate = given.estimate().expect("balls");
+        assert!(has(&estimate, 8, 17.4625), "{estimate:?}");
+        assert_eq!(estimate.notes, Vec::<String>::new());
+        let free = FreePosition::ContactAngle(0.0);
+        let pass = estimate
+            .geometry(free)
+            .expect("a geometry")
+            .ball_pass(std::f64::consts::TAU * 30.0);
+        assert!((pass.outer - 91.10).abs() < 0.01);
+    }
+    // SKF's 6305 has 7 balls of 11.5 mm
+    let metric = CatalogueLine::printed([0.025, 0.062], 0.0, 23_400.0, 11_600.0).estimate();
+    assert!(has(&metric.expect("balls"), 7, 11.5));
+}
+
+/// One 6205: its ratings are those of its nominal angle, 0°, whatever its clearance; by an independent implementation.
+#[test]
+fn ratings_do_not_follow_the_clearance() {
+    for class in ["C2", "CN", "C3", "C4", "C5"] {
+        let bearing = Bearing::catalogue(&format!("6205/{class}")).expect("a bearing");
+        let [statical, limit] = [bearing.static_rating(), bearing.fatigue_load_limit()];
+        let (statical, limit) = (statical.expect("C0"), limit.expect("C_u"));
+        assert!((statical - 7871.6).abs() < 0.1, "{class}: {statical}");
+        assert!((limit - 410.2).abs() < 0.1, "{class}: {limit}");
+    }
 }
 
 /// Axial rigidity in N/m of a pair whose bearings carry a preload, fixed to one another: twice that of one of them.

@@ -2,5 +2,6 @@
 
 mod fuzz;
 mod models;
+mod one_fault;
 mod schema;
 mod study;

@@ -345,3 +345,96 @@ fn a_misaligned_shaft_is_held_at_its_tilt() {
     let rotor = read(&format!("{text}{BEARING}")).model.unwrap().rotor;
     assert_eq!(rotor.shaft.held_tilt, [0.0, 1e-3]);
 }
+
+/// SKF's general catalogue, example 1: 6309, C 55.3 kN, 10 kN at 3000 rpm in oil of 20 mm²/s: 169 million revolutions, 940 h;
+/// κ by ISO 281 is 20/9.65.
+#[test]
+fn an_oil_by_its_kinematic_viscosity() {
+    let answer = |oil: &str| {
+        let text = format!(
+            "[shaft]\nmass = \"1 kg\"\n[speed]\nconstant = \"3000 rpm\"\n[[bearing]]\ncatalogue = \"6309\"\n\
+             dynamic_rating = \"55.3 kN\"\noil = {{ {oil}, contamination = \"high\" }}\n[[load]]\nconstant = {{ y = \"-10 kN\" }}\n"
+        );
+        let scenario = read(&text);
+        let oil = scenario.oils[0].expect("an oil");
+        let answer = quasi_static(&scenario.question).expect("an equilibrium");
+        (oil, answer.bearings[0].rating_lives.expect("lives"))
+    };
+    for text in ["\"20 mm^2/s\"", "\"20 cSt\""] {
+        let (oil, lives) = answer(&format!("viscosity = {text}"));
+        assert!((oil.viscosity - 0.0174).abs() < 1e-12, "{}", oil.viscosity);
+        assert!((lives.basic.expect("L10") - 169.1).abs() < 0.1);
+        assert!((lives.basic_hours.expect("hours") - 939.5).abs() < 0.5);
+        let ratio = lives.modified.expect("a life").viscosity_ratio.expect("κ");
+        assert!((ratio - 2.073).abs() < 5e-4, "{ratio}");
+    }
+    let (same, dynamic) = answer("viscosity = \"17.4 mPa s\"");
+    assert!((same.viscosity - 0.0174).abs() < 1e-12);
+    let (dense, kinematic) = answer("viscosity = \"20 mm^2/s\", density = \"950 kg/m^3\"");
+    assert!((dense.viscosity - 0.019).abs() < 1e-12);
+    let ratio =
+        |lives: crate::bearing::RatingLives| lives.modified.expect("a life").viscosity_ratio;
+    let [dynamic, kinematic] = [dynamic, kinematic].map(|lives| ratio(lives).expect("κ"));
+    assert!((dynamic - kinematic).abs() < 1e-12);
+}
+
+/// A data set that gives n, d, D and the angle: at 29 Hz 103.594, 157.41, 11.511 and 67.34 Hz.
+#[test]
+fn four_numbers_are_a_geometry() {
+    let four = "balls = 9\nball_diameter = \"7.9375 mm\"\npitch_diameter = \"38.50 mm\"\n";
+    let angle = "contact_angle = \"0 deg\"\n";
+    let scene = |geometry: &str| {
+        read(&format!(
+            "{SMALLEST}[[bearing]]\n[bearing.geometry]\n{geometry}[damping]\nratio = 0.03\n"
+        ))
+    };
+    let told = |scenario: &Scenario| {
+        let assumed = scenario
+            .warnings
+            .iter()
+            .filter(|warning| warning.contains("assumed"));
+        assumed.cloned().collect::<Vec<_>>()
+    };
+    let scenario = scene(&format!("{four}{angle}"));
+    let geometry = &scenario.question.rotor.bearings[0].bearing.geometry;
+    assert_eq!(geometry.groove_factor_inner(), 0.52);
+    assert_eq!(geometry.groove_factor_outer(), 0.53);
+    let pass = geometry.ball_pass(29.0 * 2.0 * PI);
+    for (found, known) in [
+        (pass.outer, 103.594),
+        (pass.inner, 157.41),
+        (pass.cage, 11.511),
+        (pass.spin, 67.34),
+    ] {
+        assert!((found - known).abs() < 6e-3, "{} {known}", found);
+    }
+    let warnings = told(&scenario);
+    assert_eq!(warnings.len(), 1, "{warnings:?}");
+    assert!(warnings[0].contains("groove_factor_inner = 0.52, groove_factor_outer = 0.53"));
+    let one = told(&scene(&format!(
+        "{four}diametral_clearance = \"10 um\"\ngroove_factor_inner = 0.515\n"
+    )));
+    assert!(
+        one[0].contains("groove_factor_outer = 0.53") && !one[0].contains("inner"),
+        "{one:?}"
+    );
+    let both = "groove_factor_inner = 0.515\ngroove_factor_outer = 0.525\n";
+    assert!(told(&scene(&format!("{four}{angle}{both}"))).is_empty());
+}
+
+/// Statically, the ratings are those of the nominal angle: C0 7871.6 N, C_u 410.2 N of any 6205.
+#[test]
+fn a_mounted_bearing_is_rated_at_its_nominal_angle() {
+    for tables in [
+        "catalogue = \"6205/C2\"",
+        "catalogue = \"6205\"\nclearance_class = \"C5\"",
+    ] {
+        let scenario = read(&format!(
+            "{SMALLEST}[[bearing]]\n{tables}\n[[load]]\nconstant = {{ y = \"-500 N\" }}\n"
+        ));
+        let answer = quasi_static(&scenario.question).expect("an equilibrium");
+        let geometry = &answer.bearings[0].geometry;
+        assert!((geometry.internal.static_rating - 7871.6).abs() < 0.1);
+        assert!((geometry.fatigue_load_limit - 410.2).abs() < 0.1);
+    }
+}
