@@ -22,7 +22,7 @@ use crate::study::accuracy::Question;
 #[command(
     after_help = "Example:\n  jeffcott accuracy scenarios/steady-7205c.toml --tolerances 1e-4,1e-6,1e-8\n\n\
                   Each file writes to DIR/<its name without ending>/: accuracy.csv, ladder.csv,\n\
-                  accuracy.svg, ladder.svg, report.html and, last, accuracy.json.\n\n\
+                  accuracy.svg, ladder.svg, accuracy.html and, last, accuracy.json.\n\n\
                   Exit code: 0 all is measured, 1 a scene has no reference, cannot be run or was\n\
                   interrupted, or a file cannot be written, 2 a file or the command line is wrong."
 )]

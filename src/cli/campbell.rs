@@ -9,7 +9,7 @@ use crate::physics::BallPass;
 use crate::report;
 use crate::rotor::CageMotion;
 use crate::scenario;
-use crate::study::campbell::{self, CampbellQuestion};
+use crate::study::campbell::{self, CampbellQuestion, MOST_SPEEDS};
 
 /// Follows natural frequencies over the speed, and finds the critical speeds.
 ///
@@ -20,7 +20,7 @@ use crate::study::campbell::{self, CampbellQuestion};
     after_help = "Examples:\n  jeffcott campbell scenarios/back-to-back-7205c.toml --to \"60000 rpm\"\n  \
                   jeffcott campbell shaft.toml --from \"1000 rpm\" --to \"9000 rpm\" --orders 1,2,bpfo\n\n\
                   Each file writes to DIR/<its name without ending>/: campbell.csv, campbell.svg,\n\
-                  report.html and, last, campbell.json.\n\n\
+                  campbell.html and, last, campbell.json.\n\n\
                   Exit code: 0 all diagrams are drawn, 1 a shaft has no equilibrium at a speed or a file\n\
                   cannot be written, 2 a file or the command line is wrong."
 )]
@@ -34,7 +34,7 @@ pub struct Arguments {
     #[arg(long, value_name = "SPEED", value_parser = scenario::speed)]
     to: f64,
     /// Number of speeds
-    #[arg(long, value_name = "N", default_value_t = 61, value_parser = clap::value_parser!(u32).range(2..=100_000))]
+    #[arg(long, value_name = "N", default_value_t = 61, value_parser = clap::value_parser!(u32).range(2..=MOST_SPEEDS as i64))]
     count: u32,
     /// Multiples of the shaft's frequency whose crossings are critical speeds: numbers, and "bpfo", "bpfi", "ftf"
     /// and "bsf" for those of the bearings with their cages as in a run that starts at the lowest speed

@@ -161,7 +161,7 @@ fn show(name: &str, checked: &Result<Checked, ScenarioError>) -> io::Result<()> 
             terminal::summarise(&format!("{name}: ok, {}\n{takes}", scenario.title))
         }
         Err(error) => {
-            terminal::tell(&error.render(terminal::color()));
+            terminal::tell_problems(error);
             Ok(())
         }
     }

@@ -112,7 +112,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
 fn comparison(arguments: &Arguments) -> Result<Comparison, String> {
     let file = arguments.tolerances.as_deref().map(ToleranceFile::load);
     let file = file.transpose();
-    let file = file.map_err(|error| error.render(terminal::color()))?;
+    let file = file.map_err(|error| error.render(false))?;
     let rules = Rules {
         tolerances: tolerances(arguments, file.as_ref()).map_err(|error| message(&error))?,
         worst: arguments.worst.into(),
@@ -154,7 +154,7 @@ fn placed(error: &CompareError, file: Option<&ToleranceFile>) -> String {
     if let (CompareError::UnknownColumn { name, known }, Some(file)) = (error, file)
         && let Some(placed) = file.unused(name, known)
     {
-        return placed.render(terminal::color());
+        return placed.render(false);
     }
     message(error)
 }

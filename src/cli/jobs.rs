@@ -121,7 +121,7 @@ impl Files {
             let scenario = match scenario::load(file) {
                 Ok(scenario) => scenario,
                 Err(error) => {
-                    terminal::tell(&error.render(terminal::color()));
+                    terminal::tell_problems(&error);
                     wrong.push(failure(&name, &error.to_string()));
                     continue;
                 }

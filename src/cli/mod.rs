@@ -138,6 +138,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     if !catalogue::add_own(catalogue.as_deref()) {
         return Outcome::WrongInput.into();
     }
+    terminal::survive_limits();
     let outcome = match verb {
         Verb::New(arguments) => new::run(&arguments),
         Verb::Run(arguments) => run::run(&arguments),

@@ -135,7 +135,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let (text, scenario) = match answers.scenario() {
         Ok(written) => written,
         Err(error) => {
-            terminal::tell(&error.render(terminal::color()));
+            terminal::tell_problems(&error);
             return Ok(Outcome::WrongInput);
         }
     };

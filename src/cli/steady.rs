@@ -26,8 +26,8 @@ use crate::study::Variable;
                   jeffcott steady scenarios/varying-compliance-6306.toml --over speed.constant \\\n    \
                   --from \"100 rad/s\" --to \"200 rad/s\"\n\n\
                   Each file writes to DIR/<its name without ending>/: steady_trace.csv,\n\
-                  steady_spectrum.csv, steady_trace.svg, steady_spectrum.svg, report.html and, last,\n\
-                  steady.json; with --over response.csv, response_specials.csv, response.svg, report.html and,\n\
+                  steady_spectrum.csv, steady_trace.svg, steady_spectrum.svg, steady.html and, last,\n\
+                  steady.json; with --over response.csv, response_specials.csv, response.svg, response.html and,\n\
                   last, response.json.\n\n\
                   Exit code: 0 all motions are found, 1 a scene has none, none was found or the search\n\
                   was interrupted, 2 a file or the command line is wrong."
@@ -62,8 +62,9 @@ pub struct Arguments {
     )]
     to: Option<String>,
     /// Most motions of a branch
-    #[arg(long, value_name = "N", requires = "over", default_value_t = 20_000)]
-    points: usize,
+    #[arg(long, value_name = "N", requires = "over", default_value_t = 20_000,
+          value_parser = clap::value_parser!(u32).range(1..))]
+    points: u32,
     /// Leave out the motions of doubled period
     #[arg(long, requires = "over")]
     no_doubled: bool,
@@ -187,7 +188,7 @@ fn along(
         family: &|value| varied.rotor(value).map_err(|issue| issue.to_string()),
         range: over.ends,
         multiple: arguments.period.unwrap_or(1),
-        points: arguments.points,
+        points: arguments.points as usize,
         doubled: !arguments.no_doubled,
         stop: terminal::stop(),
         integrated: &pace.periods,

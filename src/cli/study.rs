@@ -68,8 +68,8 @@ struct Make {
     #[arg(long, value_name = "DIR", default_value = "output")]
     out: PathBuf,
     /// Threads. Default: one for each processor
-    #[arg(long, value_name = "N")]
-    threads: Option<NonZeroUsize>,
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
     /// Make one run alone, with all its files, in the folder run-I of the study
     #[arg(long, value_name = "I", conflicts_with_all = ["shard", "restart"])]
     only: Option<u64>,
@@ -111,7 +111,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let study = match scenario::load_study(file) {
         Ok(study) => study,
         Err(error) => {
-            terminal::tell(&error.render(terminal::color()));
+            terminal::tell_problems(&error);
             return Ok(Outcome::WrongInput);
         }
     };
@@ -161,7 +161,8 @@ fn all(
 ) -> Result<io::Result<Outcome>, Failure> {
     let started = Instant::now();
     let available = || thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
-    let threads = make.threads.unwrap_or_else(available).get();
+    let threads = make.threads.map(usize::from);
+    let threads = threads.unwrap_or_else(|| available().get());
     // what keeps the first run from beginning it tells itself
     if let Ok(size) = RunSize::of(&runs.first) {
         check_memory(&size, threads).map_err(|message| (Outcome::WrongInput, message))?;

@@ -15,6 +15,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::Outcome;
 use crate::report;
+use crate::scenario::{ScenarioError, visible};
 
 /// How much is told, and in which colours: options of every verb.
 #[derive(Debug, Clone, Copy, Default, clap::Args)]
@@ -64,7 +65,7 @@ pub fn color() -> bool {
 /// Whatever keeps stdout from taking it.
 pub fn print(text: &str) -> io::Result<()> {
     let mut stdout = io::stdout().lock();
-    stdout.write_all(text.as_bytes())?;
+    stdout.write_all(visible(text).as_bytes())?;
     stdout.flush()
 }
 
@@ -81,6 +82,18 @@ pub fn summarise(text: &str) -> io::Result<()> {
 
 /// Writes a warning or an error to stderr; there is nowhere to tell that it could not be written.
 pub fn tell(text: &str) {
+    tell_as_it_is(&visible(text));
+}
+
+/// Tells what is wrong with a file, in colours where they are wanted.
+pub fn tell_problems(error: &ScenarioError) {
+    // what is left of control characters in the quoted text is seen; those of the colours are the renderer's
+    let parts = error.render(color());
+    let parts: Vec<String> = parts.split('\u{1b}').map(visible).collect();
+    tell_as_it_is(&parts.join("\u{1b}"));
+}
+
+fn tell_as_it_is(text: &str) {
     let _ = io::stderr().lock().write_all(text.as_bytes());
 }
 
@@ -94,6 +107,15 @@ pub fn refuse(error: impl Display) -> Outcome {
 pub fn remark(text: &str) {
     if !manner().quiet {
         tell(text);
+    }
+}
+
+/// Lets a limit on the size of files be an error of the file, which then is removed, not the end of the process.
+pub fn survive_limits() {
+    #[cfg(unix)]
+    {
+        let ignored = std::sync::Arc::default();
+        let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, ignored);
     }
 }
 
@@ -202,7 +224,7 @@ impl Progress {
     /// Starts to watch a run.
     pub fn new(title: &str) -> Self {
         Self {
-            title: title.to_owned(),
+            title: visible(title),
             started: Instant::now(),
             bar: None,
         }

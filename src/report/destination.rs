@@ -56,7 +56,7 @@ impl Destination<'_> {
                 tables: &findings.tables,
                 document: &findings.document,
             };
-            files.push(folder.write_with("report.html", |file| page.write(file))?);
+            files.push(folder.write_with(&findings.set.page(), |file| page.write(file))?);
         }
         let document = findings.document;
         let files = folder.commit(files, format!("{document:#}\n").as_bytes())?;

@@ -95,7 +95,8 @@ impl FileSet {
             "stiffness.svg",
             "deformation.svg",
             "contact_angle.svg",
-            "report.html",
+            "bearing.html",
+            "study.html",
         ],
         spent: &[],
     };
@@ -103,7 +104,7 @@ impl FileSet {
     pub const CAMPBELL: Self = Self {
         seal: "campbell.json",
         tables: &["campbell"],
-        others: &["campbell.svg", "mode_shapes.svg", "report.html"],
+        others: &["campbell.svg", "mode_shapes.svg", "campbell.html"],
         spent: &[],
     };
     /// What many runs of a scenario leave.
@@ -126,23 +127,54 @@ impl FileSet {
     pub const ACCURACY: Self = Self {
         seal: "accuracy.json",
         tables: &["accuracy", "ladder"],
-        others: &["accuracy.svg", "ladder.svg", "report.html"],
+        others: &["accuracy.svg", "ladder.svg", "accuracy.html"],
         spent: &[],
     };
     /// What a steady motion leaves.
     pub const STEADY: Self = Self {
         seal: "steady.json",
         tables: &["steady_trace", "steady_spectrum"],
-        others: &["steady_trace.svg", "steady_spectrum.svg", "report.html"],
+        others: &["steady_trace.svg", "steady_spectrum.svg", "steady.html"],
         spent: &[],
     };
     /// What steady motions along a parameter leave.
     pub const RESPONSE: Self = Self {
         seal: "response.json",
         tables: &["response", "response_specials"],
-        others: &["response.svg", "report.html"],
+        others: &["response.svg", "response.html"],
         spent: &[],
     };
+    /// All whose seals may stand in one folder.
+    const ALL: [Self; 8] = [
+        Self::MOTION,
+        Self::BEARING,
+        Self::STUDY,
+        Self::CAMPBELL,
+        Self::RUNS,
+        Self::ACCURACY,
+        Self::STEADY,
+        Self::RESPONSE,
+    ];
+
+    /// The page of an answer, called like its seal.
+    pub(super) fn page(self) -> String {
+        self.seal.replace(".json", ".html")
+    }
+
+    /// The seals of other sets whose files are there and are replaced by these.
+    fn others_of(self, files: &[WholeFile]) -> Vec<&'static str> {
+        let replaced = files.iter().filter(|file| file.path.exists());
+        let names = replaced.filter_map(|file| file.path.file_name()?.to_str());
+        let names: Vec<_> = names.collect();
+        let shares = |set: &Self| {
+            let mut patterns = set.beside();
+            patterns.any(|pattern| names.iter().any(|name| is_alike(name, &pattern)))
+        };
+        let others = Self::ALL.into_iter();
+        let others = others.filter(|set| set.seal != self.seal && shares(set));
+        others.map(|set| set.seal).collect()
+    }
+
     /// Names of what may stand beside the seal.
     fn beside(self) -> impl Iterator<Item = String> {
         let tables = self.tables.iter().flat_map(|stem| {
@@ -157,6 +189,14 @@ impl FileSet {
         });
         tables.chain(others)
     }
+}
+
+/// Whether a pattern stands for a name: `*` is any text that is not empty.
+fn is_alike(name: &str, pattern: &str) -> bool {
+    let Some((start, end)) = pattern.split_once('*') else {
+        return name == pattern;
+    };
+    name.len() > start.len() + end.len() && name.starts_with(start) && name.ends_with(end)
 }
 
 /// Files whose content is synced at a time.
@@ -248,7 +288,9 @@ impl RunFolder {
     /// [`ReportError::File`] where it cannot be created.
     pub fn create(&self, name: &str) -> Result<PartialFile, ReportError> {
         let temporary = self.path.join(format!(".{name}.partial"));
-        let created = File::create(&temporary);
+        // what stands there is removed, not written into: a link may lead anywhere
+        let _ = fs::remove_file(&temporary);
+        let created = File::create_new(&temporary);
         let created = created.map_err(ReportError::file(FileAction::Create, &temporary))?;
         Ok(PartialFile {
             writer: BufWriter::with_capacity(1 << 16, created),
@@ -312,6 +354,10 @@ impl RunFolder {
     /// [`ReportError::File`]; the folder then has no seal.
     pub fn commit(self, files: Vec<WholeFile>, sealed: &[u8]) -> Result<Vec<PathBuf>, ReportError> {
         let seal = self.write(self.set.seal, sealed)?;
+        // no seal of another verb stands over files that this one replaces; under its own seal they are its own
+        if !seal.path.exists() {
+            self.unseal(&self.set.others_of(&files))?;
+        }
         let paths = self.put(files, seal, self.set.beside())?;
         self.remove(self.set.spent.iter().map(|name| (*name).to_owned()))?;
         Ok(paths)
@@ -370,15 +416,12 @@ impl RunFolder {
     /// Names that a pattern stands for: itself, or those of the files that are there, in the order of
     /// the alphabet.
     fn matching(&self, pattern: &str) -> Vec<String> {
-        let Some((start, end)) = pattern.split_once('*') else {
+        if !pattern.contains('*') {
             return vec![pattern.to_owned()];
-        };
+        }
         let entries = fs::read_dir(&self.path).into_iter().flatten().flatten();
         let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
-        let long = start.len() + end.len();
-        let alike =
-            |name: &String| name.len() > long && name.starts_with(start) && name.ends_with(end);
-        let mut names: Vec<_> = names.filter(alike).collect();
+        let mut names: Vec<_> = names.filter(|name| is_alike(name, pattern)).collect();
         names.sort();
         names
     }

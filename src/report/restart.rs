@@ -20,6 +20,7 @@ use serde_json::Value;
 
 use super::checksum::Checksum;
 use super::{FileAction, PartialFile, ReportError, RunFolder};
+use crate::scenario::open_regular;
 use crate::simulate::{Model, Standing, StateKeeper, StateSource};
 
 /// Name of the file in the folder of its run.
@@ -258,7 +259,8 @@ impl RestartReader {
             path: owned(),
             what,
         };
-        let mut file = BufReader::with_capacity(PIECE, File::open(path).map_err(refused)?);
+        let mut file =
+            BufReader::with_capacity(PIECE, open_regular(path, u64::MAX).map_err(refused)?);
         if bytes_at(&mut file, 0, START).map_err(refused)? != MAGIC {
             return Err(RestartError::Foreign { path: owned() });
         }

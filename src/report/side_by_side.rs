@@ -1,12 +1,11 @@
 //! Several runs on one page: key numbers side by side, traces and spectra over each other.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use super::compare::CompareError;
 use super::compare::table::Table;
+use super::compare::{CompareError, sealed};
 use super::envelope::Decimator;
 use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct, ends};
 use super::page::AnswerPage;
@@ -53,12 +52,11 @@ impl Folder {
             return Err(CompareError::NoRun { folder });
         }
         let name = path.file_name().unwrap_or(path.as_os_str());
-        let summary = fs::read(path.join("summary.json")).unwrap_or_default();
         Ok(Self {
             name: name.to_string_lossy().into_owned(),
             trace,
             spectrum,
-            summary: serde_json::from_slice(&summary).unwrap_or_default(),
+            summary: sealed(path)?,
         })
     }
 }

@@ -1,6 +1,6 @@
 //! A file as it was written: its text and the tree of its values.
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
 
@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use super::node::{Node, read_json, read_toml};
 use super::problems::Problems;
-use super::{Format, Issue, ScenarioError};
+use super::{Format, Issue, ScenarioError, visible};
 
 /// Most bytes of a file.
 const LARGEST: u64 = 16 << 20;
@@ -94,7 +94,8 @@ impl Document {
     /// Its title where it gives none: the name of the file.
     pub fn stem(&self) -> String {
         let stem = Path::new(&self.name).file_stem();
-        stem.map_or_else(|| self.name.clone(), |stem| stem.to_string_lossy().into())
+        let stem = stem.map_or(self.name.as_str().into(), |stem| stem.to_string_lossy());
+        visible(&stem.replace(['\n', '\t'], " "))
     }
 
     /// Nothing found yet in it.
@@ -147,19 +148,32 @@ fn text_of(path: &Path) -> Result<String, ScenarioError> {
 /// # Errors
 /// What is wrong with it.
 pub(super) fn file_text(path: &Path, most: u64) -> Result<String, String> {
-    let unreadable = |error: io::Error| format!("it cannot be read: {error}");
-    let known = std::fs::metadata(path).map_err(unreadable)?;
-    if !known.is_file() || known.len() > most {
-        return Err(format!("it is not a file of at most {} MB", most >> 20));
+    let mut text = String::new();
+    let read = open_regular(path, most).and_then(|mut file| file.read_to_string(&mut text));
+    read.map_err(|error| format!("it cannot be read: {error}"))?;
+    Ok(text)
+}
+
+/// Opens a file of at most so many bytes that ends: no device, pipe or folder.
+pub(crate) fn open_regular(path: &Path, most: u64) -> io::Result<File> {
+    let known = fs::metadata(path)?;
+    if !known.is_file() {
+        return Err(io::Error::other("it is not a regular file"));
     }
-    std::fs::read_to_string(path).map_err(unreadable)
+    if known.len() > most {
+        let (has, most) = (known.len() >> 20, most >> 20);
+        let message = format!("it has {has} MB, and {most} MB are the most");
+        return Err(io::Error::other(message));
+    }
+    File::open(path)
 }
 
 /// The bytes of a file, as many as it may have and one more.
 fn bytes_of(path: &Path) -> io::Result<Vec<u8>> {
     let source: &mut dyn Read = match path == Path::new(STDIN) {
         true => &mut io::stdin(),
-        false => &mut File::open(path)?,
+        // a longer one is refused with advice
+        false => &mut open_regular(path, u64::MAX)?,
     };
     let mut bytes = Vec::new();
     source.take(LARGEST + 1).read_to_end(&mut bytes)?;

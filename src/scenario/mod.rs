@@ -25,6 +25,7 @@ mod schema;
 mod series_file;
 pub(crate) mod study_file;
 mod tolerance_file;
+mod visible;
 
 use std::path::Path;
 
@@ -41,7 +42,7 @@ use key::Key;
 use node::Node;
 use problems::Problems;
 
-pub(crate) use document::{STDIN, STDIN_NAME};
+pub(crate) use document::{STDIN, STDIN_NAME, open_regular};
 pub(crate) use input::Output;
 #[doc(hidden)]
 pub use input::TableFormat;
@@ -53,6 +54,7 @@ pub use schema::schema;
 use study_file::check_study;
 pub(crate) use study_file::{StudyFile, load_study, study_schema};
 pub(crate) use tolerance_file::ToleranceFile;
+pub(crate) use visible::{is_visible, visible};
 
 /// Language of a scenario file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -192,8 +194,8 @@ fn build(problems: &mut Problems<'_>) -> Option<(ScenarioInput, Questions)> {
 
 /// Refuses what a terminal or a figure would take for a command.
 fn check_title(title: Option<&str>, problems: &mut Problems<'_>) {
-    if title.is_some_and(|title| title.contains(char::is_control)) {
-        let message = "a title is one line without control characters";
+    if title.is_some_and(|title| title.contains(['\n', '\t']) || !is_visible(title)) {
+        let message = "a title is one line without control characters and marks of direction";
         problems.refuse(Issue::new("title", message));
     }
 }

@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 
 use super::key::join;
 use super::node::Node;
+use super::visible;
 
 /// Everything found so far, with the keys that later checks must not be believed about.
 pub(super) struct Problems<'a> {
@@ -249,7 +250,7 @@ const MOST_SHOWN: usize = 100;
 
 /// A scenario that cannot be run: everything that is wrong with it.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{}", self.render(false))]
+#[error("{}", visible(&self.render(false)))]
 #[non_exhaustive]
 pub struct ScenarioError {
     /// File name as given.
@@ -286,24 +287,24 @@ impl ScenarioError {
             0 => String::new(),
             count => format!(", {count} of them not shown"),
         };
-        shown.collect::<String>() + &format!("{}: {count} {noun}{hidden}\n", self.name)
+        shown.collect::<String>() + &format!("{}: {count} {noun}{hidden}\n", visible(&self.name))
     }
 
     fn group<'a>(&'a self, issue: &'a Issue) -> Group<'a> {
-        let title = Level::ERROR.primary_title(&issue.message);
+        let title = Level::ERROR.primary_title(visible(&issue.message));
         let group = match &issue.span {
             Some(span) => {
                 let others = issue.related.iter().filter_map(|(_, place)| place.clone());
                 let snippet = Snippet::source(&self.text)
-                    .path(&self.name)
+                    .path(visible(&self.name))
                     .annotation(AnnotationKind::Primary.span(span.clone()))
                     .annotations(others.map(|other| AnnotationKind::Context.span(other)));
                 title.element(snippet)
             }
-            None => title.element(Origin::path(&self.name)),
+            None => title.element(Origin::path(visible(&self.name))),
         };
         match &issue.help {
-            Some(help) => group.element(Level::HELP.message(help)),
+            Some(help) => group.element(Level::HELP.message(visible(help))),
             None => group,
         }
     }

@@ -26,6 +26,8 @@ pub struct CampbellQuestion {
     pub orders: Vec<f64>,
 }
 
+/// Most speeds of a diagram.
+pub const MOST_SPEEDS: usize = 100_000;
 /// Speeds of the diagram of a run-up.
 const RUN_UP_SPEEDS: usize = 61;
 
@@ -152,7 +154,7 @@ pub fn check_range(
     orders: &[f64],
 ) -> Result<(), CampbellError> {
     let rising = from >= 0.0 && to > from && to.is_finite();
-    if !rising || count < 2 {
+    if !rising || !(2..=MOST_SPEEDS).contains(&count) {
         return Err(CampbellError::Range { from, to, count });
     }
     let wrong = |order: &&f64| !(order.is_finite() && **order > 0.0);

@@ -56,7 +56,7 @@ fn the_answer_fits_the_terminal_and_names_what_is_asked() {
         let files = names(&out.path().join(name));
         assert_eq!(
             files,
-            ["balls.csv", "balls.svg", "bearing.json", "report.html"]
+            ["balls.csv", "balls.svg", "bearing.html", "bearing.json"]
         );
     }
     let balls = fs::read_to_string(out.path().join("arrangement-7205c/balls.csv")).unwrap();
@@ -103,9 +103,9 @@ fn a_study_writes_its_tables_and_figures() {
         "around.csv",
         "contact_angle.svg",
         "deformation.svg",
-        "report.html",
         "stiffness.svg",
         "study.csv",
+        "study.html",
         "study.json",
     ];
     assert_eq!(names(&written), expected);
@@ -131,7 +131,7 @@ fn a_single_answer_does_not_stand_beside_an_earlier_study() {
     let left = names(&folder.path().join("standing"));
     assert_eq!(
         left,
-        ["balls.csv", "balls.svg", "bearing.json", "report.html"]
+        ["balls.csv", "balls.svg", "bearing.html", "bearing.json"]
     );
 }
 

@@ -201,6 +201,7 @@ fn folders_are_compared_table_by_table() {
     for run in &runs {
         fs::create_dir(run).unwrap();
         fs::write(run.join("trace.csv"), TRACE).unwrap();
+        fs::write(run.join("summary.json"), "{\"jeffcott\": \"0.2.0\"}").unwrap();
     }
     assert_eq!(result(&command(&[&runs[0], &runs[1]], &[])).0, 0);
     fs::write(runs[1].join("spectrum.csv"), SPECTRUM).unwrap();

@@ -150,9 +150,9 @@ fn campbell_writes_table_figure_and_critical_speeds() {
         written,
         [
             "campbell.csv",
+            "campbell.html",
             "campbell.json",
-            "campbell.svg",
-            "report.html"
+            "campbell.svg"
         ]
     );
     for critical in answer["critical_speeds"]

@@ -24,6 +24,7 @@ mod seed;
 mod severity;
 mod spectra;
 mod steady;
+mod strangers;
 mod studies;
 mod support;
 mod tables;

@@ -16,7 +16,7 @@ const FILES: [&str; 6] = [
     "steady_spectrum.csv",
     "steady_trace.svg",
     "steady_spectrum.svg",
-    "report.html",
+    "steady.html",
     "steady.json",
 ];
 

@@ -61,7 +61,11 @@ fn says_alike(name: &str, more: &[&str], seal: &str, file: &Path, begins: &[&str
         "{seal}"
     );
     for text in &found {
-        assert!(shows(&folder.join("report.html"), text), "{name}: {text}");
+        let page = match seal {
+            "summary.json" => "report.html".to_owned(),
+            other => other.replace(".json", ".html"),
+        };
+        assert!(shows(&folder.join(page), text), "{name}: {text}");
     }
 }
 

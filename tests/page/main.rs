@@ -30,7 +30,12 @@ fn shown(name: &str, file: &Path, more: &[&str]) -> (Output, Shown) {
     let folder = TempDir::new().expect("a folder");
     let output = verb(name, &[file], folder.path(), more).output();
     let stem = file.file_stem().expect("a stem");
-    let page = folder.path().join(stem).join("report.html");
+    let page = match name {
+        "run" | "study" => "report.html".to_owned(),
+        // with a [study] bearing answers as study.json
+        other => format!("{other}.html"),
+    };
+    let page = folder.path().join(stem).join(page);
     (output.expect("the command starts"), Shown { folder, page })
 }
 

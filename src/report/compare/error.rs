@@ -30,6 +30,16 @@ pub enum CompareError {
         /// The file.
         path: PathBuf,
     },
+    /// A folder holds no whole run.
+    #[error(
+        "{} has no summary.json of a whole run: give folders that `jeffcott run` has written to its end, or compare two \
+         of their files",
+        folder.display()
+    )]
+    Unsealed {
+        /// The folder.
+        folder: PathBuf,
+    },
     /// A folder holds nothing of a run to show.
     #[error(
         "{} has neither trace.csv nor spectrum.csv: give folders that `jeffcott run` has written", folder.display()

@@ -25,7 +25,7 @@ struct Alone<'a> {
 
 /// Whether a file is a table of events.
 pub(super) fn is_events(path: &Path) -> bool {
-    let header = csv::Reader::from_path(path);
+    let header = reader(path);
     header.is_ok_and(|mut csv| {
         let header = csv.headers();
         header.is_ok_and(|header| header.iter().eq(EVENT_COLUMNS))

@@ -41,12 +41,16 @@ pub(super) mod table;
 mod text;
 
 use std::fs;
+use std::io::BufReader;
 use std::path::Path;
+
+use serde_json::Value;
 
 use self::events::{compare_events, is_events};
 use self::lines::{compare_lines, is_spectrum};
 use self::rows::compare_rows;
 use self::table::Table;
+use crate::scenario::open_regular;
 
 pub use assertion::{ComparedSpectrum, spectra_close};
 pub use error::CompareError;
@@ -116,6 +120,23 @@ fn compare_tables(
     }
 }
 
+/// Most bytes of a summary.
+const LARGEST: u64 = 256 << 20;
+
+/// The summary of a whole run.
+///
+/// # Errors
+/// [`CompareError::Unsealed`] where there is none in the folder.
+pub(super) fn sealed(folder: &Path) -> Result<Value, CompareError> {
+    let file = open_regular(&folder.join("summary.json"), LARGEST).ok();
+    let summary: Option<Value> =
+        file.and_then(|file| serde_json::from_reader(BufReader::new(file)).ok());
+    let summary = summary.filter(|summary| summary["jeffcott"].is_string());
+    summary.ok_or_else(|| CompareError::Unsealed {
+        folder: folder.to_owned(),
+    })
+}
+
 fn compare_folders(first: &Path, second: &Path, rules: &Rules) -> Result<Comparison, CompareError> {
     let only = |path: &Path| Difference::partial(format!("only one run has {}", path.display()));
     let (mut tables, mut partial) = (Vec::new(), Vec::new());
@@ -124,6 +145,11 @@ fn compare_folders(first: &Path, second: &Path, rules: &Rules) -> Result<Compari
     } else {
         &TABLES[..]
     };
+    let mut runs = [first, second].into_iter();
+    if runs.any(|run| names.iter().any(|name| run.join(name).exists())) {
+        sealed(first)?;
+        sealed(second)?;
+    }
     for name in names {
         let (left, right) = (first.join(name), second.join(name));
         match (left.exists(), right.exists()) {

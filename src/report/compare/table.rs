@@ -7,6 +7,10 @@ use std::path::{Path, PathBuf};
 use super::{CompareError, Difference};
 use crate::analysis::Spectrum;
 use crate::report::spectra::spectrum_table;
+use crate::scenario::open_regular;
+
+/// Most bytes of a file.
+const LARGEST: u64 = 4 << 30;
 
 /// A table with a header and numbers below, at least one row.
 pub(in crate::report) struct Table {
@@ -101,10 +105,12 @@ impl Table {
 
 /// Reads the rows of a CSV file.
 pub(super) fn reader(path: &Path) -> Result<csv::Reader<File>, CompareError> {
-    let opened = csv::ReaderBuilder::new()
-        .trim(csv::Trim::All)
-        .from_path(path);
-    opened.map_err(|source| bad_csv(path, source))
+    let file = open_regular(path, LARGEST).map_err(|source| CompareError::Read {
+        path: path.to_owned(),
+        source,
+    })?;
+    let mut builder = csv::ReaderBuilder::new();
+    Ok(builder.trim(csv::Trim::All).from_reader(file))
 }
 
 /// The number at a place of a row; an empty cell is a value that is missing.

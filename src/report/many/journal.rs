@@ -195,6 +195,11 @@ impl Journal {
 /// Opens the file for this process alone.
 fn alone(path: &Path) -> Result<File, JournalError> {
     let refused = |action| ReportError::file(action, path);
+    // a link is not followed, and a device or a pipe may never end
+    if fs::symlink_metadata(path).is_ok_and(|known| !known.is_file()) {
+        let path = path.to_owned();
+        return Err(JournalError::Unreadable { path });
+    }
     loop {
         let file = OpenOptions::new()
             .read(true)

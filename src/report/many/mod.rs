@@ -12,7 +12,6 @@ mod tables;
 mod traces;
 mod waterfall;
 
-use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 
@@ -31,6 +30,7 @@ pub use self::traces::Traces;
 use self::traces::{has_traces, remove_stale, remove_unfinished, sync_traces};
 use crate::report::figure::Figure;
 use crate::report::{FileAction, FileSet, PartialFile, ReportError, RunFolder, WholeFile};
+use crate::scenario::open_regular;
 use crate::study::many::{RunRecord, Shard};
 
 /// A study whose runs are being made.
@@ -62,8 +62,8 @@ impl<'a> StudyReport<'a> {
         let own = schedule.runs_of(shard.chains(schedule));
         let known = json!({ "jeffcott": env!("CARGO_PKG_VERSION"), "study": study.echo });
         let journal = Journal::open(&path, &known, first, making.anew)?;
-        remove_unfinished(folder.path(), &own)?;
-        let has_traces = study.keep.traces || has_traces(folder.path());
+        let has_traces = has_traces(folder.path())? || study.keep.traces;
+        remove_unfinished(folder.path(), &own, schedule.runs())?;
         if has_traces && journal.done == Done::none(first) {
             // traces are put in place one by one: what sealed those of an earlier study goes before them
             folder.unseal(&[FileSet::RUNS.seal, &part_name("study", shard, "json")])?;
@@ -176,7 +176,8 @@ fn joined(folder: &RunFolder, table: Table, seals: &[PartSeal]) -> Result<WholeF
             path: path.clone(),
             reason: error.to_string(),
         };
-        let mut reader = BufReader::with_capacity(1 << 16, File::open(&path).map_err(broken)?);
+        let mut reader =
+            BufReader::with_capacity(1 << 16, open_regular(&path, u64::MAX).map_err(broken)?);
         let mut header = String::new();
         reader.read_line(&mut header).map_err(broken)?;
         let written = match &names {

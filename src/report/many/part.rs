@@ -1,6 +1,7 @@
 //! The parts that a study is made in, and what says that one is whole.
 
 use std::fs;
+use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
@@ -8,7 +9,11 @@ use serde_json::Value;
 
 use super::tables::Table;
 use crate::report::{FileAction, ReportError};
+use crate::scenario::open_regular;
 use crate::study::many::Shard;
+
+/// Most bytes of what seals a part.
+const LARGEST: u64 = 64 << 20;
 
 /// What a whole part says of itself.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -135,8 +140,8 @@ fn read(path: &Path) -> Result<PartSeal, MergeError> {
         path: path.to_owned(),
         reason,
     };
-    let text = fs::read_to_string(path).map_err(|error| broken(error.to_string()))?;
-    serde_json::from_str(&text).map_err(|error| broken(error.to_string()))
+    let file = open_regular(path, LARGEST).map_err(|error| broken(error.to_string()))?;
+    serde_json::from_reader(BufReader::new(file)).map_err(|error| broken(error.to_string()))
 }
 
 fn difference(a: &PartSeal, b: &PartSeal) -> Option<String> {

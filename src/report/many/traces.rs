@@ -13,6 +13,7 @@ use crate::report::folder::sync_folder;
 use crate::report::run_tables::TraceCsv;
 use crate::report::{FileAction, FileSet, PartialFile, ReportError, RunFolder};
 use crate::rotor::Sample;
+use crate::scenario::open_regular;
 use crate::simulate::TraceSink;
 use crate::study::many::{KeptTrace, TraceSeal};
 
@@ -27,6 +28,9 @@ pub struct Traces {
 
 impl Traces {
     /// Opens the folder of the traces in the folder of a study.
+    ///
+    /// # Errors
+    /// [`ReportError::File`] where it cannot be created, or a link stands there, which is not followed.
     pub(super) fn open(study: &Path) -> Result<Self, ReportError> {
         let folder = RunFolder::of_any(&study.join(FOLDER), FileSet::RUNS)?;
         Ok(Self { folder })
@@ -58,8 +62,18 @@ fn other(error: ReportError) -> io::Error {
 }
 
 /// Whether traces stand in the folder of a study.
-pub(super) fn has_traces(study: &Path) -> bool {
-    study.join(FOLDER).exists()
+///
+/// # Errors
+/// [`ReportError::File`] where a link stands there in their place: what it leads to belongs to nobody here.
+pub(super) fn has_traces(study: &Path) -> Result<bool, ReportError> {
+    let path = study.join(FOLDER);
+    match fs::symlink_metadata(&path) {
+        Ok(known) if known.is_symlink() => {
+            let error = io::Error::other("it is a link, which is not followed; remove it");
+            Err(ReportError::file(FileAction::Create, &path)(error))
+        }
+        found => Ok(found.is_ok()),
+    }
 }
 
 /// Removes the traces that an earlier study has left: of the runs that are now made, and of those beyond
@@ -70,9 +84,15 @@ pub(super) fn remove_stale(study: &Path, own: &Range<u64>, count: u64) -> Result
     })
 }
 
-/// Removes what a killed study has left of the traces of some runs.
-pub(super) fn remove_unfinished(study: &Path, own: &Range<u64>) -> Result<(), ReportError> {
-    remove_where(study, [".trace-", ".csv.partial"], |run| own.contains(&run))
+/// Removes what a killed study has left of the traces of some runs, and of those beyond the last.
+pub(super) fn remove_unfinished(
+    study: &Path,
+    own: &Range<u64>,
+    count: u64,
+) -> Result<(), ReportError> {
+    remove_where(study, [".trace-", ".csv.partial"], |run| {
+        own.contains(&run) || run >= count
+    })
 }
 
 /// Removes files that are called by a number of a run between two texts.
@@ -177,7 +197,8 @@ pub(super) fn check(study: &Path, table: &Path) -> Result<(), MergeError> {
         path: table.to_owned(),
         reason: error.to_string(),
     };
-    let mut reader = csv::Reader::from_path(table).map_err(broken)?;
+    let file = open_regular(table, u64::MAX).map_err(|error| broken(error.into()))?;
+    let mut reader = csv::Reader::from_reader(file);
     for record in reader.records() {
         let record = record.map_err(broken)?;
         let cell = |index: usize| record.get(index).unwrap_or_default();
@@ -203,6 +224,6 @@ pub(super) fn check(study: &Path, table: &Path) -> Result<(), MergeError> {
 /// What the file there is known by.
 fn sealed(path: &Path) -> io::Result<TraceSeal> {
     let mut sum = Checksum::START;
-    io::copy(&mut fs::File::open(path)?, &mut sum)?;
+    io::copy(&mut open_regular(path, u64::MAX)?, &mut sum)?;
     Ok(seal(sum))
 }

@@ -1,4 +1,4 @@
-//! `report.html` of any verb that answers: what it tells people, its figures and its tables.
+//! The page of any verb that answers: what it tells people, its figures and its tables.
 
 use std::io::{self, Write};
 use std::path::Path;

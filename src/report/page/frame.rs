@@ -4,6 +4,8 @@ use std::io::{self, Write};
 
 use serde_json::Value;
 
+use crate::scenario::visible;
+
 const FRAME: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
 /// What every page's script builds on, in order.
@@ -59,13 +61,12 @@ fn fill(frame: &str, parts: &[(&str, String)], out: &mut impl Write) -> io::Resu
 /// Text as it may stand in HTML.
 fn escaped(text: &str) -> String {
     let mut html = String::with_capacity(text.len());
-    for c in text.chars() {
+    for c in visible(text).chars() {
         match c {
             '&' => html += "&amp;",
             '<' => html += "&lt;",
             '>' => html += "&gt;",
             '"' => html += "&quot;",
-            c if c.is_control() => html.push(' '),
             c => html.push(c),
         }
     }
