@@ -9,7 +9,7 @@ use std::path::Path;
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use jeffcott::bearing::Bearing;
 use jeffcott::internals::{
-    Ball, BareRun, BearingRotation, ForceLaw, HertzLaw, Imperfections, Ring, Rotor, System,
+    Ball, BareRun, BearingRotation, ForceLaw, HertzLaw, Ring, Rotor, System,
 };
 use jeffcott::scenario::{self, Format};
 use serde_json::{Value, json};
@@ -27,7 +27,7 @@ fn ball_and_ring(criterion: &mut Criterion) {
     criterion.bench_function("ball, hertz: force and tangent", |bencher| {
         bencher.iter(|| law.force_and_tangent(black_box(axial), black_box(radial), 0.0));
     });
-    let ring = Ring::new(&bearing.geometry, 0.0, &Imperfections::default());
+    let ring = Ring::new(&bearing.geometry, 0.0);
     let place = [1e-7, -2e-7, 32e-6, 1e-6, 2e-6];
     let rotation = BearingRotation::at_start(0.0).with_cage_at(0.3);
     criterion.bench_function("ring of 12, hertz: force", |bencher| {

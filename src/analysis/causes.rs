@@ -2,8 +2,8 @@
 
 use super::Characteristic;
 use super::LineKind;
-use crate::bearing::{Imperfections, Surface, TurningSurfaces};
-use crate::physics::BallPass;
+use crate::bearing::{MountedBearing, Support, Surface};
+use crate::physics::{BallPass, Race};
 use crate::rotor::NaturalFrequency;
 
 /// Shaft orders looked for, 1× … this, and multiples of a ball-pass frequency.
@@ -101,24 +101,33 @@ pub struct LineSurfaces {
     pub balls_show_spin: bool,
     /// Whether balls differ from each other, which go round with the cage.
     pub balls_differ: bool,
-    /// Whether what is on a race turns with the shaft.
+    /// Whether what is on a race turns with its ring.
     pub turning: bool,
+    /// The ring that turns.
+    pub turning_ring: Race,
     /// Surfaces with orders of waves around them.
     pub waves: Vec<(Surface, u32)>,
 }
 
 impl LineSurfaces {
     /// Of a bearing with so many balls.
-    pub fn new(balls: usize, imperfections: &Imperfections, turning: TurningSurfaces) -> Self {
+    pub fn new(support: &Support) -> Self {
+        let MountedBearing {
+            bearing,
+            imperfections,
+            ..
+        } = support.definition();
+        let turning = support.surfaces_that_turn();
         let waves = imperfections.waves.iter();
         let mut waves: Vec<_> = waves.map(|(on, wave)| (*on, wave.order)).collect();
         waves.sort();
         waves.dedup();
         Self {
-            balls: balls as u32,
+            balls: bearing.geometry.balls() as u32,
+            turning_ring: bearing.rotating_ring,
             balls_show_spin: turning.rolling.is_some(),
             balls_differ: turning.balls_differ,
-            turning: turning.inner,
+            turning: turning.race,
             waves,
         }
     }
@@ -126,7 +135,7 @@ impl LineSurfaces {
     /// Lines of waves, with p up to [`SIDEBANDS`]: of n waves around
     ///
     /// ```text
-    /// outer race  q Z FTF           inner race  |q Z FTF − n f|     n + p = q Z
+    /// standing race  q Z FTF        turning race  |q Z FTF − n f|     n + p = q Z
     /// a ball      n BSF + p FTF     of even n: odd ones cancel between both races
     /// ```
     fn wave_lines(&self, bearing: usize, own: &BearingFrequencies, shaft: f64) -> Vec<Line> {
@@ -137,10 +146,11 @@ impl LineSurfaces {
             let (n, p) = (f64::from(order), f64::from(beside));
             let passing = order.checked_add_signed(beside)?;
             let is_multiple = passing.is_multiple_of(self.balls);
+            let turns = on.turns_with(self.turning_ring);
             let of = |pass: &BallPass| match on {
-                Surface::Outer => is_multiple.then_some(f64::from(passing) * pass.cage),
-                Surface::Inner => {
-                    is_multiple.then_some((f64::from(passing) * pass.cage - n * shaft).abs())
+                Surface::Outer | Surface::Inner => {
+                    let past = if turns { n * shaft } else { 0.0 };
+                    is_multiple.then_some((f64::from(passing) * pass.cage - past).abs())
                 }
                 Surface::Ball(_) => order
                     .is_multiple_of(2)
@@ -183,7 +193,7 @@ pub struct Sources {
 /// Every line that shaft, bearings, loads and natural frequencies can cause.
 ///
 /// Perfect bearings of a balanced shaft have lines of balls that pass the standing race, and no other. Orders of the shaft,
-/// sidebands by them and balls that pass the inner race need an unbalance or an imperfect race that turns with the shaft; lines
+/// sidebands by them and balls that pass the turning race need an unbalance or an imperfect race that turns with the shaft; lines
 /// of the cage need balls that differ, and those of spin need dents or waves on a ball.
 ///
 /// Bearings with the ball-pass frequencies of an earlier one add nothing where their balls and turning races are perfect: what
@@ -296,13 +306,17 @@ fn bearing_lines(
         let kind = LineKind::BallPassHalves { bearing, halves };
         line(kind, &|pass| 0.5 * f64::from(halves) * pass.outer)
     });
-    let halves = halves.filter(|_| has(Characteristic::OuterRace));
+    let standing = match surfaces.turning_ring {
+        Race::Inner => Characteristic::OuterRace,
+        Race::Outer => Characteristic::InnerRace,
+    };
+    let halves = halves.filter(|_| has(standing) && standing == Characteristic::OuterRace);
     let higher = (BALL_PASS_MULTIPLES + 1..=SHAFT_ORDERS).map(|multiple| (multiple, 0));
     let passes = multiples(BALL_PASS_MULTIPLES).chain(higher);
     let races = [Characteristic::OuterRace, Characteristic::InnerRace];
     let passes = passes.flat_map(|number| races.map(|race| (race, number)));
     let passes = passes.filter(|(race, (_, sideband))| {
-        let stands = *race == Characteristic::OuterRace && *sideband == 0;
+        let stands = *race == standing && *sideband == 0;
         has(*race) && (stands || turning)
     });
     let spins = multiples(EVEN_SPIN_MULTIPLES)

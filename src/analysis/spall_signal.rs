@@ -7,7 +7,7 @@
 use nalgebra::{Matrix3, Vector3};
 use serde::Serialize;
 
-use crate::bearing::{RacePass, Surface};
+use crate::bearing::RacePass;
 use crate::rotor::Sample;
 
 /// Bins in the time from entry to impact, and fewest of them.
@@ -114,10 +114,8 @@ impl SpallRecorder {
         let Some(acceleration) = sample.acceleration.filter(|_| sample.time >= self.settle) else {
             return;
         };
-        let towards = match self.pass.on {
-            Surface::Inner => self.pass.angle + sample.angle,
-            _ => self.pass.angle,
-        };
+        // it turns with the ring that it is on
+        let towards = self.pass.angle - self.pass.middle.by_shaft * sample.angle;
         let [x, y, _, tilt_x, tilt_y] = acceleration;
         let (sin, cos) = towards.sin_cos();
         let position = self.pass.position;

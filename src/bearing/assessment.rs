@@ -3,7 +3,7 @@
 use super::bearing_friction::skf_moment;
 use super::cage::Cage;
 use super::law::{BallLaw, FilmThickness, Share, with_law};
-use super::life::reference_rating_life;
+use super::life::RatingLife;
 use super::static_rating::{fatigue_load_limit, static_rating, static_safety};
 use super::support::Support;
 use super::{
@@ -33,7 +33,9 @@ impl Assessment<'_> {
         let balls = self.balls();
         let loads = || balls.iter().map(|ball| [ball.inner.load, ball.outer.load]);
         let rating = bearing.dynamic_rating;
-        let life = rating.and_then(|c| reference_rating_life(&bearing.geometry, c, loads()));
+        let life = rating.and_then(|c| {
+            RatingLife::new(&bearing.geometry, c, bearing.rotating_ring).life(loads())
+        });
         let loaded: Vec<_> = loaded(&balls).collect();
         BearingState {
             rating_lives: life.and_then(|life| bearing.rating_lives(life, &force, speed)),
@@ -50,8 +52,8 @@ impl Assessment<'_> {
             life,
             static_safety: static_safety(contacts, loads()),
             friction_moment: support.friction_moment(&force, speed),
-            ball_pass: self.cage.ball_pass(&bearing.geometry, speed),
-            nominal_ball_pass: bearing.geometry.ball_pass(speed),
+            ball_pass: self.cage.ball_pass(bearing, speed),
+            nominal_ball_pass: support.nominal_ball_pass(speed),
             warnings: warnings::of(bearing, speed, &balls, &loaded),
             balls,
         }

@@ -6,8 +6,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::surface::{ImperfectSurfaces, rolling_ratio};
-use super::{CageJitter, Geometry, MountedBearing, Support, Vector5};
-use crate::physics::{BallPass, nominal_cage_speed};
+use super::{Bearing, CageJitter, MountedBearing, Support, Vector5};
+use crate::physics::{BallPass, Race, nominal_cage_speed};
 
 /// How the balls go round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
@@ -35,26 +35,41 @@ impl CageMotion {
 pub(super) struct Cage {
     /// γ = D cos α/d_m of the contact angle that the balls roll at.
     pub gamma: f64,
-    /// Its speed over that of the shaft.
+    /// Its speed over that of the turning ring.
     pub ratio: f64,
 }
 
 impl Cage {
-    /// `ω_c/ω = (1 − γ)/2 (1 − slip)`; zero where it stands.
-    pub fn new(definition: &MountedBearing, motion: CageMotion, gamma: f64) -> Self {
-        let kept = match motion.turns() {
-            true => 1.0 - definition.imperfections.cage_slip,
-            false => 0.0,
+    /// Of a bearing whose cage slips by a part, with one ring that turns:
+    ///
+    /// `ω_c/ω = (1 − γ)/2 (1 − slip)`, and (1 + γ)/2 (1 − slip) where it is the outer one
+    pub fn new(bearing: &Bearing, gamma: f64, slip: f64) -> Self {
+        let rolling = match bearing.rotating_ring {
+            Race::Inner => nominal_cage_speed(1.0, gamma),
+            Race::Outer => nominal_cage_speed(1.0, -gamma),
         };
-        let ratio = kept * nominal_cage_speed(1.0, gamma);
+        let ratio = (1.0 - slip) * rolling;
         Self { gamma, ratio }
     }
 
-    /// Frequencies at a speed of the shaft in rad/s. Balls roll on the outer race, also under a cage that slips.
-    pub fn ball_pass(&self, geometry: &Geometry, speed: f64) -> BallPass {
-        let shaft = speed / TAU;
+    /// Frequencies at a speed of the turning ring in rad/s. Balls roll on the outer race, also under a cage that slips.
+    pub fn ball_pass(&self, bearing: &Bearing, speed: f64) -> BallPass {
+        let (geometry, turning) = (&bearing.geometry, speed / TAU);
+        let rings = match bearing.rotating_ring {
+            Race::Inner => [turning, 0.0],
+            Race::Outer => [0.0, turning],
+        };
         let rolling = rolling_ratio(geometry, self.gamma);
-        BallPass::of_rings([shaft, 0.0], self.ratio * shaft, geometry.balls(), rolling)
+        BallPass::of_rings(rings, self.ratio * turning, geometry.balls(), rolling)
+    }
+
+    /// Angle that a ball turns by over that of the cage, rolling on the outer race.
+    fn rolling_ratio(&self, bearing: &Bearing) -> f64 {
+        let past_outer = match bearing.rotating_ring {
+            Race::Outer if self.ratio > 0.0 => 1.0 - 1.0 / self.ratio,
+            _ => 1.0,
+        };
+        past_outer * rolling_ratio(&bearing.geometry, self.gamma)
     }
 }
 
@@ -62,10 +77,16 @@ impl Support {
     /// Lets the balls go round as from an equilibrium at a displacement of the shaft and a speed in rad/s; where there is no
     /// equilibrium, as without load.
     pub(crate) fn roll(&mut self, motion: CageMotion, displacement: Option<&Vector5>, speed: f64) {
-        self.cage = self.cage_at(motion, displacement, speed);
+        self.turn_with(self.cage_at(motion, displacement, speed));
+    }
+
+    /// Lets the balls go round with a cage.
+    pub(super) fn turn_with(&mut self, cage: Cage) {
+        self.cage = cage;
         let own = &self.definition;
-        let (geometry, gamma) = (&own.bearing.geometry, self.cage.gamma);
-        let surfaces = ImperfectSurfaces::new(&own.imperfections, geometry, own.first_ball, gamma);
+        let rolling = cage.rolling_ratio(&own.bearing);
+        let surfaces =
+            ImperfectSurfaces::new(&own.imperfections, &own.bearing, own.first_ball, rolling);
         self.ring.surfaces = surfaces.map(Box::new);
     }
 
@@ -90,7 +111,11 @@ impl Support {
                 geometry.gamma_at(cosine.unwrap_or(nominal))
             }
         };
-        Cage::new(&self.definition, motion, gamma)
+        let slip = match motion.turns() {
+            true => self.definition.imperfections.cage_slip,
+            false => 1.0,
+        };
+        Cage::new(&self.definition.bearing, gamma, slip)
     }
 
     /// Mean of cos α over the balls, weighted by their loads; none without load.
@@ -108,10 +133,15 @@ impl Support {
     /// The bearing as it starts with its shaft and its cage at these angles in rad.
     pub(crate) fn turned(&self, shaft: f64, cage: f64) -> MountedBearing {
         let own = &self.definition;
-        let rolled = rolling_ratio(&own.bearing.geometry, self.cage.gamma) * cage;
+        let turning = own.bearing.rotating_ring;
+        let past_outer = match turning {
+            Race::Inner => cage,
+            Race::Outer => cage - shaft,
+        };
+        let rolled = rolling_ratio(&own.bearing.geometry, self.cage.gamma) * past_outer;
         MountedBearing {
             first_ball: own.first_ball + cage,
-            imperfections: own.imperfections.turned(shaft, rolled),
+            imperfections: own.imperfections.turned(turning, shaft, rolled),
             ..own.clone()
         }
     }
@@ -130,7 +160,18 @@ impl Support {
 
     /// Ball-pass frequencies at a speed of the shaft in rad/s, with the cage as it turns.
     pub(crate) fn ball_pass(&self, speed: f64) -> BallPass {
-        self.cage
-            .ball_pass(&self.definition.bearing.geometry, speed)
+        self.cage.ball_pass(&self.definition.bearing, speed)
+    }
+
+    /// The same at the nominal contact angle, without slip.
+    pub(crate) fn nominal_ball_pass(&self, speed: f64) -> BallPass {
+        let bearing = &self.definition.bearing;
+        let cosine = bearing.geometry.nominal_angle().cos();
+        Cage::new(bearing, bearing.geometry.gamma_at(cosine), 0.0).ball_pass(bearing, speed)
+    }
+
+    /// Balls that pass a point that stands, a revolution.
+    pub(crate) fn passes(&self) -> f64 {
+        self.ring.balls() as f64 * self.cage.ratio
     }
 }

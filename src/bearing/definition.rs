@@ -9,7 +9,7 @@ use super::{
     GeometryError, Lubrication, Oil,
 };
 use crate::physics::{
-    HertzContact, HertzError, Material, SkfFriction, contact_modulus, inner_race_curvature,
+    HertzContact, HertzError, Material, Race, SkfFriction, contact_modulus, inner_race_curvature,
     outer_race_curvature, series_stiffness,
 };
 
@@ -54,6 +54,12 @@ pub enum BearingError {
         /// Stiffness constant K_n as given, N/m^1.5.
         stiffness: f64,
     },
+    /// The inertia of balls under an outer ring that turns.
+    #[error(
+        "contact = \"jones\" knows the inertia of balls under a turning inner ring only: with rotating_ring = \"outer\" \
+         set contact = \"hertz\""
+    )]
+    RotatingRing,
     /// A coefficient of the contact damping is no number that damps.
     #[error("the contact damping is {value} s/m; it must be zero or positive, finite")]
     ContactDamping {
@@ -106,6 +112,8 @@ pub struct Bearing {
     pub skf_friction: Option<SkfFriction>,
     /// Lubricant; the modified life and SKF's friction model need it.
     pub(crate) lubrication: Option<Lubrication>,
+    /// The ring that turns; the other one stands, as the load does.
+    pub rotating_ring: Race,
     /// Reliability of the modified life, per cent; 90 where it is not given.
     pub reliability: Option<f64>,
     /// What fits and temperatures have done to it.
@@ -133,6 +141,7 @@ impl Bearing {
             estimated: false,
             skf_friction: None,
             lubrication: None,
+            rotating_ring: Race::Inner,
             reliability: None,
             fit: None,
         }

@@ -2,10 +2,13 @@
 
 use serde::Serialize;
 
-use super::{Bearing, Geometry, Vector5};
+use super::{BallLoads, Bearing, Geometry, Vector5};
 use crate::physics::{
-    equivalent_load, life_modification_factor, reference_viscosity, reliability_factor,
+    Race, equivalent_load, life_modification_factor, reference_viscosity, reliability_factor,
 };
+
+/// Rotation factor V of the radial load where the outer ring turns past it.
+const OUTER_ROTATION: f64 = 1.2;
 
 /// Hours of 10⁶ revolutions at 1 rad/s.
 const HOURS_PER_MREV: f64 = 1e6 * std::f64::consts::TAU / 3600.0;
@@ -38,34 +41,65 @@ pub fn reference_rating_life(
     dynamic_rating: f64,
     loads: impl Iterator<Item = [f64; 2]>,
 ) -> Option<f64> {
-    let sums = loads.fold([0.0; 2], |[inner, outer], [load_inner, load_outer]| {
-        [
-            inner + load_inner.powi(3),
-            outer + load_outer.powi(3) * load_outer.cbrt(),
-        ]
-    });
-    let consumption = RatingLife::new(geometry, dynamic_rating).consumption(sums);
-    (consumption > 0.0).then(|| 1.0 / consumption)
+    RatingLife::new(geometry, dynamic_rating, Race::Inner).life(loads)
 }
 
 /// How fast a bearing lives under given loads: the reciprocal of [`reference_rating_life`], which
 /// Miner's rule sums along a history of loads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RatingLife {
-    /// Q_ci^(−10/3)/Z^(10/9) and Q_ce^(−10/3)/Z.
+    /// Q_ci^(−10/3)/Z^(10/9) and Q_ce^(−10/3)/Z; where the outer ring turns, Z has the exponent of the other.
     weights: [f64; 2],
+    /// The ring that turns past the load.
+    turning: Race,
 }
 
 impl RatingLife {
-    /// Of a bearing with the basic dynamic load rating C in N.
-    pub fn new(geometry: &Geometry, dynamic_rating: f64) -> Self {
-        let [inner, outer] = race_ratings(geometry, dynamic_rating);
+    /// Of a bearing with the basic dynamic load rating C in N, one ring of which turns.
+    pub fn new(geometry: &Geometry, dynamic_rating: f64, turning: Race) -> Self {
         let balls = geometry.balls() as f64;
+        let means = match turning {
+            Race::Inner => [balls.powf(-10.0 / 9.0), 1.0 / balls],
+            Race::Outer => [1.0 / balls, balls.powf(-10.0 / 9.0)],
+        };
+        let ratings = race_ratings(geometry, dynamic_rating);
         Self {
-            weights: [
-                inner.powf(-10.0 / 3.0) * balls.powf(-10.0 / 9.0),
-                outer.powf(-10.0 / 3.0) / balls,
-            ],
+            weights: [0, 1].map(|race| ratings[race].powf(-10.0 / 3.0) * means[race]),
+            turning,
+        }
+    }
+
+    /// L10r under the loads of every ball at both races, 10⁶ revolutions; none without load.
+    pub fn life(&self, loads: impl Iterator<Item = [f64; 2]>) -> Option<f64> {
+        let consumption = self.consumption(self.powers(loads));
+        (consumption > 0.0).then(|| 1.0 / consumption)
+    }
+
+    /// Sums over the balls of Q³ at the race that turns and of Q^(10/3) at the other, from the loads of every ball at both.
+    fn powers(&self, loads: impl Iterator<Item = [f64; 2]>) -> [f64; 2] {
+        let turning = self.turning as usize;
+        loads.fold([0.0; 2], |mut sums, loads| {
+            for race in 0..2 {
+                let cube = loads[race].powi(3);
+                sums[race] += if race == turning {
+                    cube
+                } else {
+                    cube * loads[race].cbrt()
+                };
+            }
+            sums
+        })
+    }
+
+    /// [`RatingLife::consumption`] under the loads of a ring's balls.
+    pub fn consumption_under(&self, balls: &BallLoads) -> f64 {
+        let [inner, outer] = &balls.load;
+        match self.turning {
+            Race::Inner => self.consumption(balls.life_powers),
+            Race::Outer => {
+                let loads = inner.iter().zip(outer);
+                self.consumption(self.powers(loads.map(|(inner, outer)| [*inner, *outer])))
+            }
         }
     }
 
@@ -76,8 +110,14 @@ impl RatingLife {
     /// 1/L10r = [(Q_ei/Q_ci)^(10/3) + (Q_ee/Q_ce)^(10/3)]^(9/10)
     /// Q_ei^(10/3) = (mean of Q_i³)^(10/9)   Q_ee^(10/3) = mean of Q_o^(10/3)
     /// ```
+    ///
+    /// Where the outer ring turns past the load, the exponents change places.
     pub fn consumption(&self, [inner, outer]: [f64; 2]) -> f64 {
-        let damage = self.weights[0] * inner.powf(10.0 / 9.0) + self.weights[1] * outer;
+        let [inner, outer] = match self.turning {
+            Race::Inner => [inner.powf(10.0 / 9.0), outer],
+            Race::Outer => [inner, outer.powf(10.0 / 9.0)],
+        };
+        let damage = self.weights[0] * inner + self.weights[1] * outer;
         damage.powf(0.9)
     }
 }
@@ -104,12 +144,12 @@ fn race_ratings(geometry: &Geometry, dynamic_rating: f64) -> [f64; 2] {
 /// Rating lives of a bearing under a load that stands still.
 ///
 /// ```text
-/// L10  = (C/P)³                ISO 281, P by [`equivalent_load`]
+/// L10  = (C/P)³                ISO 281, P by [`equivalent_load`] of V F_r, V = 1.2 where the outer ring turns
 /// L10r                         ISO/TS 16281, by the loads of the balls
 /// L_nm = a_1 a_ISO L10r        P of e_C C_u/P: C/L10r^(1/3)
 /// ```
 ///
-/// Source: ISO 281:2007; ISO/TS 16281:2008.
+/// Source: ISO 281:2007; ISO/TS 16281:2008; V: ISO/R 281:1962 and ANSI/ABMA 9.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct RatingLives {
@@ -178,7 +218,11 @@ impl Bearing {
         let diameter = 1e3 * geometry.ball_diameter();
         let angle = geometry.nominal_angle();
         let area = geometry.balls() as f64 * diameter * diameter;
-        let load = equivalent_load(radial, axial, angle, axial / area);
+        let rotation = match self.rotating_ring {
+            Race::Inner => 1.0,
+            Race::Outer => OUTER_ROTATION,
+        };
+        let load = equivalent_load(rotation * radial, axial, angle, axial / area);
         let loaded = load > 0.0;
         let basic = loaded.then(|| (rating / load).powi(3));
         Some(RatingLives {
@@ -234,7 +278,7 @@ mod tests {
     #[test]
     fn nothing_is_consumed_without_load() {
         let bearing = catalogue::find("6305").expect("an entry").bearing();
-        let rating = RatingLife::new(&bearing.expect("a bearing").geometry, 23_400.0);
+        let rating = RatingLife::new(&bearing.expect("a bearing").geometry, 23_400.0, Race::Inner);
         let consumption = |load: f64| rating.consumption([load; 2]);
         assert_eq!(consumption(0.0), 0.0);
         assert!(consumption(300.0) > 0.0 && consumption(f64::NAN).is_nan());

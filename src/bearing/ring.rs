@@ -4,7 +4,7 @@ use fearless_simd::{Level, Simd, SimdBase};
 use nalgebra::SMatrix;
 
 use super::number::{LANES, Lanes, Number};
-use super::surface::{ImperfectSurfaces, Imperfections};
+use super::surface::ImperfectSurfaces;
 use super::{Angle, Ball, BearingRotation, Geometry};
 
 /// Displacement or force of the inner ring: x, y, z, θx, θy or F_x, F_y, F_z, M_x, M_y.
@@ -80,9 +80,8 @@ impl<S: Simd> Balls<S> {
 }
 
 impl Ring {
-    /// Places the balls of `geometry` evenly from azimuth `first_ball` in rad.
-    pub fn new(geometry: &Geometry, first_ball: f64, imperfections: &Imperfections) -> Self {
-        let gamma = geometry.gamma();
+    /// Places the balls of `geometry` evenly from azimuth `first_ball` in rad; their surfaces are perfect.
+    pub fn new(geometry: &Geometry, first_ball: f64) -> Self {
         let balls = geometry.balls();
         let azimuths: Vec<f64> = (0..balls)
             .map(|ball| first_ball + std::f64::consts::TAU * ball as f64 / balls as f64)
@@ -94,8 +93,7 @@ impl Ring {
             free_axial: geometry.free_axial(),
             free_radial: geometry.free_radial(),
             arm: geometry.inner_groove_radius(),
-            surfaces: ImperfectSurfaces::new(imperfections, geometry, first_ball, gamma)
-                .map(Box::new),
+            surfaces: None,
         }
     }
 

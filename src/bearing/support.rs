@@ -60,8 +60,13 @@ impl Support {
         let (geometry, imperfections) = (&definition.bearing.geometry, &definition.imperfections);
         imperfections.check(geometry)?;
         let law = Law::new(definition, &contacts, speed)?;
-        Ok(Self {
-            ring: Ring::new(geometry, definition.first_ball, imperfections),
+        let cage = Cage::new(
+            &definition.bearing,
+            geometry.gamma(),
+            imperfections.cage_slip,
+        );
+        let mut support = Self {
+            ring: Ring::new(geometry, definition.first_ball),
             contacts,
             damped: definition.contact_damping.coefficients()?,
             friction: BearingFriction::new(definition, &rated_contacts),
@@ -69,12 +74,14 @@ impl Support {
             seat: Seat::new(definition, &law)?,
             law,
             table: None,
-            cage: Cage::new(definition, CageMotion::Rolling, geometry.gamma()),
+            cage,
             cage_jitter: CageJitter::new(&imperfections.cage_steps, geometry.balls()),
             frozen: None,
             definition: definition.clone(),
             sign: definition.facing.sign(),
-        })
+        };
+        support.turn_with(cage);
+        Ok(support)
     }
 
     /// Largest value of a dimension among the bearings of a shaft, m; 10 mm where none has balls: it makes numbers of

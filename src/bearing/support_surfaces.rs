@@ -26,9 +26,7 @@ impl Support {
         let own = &self.definition;
         let defects = own.imperfections.defects.iter();
         let defects = defects.filter(|_| self.cage_jitter().is_none());
-        defects.filter_map(|defect| {
-            defect.race_pass(&own.bearing.geometry, own.first_ball, own.position)
-        })
+        defects.filter_map(|defect| defect.race_pass(&own.bearing, own.first_ball, own.position))
     }
 
     /// Which of its surfaces turn.

@@ -92,10 +92,11 @@ impl BallMotion {
 }
 
 /// A race of the bearing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Race {
     /// The race on the shaft.
+    #[default]
     Inner,
     /// The race in the housing.
     Outer,

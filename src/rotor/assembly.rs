@@ -126,7 +126,11 @@ impl Rotor {
             mass: Mass::new(mass).ok_or(RotorError::Mass)?,
             stiffness: Coefficients::new(structure.condensed(structure.stiffness.clone()), dofs),
             damping: Coefficients::new(damping, dofs),
-            gyroscopic: Coefficients::new(structure.gyroscopic.clone(), dofs),
+            // a shaft that stands has no gyroscopic moments
+            gyroscopic: match definition.shaft_stands() {
+                true => Coefficients::new(&structure.gyroscopic * 0.0, dofs),
+                false => Coefficients::new(structure.gyroscopic.clone(), dofs),
+            },
             circulatory: Coefficients::new(structure.circulatory.clone(), dofs),
             damped_inside: structure.internal_damping.amax() > 0.0,
             internal_damping: Coefficients::new(structure.internal_damping.clone(), dofs),

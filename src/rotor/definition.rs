@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Drive, FlexibleShaft, LinearBearing, Load, PlaneUnbalance, SpeedPoint};
 use crate::bearing::CageMotion;
+use crate::physics::Race;
 
 /// Standard acceleration of gravity, m/s² (ISO 80000-3).
 pub const STANDARD_GRAVITY: f64 = 9.806_65;
@@ -205,6 +206,12 @@ impl RotorDefinition {
             .chain(housings)
             .chain(inside)
             .any(|damping| *damping > 0.0)
+    }
+
+    /// Whether the shaft stands and the outer rings of its bearings turn.
+    pub(crate) fn shaft_stands(&self) -> bool {
+        let mut bearings = self.bearings.iter();
+        bearings.any(|bearing| bearing.bearing.rotating_ring == Race::Outer)
     }
 
     /// The same shaft with so many modes of bending in each plane.

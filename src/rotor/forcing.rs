@@ -5,6 +5,7 @@ use std::fmt;
 
 use super::{LoadKind, Rotor};
 use crate::bearing::Support;
+use crate::physics::Race;
 
 /// What repeats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -15,8 +16,8 @@ pub enum ForcingCause {
     BallPass(usize),
     /// The balls of a bearing, which differ, go round with their cage.
     Cage(usize),
-    /// What is on the inner race of a bearing turns with the shaft.
-    InnerRace(usize),
+    /// What is on the race of the turning ring of a bearing turns with it.
+    TurningRace(usize, Race),
     /// What is on balls of a bearing turns with them.
     BallSpin(usize),
     /// A load, counted from 0 among those that vary.
@@ -30,7 +31,12 @@ impl fmt::Display for ForcingCause {
             Self::Unbalance => f.write_str("unbalance"),
             Self::BallPass(bearing) => write!(f, "ball pass of bearing {}", bearing + 1),
             Self::Cage(bearing) => write!(f, "cage of bearing {}", bearing + 1),
-            Self::InnerRace(bearing) => write!(f, "inner race of bearing {}", bearing + 1),
+            Self::TurningRace(bearing, Race::Inner) => {
+                write!(f, "inner race of bearing {}", bearing + 1)
+            }
+            Self::TurningRace(bearing, Race::Outer) => {
+                write!(f, "outer race of bearing {}", bearing + 1)
+            }
             Self::BallSpin(bearing) => write!(f, "balls of bearing {}", bearing + 1),
             Self::Load(number) => write!(f, "varying load {}", number + 1),
         }
@@ -65,7 +71,7 @@ pub enum Unrepeated {
     Drive,
     /// Balls pass a defect that turns.
     #[error(
-        "bearing {} has a defect on its inner race or on a ball: where and when balls meet it repeats with no period of \
+        "bearing {} has a defect on its turning race or on a ball: where and when balls meet it repeats with no period of \
          theirs, and what is not smooth cannot be followed round a torus; leave it out, or use `jeffcott run`",
         bearing + 1
     )]
@@ -130,8 +136,9 @@ impl Rotor {
             } else if support.follows_cage() {
                 add(ForcingCause::BallPass(bearing), balls * cage, 0.0);
             }
-            if surfaces.inner {
-                add(ForcingCause::InnerRace(bearing), speed, 0.0);
+            if surfaces.race {
+                let turning = support.definition().bearing.rotating_ring;
+                add(ForcingCause::TurningRace(bearing, turning), speed, 0.0);
             }
             if let Some(ratio) = surfaces.rolling {
                 add(ForcingCause::BallSpin(bearing), ratio * cage, 0.0);
@@ -168,7 +175,7 @@ impl Rotor {
         repeating.collect()
     }
 
-    /// Ball passes a revolution of the shaft at the outer and the inner race, of every bearing whose balls
+    /// Ball passes a revolution at the standing and the turning race, of every bearing whose balls
     /// go round.
     pub(crate) fn ball_pass_orders(&self) -> Vec<[f64; 2]> {
         let passing = self
@@ -177,10 +184,10 @@ impl Rotor {
             .filter(|support| support.follows_cage());
         let orders = passing.map(|support| {
             let balls = support.definition().bearing.geometry.balls() as f64;
-            let outer = balls * support.cage_ratio();
-            [outer, balls - outer]
+            let standing = support.passes();
+            [standing, balls - standing]
         });
-        orders.filter(|[outer, _]| *outer > 0.0).collect()
+        orders.filter(|[standing, _]| *standing > 0.0).collect()
     }
 
     /// Meshing frequency z ω/2π of every sprocket at a speed in rad/s, Hz.

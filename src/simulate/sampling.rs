@@ -7,7 +7,6 @@ use crate::analysis::{
     Analysis, BearingFrequencies, Channel, Line, LineSurfaces, Recording, SampleGrid, Segment,
     Sources, SpectrumKind, SpectrumRequest, causes,
 };
-use crate::bearing::Support;
 use crate::integrate::Grid;
 use crate::physics::BallPass;
 use crate::rotor::Rotor;
@@ -102,8 +101,9 @@ pub(super) fn ball_pass(rotor: &Rotor, speed: f64) -> Vec<BallPass> {
 /// The same at the nominal contact angles, without slip.
 pub(super) fn nominal_ball_pass(rotor: &Rotor, speed: f64) -> Vec<BallPass> {
     let supports = rotor.supports().iter();
-    let nominal = |support: &Support| support.definition().bearing.geometry.ball_pass(speed);
-    supports.map(nominal).collect()
+    supports
+        .map(|support| support.nominal_ball_pass(speed))
+        .collect()
 }
 
 /// The rotor in the equilibrium of another speed than that of its start, where it has one.
@@ -188,13 +188,7 @@ fn sources(model: &Model, rotor: &Rotor) -> Sources {
 
 /// What the surfaces of every bearing add to the lines.
 fn line_surfaces(rotor: &Rotor) -> Vec<LineSurfaces> {
-    let supports = rotor.supports().iter();
-    let surfaces = supports.map(|support| {
-        let own = support.definition();
-        let turning = support.surfaces_that_turn();
-        LineSurfaces::new(own.bearing.geometry.balls(), &own.imperfections, turning)
-    });
-    surfaces.collect()
+    rotor.supports().iter().map(LineSurfaces::new).collect()
 }
 
 /// Bytes of what does not grow with the duration: program, page, figures, blocks of samples.

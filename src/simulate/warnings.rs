@@ -8,7 +8,7 @@ use super::{MeasuredError, Model};
 use crate::analysis::{Channel, Kind, Motion};
 use crate::bearing::{ContactLaw, Support};
 use crate::integrate::{Method, Stiffness};
-use crate::physics::{ball_mass, centrifugal_force, nominal_cage_speed};
+use crate::physics::{Race, ball_mass, centrifugal_force, nominal_cage_speed};
 use crate::rotor::{Rotor, RotorDefinition};
 
 /// Balance quality grade of ISO 21940-11 beyond all that it lists but rigidly mounted marine engines, mm/s.
@@ -112,7 +112,9 @@ fn inertia_left_out(rotor: &Rotor) -> Vec<String> {
     let fast = |(index, support): (usize, &Support)| {
         let geometry = &support.definition().bearing.geometry;
         let factor = 1e3 * geometry.pitch_diameter() * rotor.highest_speed().abs() * 60.0 / TAU;
-        let left_out = support.definition().law == ContactLaw::Hertz;
+        // of a turning outer ring nothing better is known
+        let left_out = support.definition().law == ContactLaw::Hertz
+            && support.definition().bearing.rotating_ring == Race::Inner;
         (left_out && factor > INERTIA_FREE).then(|| {
             let speed = nominal_cage_speed(rotor.highest_speed(), geometry.gamma());
             let density = support.definition().bearing.ball_material.density;

@@ -20,6 +20,7 @@ mod lines;
 mod motion;
 mod negative_clearance;
 mod observation;
+mod outer_ring;
 mod properties;
 mod published;
 mod report;

@@ -22,7 +22,7 @@ pub use jones::{BallState, JonesFilmLaw, JonesLaw};
 pub use table::{BallRegion, BallTable, TableError, TableReport};
 
 use super::{BearingError, MountedBearing};
-use crate::physics::{HertzContact, RaceControl};
+use crate::physics::{HertzContact, Race, RaceControl};
 
 /// Force law between the rings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -66,6 +66,10 @@ impl Law {
         speed: f64,
     ) -> Result<Self, BearingError> {
         let bearing = &definition.bearing;
+        let has_inertia = matches!(definition.law, ContactLaw::Jones(_));
+        if has_inertia && bearing.rotating_ring == Race::Outer {
+            return Err(BearingError::RotatingRing);
+        }
         Ok(match (definition.law, definition.oil) {
             (ContactLaw::Linear | ContactLaw::Hertz, None) => {
                 Self::Hertz(HertzLaw::between(bearing, contacts))

@@ -16,6 +16,7 @@ pub use waves::Wave;
 use std::fmt;
 
 use super::Geometry;
+use crate::physics::Race;
 
 /// Which surface of a bearing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -191,6 +192,19 @@ impl Defect {
 }
 
 impl Surface {
+    /// Whether it is the race of the turning ring.
+    pub(crate) fn turns_with(self, turning: Race) -> bool {
+        self.by_shaft(turning) != 0.0
+    }
+
+    /// Change of a ball's angle past it by the angle of the turning ring: −1 on the race of that ring.
+    pub(super) fn by_shaft(self, turning: Race) -> f64 {
+        match (self, turning) {
+            (Self::Inner, Race::Inner) | (Self::Outer, Race::Outer) => -1.0,
+            _ => 0.0,
+        }
+    }
+
     /// Radius of the circle on which balls meet it, m: (d_m ± D cos α)/2 of the races, D/2 of a ball.
     pub(super) fn radius(self, geometry: &Geometry) -> f64 {
         let (pitch, gamma) = (geometry.pitch_diameter(), geometry.gamma());

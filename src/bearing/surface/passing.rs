@@ -1,7 +1,7 @@
 //! When balls pass a place of a surface, what passes a defect, and what it looks like from the side.
 
 use super::{Defect, DefectProfile, Surface};
-use crate::bearing::Geometry;
+use crate::bearing::{Bearing, Geometry};
 
 /// Passages of balls at a place: they happen at shaft angles ψ and cage angles ψ_c at which
 ///
@@ -91,15 +91,14 @@ impl Defect {
     /// another profile, or of a slot whose floor balls reach.
     pub(in crate::bearing) fn race_pass(
         &self,
-        geometry: &Geometry,
+        bearing: &Bearing,
         first_ball: f64,
         position: f64,
     ) -> Option<RacePass> {
-        let by_shaft = match self.on {
-            Surface::Outer => 0.0,
-            Surface::Inner => -1.0,
-            Surface::Ball(_) => return None,
-        };
+        if let Surface::Ball(_) = self.on {
+            return None;
+        }
+        let (geometry, by_shaft) = (&bearing.geometry, self.on.by_shaft(bearing.rotating_ring));
         let kinks = self.slot(geometry, self.on == Surface::Inner).kinks();
         let meets_edges = self.profile == DefectProfile::Edges && kinks.len() == 3;
         meets_edges.then(|| RacePass {

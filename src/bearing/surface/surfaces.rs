@@ -6,7 +6,8 @@ use super::slot::Slot;
 use super::waves::Waves;
 use super::{Defect, Imperfections, Passing, Surface};
 use crate::bearing::number::LANES;
-use crate::bearing::{Angle, BearingRotation, Geometry};
+use crate::bearing::{Angle, Bearing, BearingRotation, Geometry};
+use crate::physics::Race;
 
 /// Drops of balls side by side, or their rates: at the inner and at the outer race.
 type Drops = [[f64; LANES]; 2];
@@ -17,7 +18,8 @@ type Drops = [[f64; LANES]; 2];
 /// h_o = h(φ_j) + h_j(χ) − Δ_j/2        h_i = h(φ_j − ψ) + h_j(χ + π) − Δ_j/2        χ = ψ_c (1 + γ) d_m/D
 /// ```
 ///
-/// in m: what belongs to the race, to the ball, and to its excess of diameter Δ. The ball is taken to roll on the outer
+/// in m, with φ_j − ψ at the outer race where that one turns: what belongs to the race, to the ball, and to its excess of
+/// diameter Δ. The ball is taken to roll on the outer
 /// race, to which its own weight presses it, about an axis that keeps its direction to the races; with a cage that stands
 /// it does not turn.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,6 +30,8 @@ pub(in crate::bearing) struct ImperfectSurfaces {
     balls: Vec<BallSurface>,
     /// Angle that a ball turns by over that of the cage.
     rolling_ratio: f64,
+    /// The ring that turns.
+    turning: Race,
     /// When balls pass the places at which a drop is not smooth.
     pub passings: Vec<Passing>,
 }
@@ -63,18 +67,19 @@ struct BallSurface {
 }
 
 impl ImperfectSurfaces {
-    /// Of a bearing whose ball 0 starts at an azimuth in rad and whose balls roll at γ; none where they are perfect. What does not fit has been
+    /// Of a bearing whose ball 0 starts at an azimuth in rad and whose balls turn by a ratio of the angle of the cage; none
+    /// where they are perfect. What does not fit has been
     /// refused.
     pub fn new(
         imperfections: &Imperfections,
-        geometry: &Geometry,
+        bearing: &Bearing,
         first_ball: f64,
-        gamma: f64,
+        rolling_ratio: f64,
     ) -> Option<Self> {
         if imperfections.has_perfect_surfaces() {
             return None;
         }
-        let rolling_ratio = rolling_ratio(geometry, gamma);
+        let (geometry, turning) = (&bearing.geometry, bearing.rotating_ring);
         let races = [Surface::Inner, Surface::Outer]
             .map(|race| RaceSurface::new(race, imperfections, geometry));
         let balls = (0..geometry.balls())
@@ -86,8 +91,9 @@ impl ImperfectSurfaces {
             races,
             balls,
             rolling_ratio,
+            turning,
             passings: defects
-                .flat_map(|defect| defect.passings(geometry, first_ball, rolling_ratio))
+                .flat_map(|defect| defect.passings(bearing, first_ball, rolling_ratio))
                 .collect(),
         })
     }
@@ -96,11 +102,11 @@ impl ImperfectSurfaces {
     pub fn turning(&self) -> TurningSurfaces {
         let rolls = |ball: &BallSurface| !ball.dents.is_empty() || !ball.waves.is_none();
         TurningSurfaces {
-            inner: !self.races[0].is_perfect(),
-            defects: !self.races[0].slots.is_empty()
+            race: !self.races[self.turning as usize].is_perfect(),
+            defects: !self.races[self.turning as usize].slots.is_empty()
                 || self.balls.iter().any(|ball| !ball.dents.is_empty()),
             balls_differ: !self.balls.is_empty(),
-            rolling: (self.balls.iter().any(rolls)).then_some(self.rolling_ratio),
+            rolling: (self.balls.iter().any(rolls)).then_some(self.rolling_ratio.abs()),
         }
     }
 
@@ -134,11 +140,8 @@ impl ImperfectSurfaces {
         [cage_speed, speed]: [f64; 2],
     ) -> Drops {
         let mut rates = [[0.0; LANES]; 2];
-        let speeds = [
-            cage_speed - speed,
-            cage_speed,
-            self.rolling_ratio * cage_speed,
-        ];
+        let mut speeds = [cage_speed, cage_speed, self.rolling_ratio * cage_speed];
+        speeds[self.turning as usize] -= speed;
         self.visit(
             first,
             directions,
@@ -164,7 +167,7 @@ impl ImperfectSurfaces {
             if surface.is_perfect() {
                 continue;
             }
-            let back = if race == 0 {
+            let back = if race == self.turning as usize {
                 rotation.shaft
             } else {
                 Angle::ZERO
@@ -192,8 +195,8 @@ impl ImperfectSurfaces {
 /// Imperfect surfaces that turn.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct TurningSurfaces {
-    /// Whether the inner race does, with the shaft.
-    pub inner: bool,
+    /// Whether the race of the turning ring does.
+    pub race: bool,
     /// Whether there is a defect on it or on a ball.
     pub defects: bool,
     /// Whether balls differ from each other, which go round with the cage.
@@ -335,7 +338,8 @@ impl Defect {
     }
 
     /// When balls pass its kinks.
-    fn passings(&self, geometry: &Geometry, first_ball: f64, rolling_ratio: f64) -> Vec<Passing> {
+    fn passings(&self, bearing: &Bearing, first_ball: f64, rolling_ratio: f64) -> Vec<Passing> {
+        let geometry = &bearing.geometry;
         let radius = self.on.radius(geometry);
         let spacing = TAU / geometry.balls() as f64;
         let past = |start: f64, [by_cage, by_shaft]: [f64; 2], period: f64, inner: bool| {
@@ -350,8 +354,11 @@ impl Defect {
             kinks.map(passing).collect::<Vec<_>>()
         };
         match self.on {
-            Surface::Outer => past(first_ball - self.angle, [1.0, 0.0], spacing, false),
-            Surface::Inner => past(first_ball - self.angle, [1.0, -1.0], spacing, true),
+            Surface::Outer | Surface::Inner => {
+                let by_shaft = self.on.by_shaft(bearing.rotating_ring);
+                let inner = self.on == Surface::Inner;
+                past(first_ball - self.angle, [1.0, by_shaft], spacing, inner)
+            }
             Surface::Ball(_) => {
                 let under =
                     |middle, inner| past(middle - self.angle, [rolling_ratio, 0.0], TAU, inner);
@@ -362,13 +369,12 @@ impl Defect {
 }
 
 impl Imperfections {
-    /// The same with the inner race and the balls turned by angles in rad, the balls past the place where they meet the outer
+    /// The same with the turning race and the balls turned by angles in rad, the balls past the place where they meet the outer
     /// race.
-    pub(in crate::bearing) fn turned(&self, inner: f64, balls: f64) -> Self {
+    pub(in crate::bearing) fn turned(&self, turning: Race, race: f64, balls: f64) -> Self {
         let mut turned = self.clone();
         let by = |on: Surface| match on {
-            Surface::Outer => 0.0,
-            Surface::Inner => inner,
+            Surface::Outer | Surface::Inner => -on.by_shaft(turning) * race,
             Surface::Ball(_) => -balls,
         };
         for defect in &mut turned.defects {

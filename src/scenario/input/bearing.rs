@@ -17,7 +17,7 @@ use crate::bearing::{
     Bearing, BearingError, ClearanceClass, ContactDamping, Estimate, Facing, Geometry,
     GeometryError, Imperfections, MountedBearing, Oil, Preload, catalogue,
 };
-use crate::physics::{Material, RaceControl, SkfFriction};
+use crate::physics::{Material, Race, RaceControl, SkfFriction};
 use crate::rotor::Freedoms;
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
@@ -72,6 +72,10 @@ pub struct BearingInput {
     pub film: Option<bool>,
     /// Race control of this bearing. Default: that of `[model]`.
     pub race_control: Option<RaceControl>,
+    /// Ring that turns at the speed of `[speed]`. "outer": the shaft stands, the outer ring turns in its place, and the load
+    /// stands with the shaft; with contact "hertz" or "linear", and of all bearings alike. Default: "inner".
+    #[serde(default, skip_serializing_if = "is_inner")]
+    pub rotating_ring: Race,
     /// Class of the clearance of a deep-groove bearing of the catalogue, "C2", "CN", "C3", "C4" or "C5": the
     /// middle of its range for the bore (ISO 5753-1). Default: "CN", where no clearance is given.
     pub clearance_class: Option<ClearanceClass>,
@@ -134,6 +138,10 @@ pub struct BearingInput {
 
 fn is_zero(value: &f64) -> bool {
     *value == 0.0
+}
+
+fn is_inner(ring: &Race) -> bool {
+    *ring == Race::Inner
 }
 
 fn designations() -> Vec<&'static str> {
@@ -236,6 +244,7 @@ impl BearingInput {
             estimated: estimate.as_ref().is_some_and(Estimate::is_estimated),
             skf_friction,
             lubrication: self.oil.as_ref().map(OilInput::lubrication),
+            rotating_ring: self.rotating_ring,
             reliability: self.reliability,
             fit: None,
         };
@@ -348,6 +357,11 @@ impl BearingInput {
         let law = [".contact", "model.contact"];
         if self.race_control.is_some() && !contact.knows_inertia() {
             problems.refuse(no_race_control(".race_control").against_all(law));
+        }
+        if self.rotating_ring == Race::Outer && contact.knows_inertia() {
+            let message = "the inertia of balls is known under a turning inner ring only";
+            let issue = Issue::new(".rotating_ring", message).help("set contact = \"hertz\"");
+            problems.refuse(issue.against_all(law));
         }
         let given = self.geometry.as_ref();
         let stiffness = given.and_then(|input| input.contact_stiffness.as_ref());

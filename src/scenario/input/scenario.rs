@@ -19,10 +19,11 @@ use super::unbalance::{self, UnbalanceInput};
 use crate::analysis::{Channel, SpectrumRequest};
 use crate::bearing::catalogue::CatalogueEntry;
 use crate::bearing::{MountedBearing, Oil};
+use crate::physics::Race;
 use crate::quasi_static::StaticQuestion;
 use crate::rotor::{
-    Disc, Drive, FlexibleShaft, Freedoms, InitialState, LinearBearing, Load, MOST_HOUSINGS,
-    RotorDefinition, Shaft,
+    Disc, Drive, FlexibleShaft, Freedoms, InitialState, LinearBearing, Load, LoadKind,
+    MOST_HOUSINGS, RotorDefinition, Shaft,
 };
 use crate::scenario::node::Node;
 use crate::scenario::problems::Problems;
@@ -280,6 +281,7 @@ impl ScenarioInput {
             let text = self.shaft.unbalance.as_deref();
             rotor.shaft.unbalance = unbalance::build(text, &self.unbalance, &rotor, problems);
         }
+        self.check_standing_shaft(&rotor, problems);
         if self.time.is_some() {
             damping::warn_where_undamped(self.damping.as_ref(), &rotor, problems);
         }
@@ -484,6 +486,56 @@ impl ScenarioInput {
     }
 
     /// Refuses a race control that no bearing's law knows.
+    /// Refuses what turns with a shaft that stands while the outer rings of its bearings turn.
+    fn check_standing_shaft(&self, rotor: &RotorDefinition, problems: &mut Problems<'_>) {
+        let balls = || {
+            self.bearing
+                .iter()
+                .enumerate()
+                .filter(|(_, own)| own.linear.is_none())
+        };
+        let Some((index, _)) = balls().find(|(_, own)| own.rotating_ring == Race::Outer) else {
+            return;
+        };
+        let flexible = rotor.flexible.as_ref();
+        let unbalanced = rotor.shaft.is_unbalanced()
+            || flexible.is_some_and(|shaft| !shaft.unbalances.is_empty());
+        let is_sprocket = |load: &Load| matches!(load.kind, LoadKind::Sprocket(_));
+        let found = [
+            (
+                "an unbalance",
+                unbalanced,
+                "give what turns with the ring as a `[[load]]` with order = 1",
+            ),
+            (
+                "`speed.drive`",
+                rotor.drive.is_some(),
+                "give the speed of the ring",
+            ),
+            (
+                "`shaft.internal_damping`",
+                self.shaft.internal_damping.is_some(),
+                "leave it out",
+            ),
+            (
+                "a sprocket",
+                rotor.loads.iter().any(is_sprocket),
+                "leave it out",
+            ),
+            (
+                "a bearing whose inner ring turns",
+                balls().any(|(_, own)| own.rotating_ring == Race::Inner),
+                "give all bearings the same rotating_ring",
+            ),
+        ];
+        for (what, _, help) in found.into_iter().filter(|(_, given, _)| *given) {
+            let message =
+                format!("the outer ring turns and the shaft stands, but the scene has {what}");
+            let key = format!("bearing[{index}].rotating_ring");
+            problems.refuse(Issue::new(key, message).help(help));
+        }
+    }
+
     fn check_race_control(&self, problems: &mut Problems<'_>) {
         let mut contacts = self.bearing.iter().map(|each| each.contact(&self.model));
         let control = self.model.race_control;

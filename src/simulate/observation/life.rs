@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use serde::{Serialize, Serializer};
 
-use crate::bearing::{Bearing, ModifiedLife, RatingLife};
+use crate::bearing::{BallLoads, Bearing, ModifiedLife, RatingLife};
 use crate::rotor::Sample;
 
 /// Seconds of an hour.
@@ -17,8 +17,8 @@ const HOUR: f64 = 3600.0;
 /// ```
 ///
 /// L10r is the basic reference rating life of ISO/TS 16281 under the ball loads of an instant,
-/// [`crate::bearing::reference_rating_life`], as if that load stood still while the inner ring turns;
-/// the integral is a trapezoid over the samples in shaft angle. A load that turns with the shaft,
+/// [`crate::bearing::reference_rating_life`], as if that load stood still while one ring turns;
+/// the integral is a trapezoid over the samples in shaft angle. A load that turns with that ring,
 /// as that of an unbalance, swaps the exponents 3 and 10/3 of the races in ISO/TS 16281, which is
 /// not done here.
 ///
@@ -95,7 +95,7 @@ impl LifeSums {
     pub fn new(bearing: &Bearing, dynamic_rating: f64, settle: f64) -> Self {
         Self {
             bearing: *bearing,
-            rating: RatingLife::new(&bearing.geometry, dynamic_rating),
+            rating: RatingLife::new(&bearing.geometry, dynamic_rating, bearing.rotating_ring),
             settle,
             before: None,
             whole_run: ConsumedLife::default(),
@@ -103,12 +103,12 @@ impl LifeSums {
         }
     }
 
-    /// Takes a sample and the powers of the loads of its balls, [`crate::bearing::BallLoads::life_powers`].
-    pub fn take(&mut self, sample: &Sample, life_powers: [f64; 2]) {
+    /// Takes a sample and the loads of its balls.
+    pub fn take(&mut self, sample: &Sample, balls: &BallLoads) {
         let now = Rate {
             time: sample.time,
             angle: sample.angle,
-            consumption: self.rating.consumption(life_powers),
+            consumption: self.rating.consumption_under(balls),
         };
         let Some(before) = self.before.replace(now) else {
             return;
@@ -181,7 +181,10 @@ mod tests {
             let loads = [[load; 2]; 7].into_iter();
             reference_rating_life(&bearing.geometry, rating, loads)
         };
-        let powers = |load: f64| [7.0 * load.powi(3), 7.0 * load.powf(10.0 / 3.0)];
+        let balls = |load: f64| BallLoads {
+            life_powers: [7.0 * load.powi(3), 7.0 * load.powf(10.0 / 3.0)],
+            ..BallLoads::default()
+        };
         let mut sums = LifeSums::new(&bearing, rating, 0.0);
         // 30 revolutions in 3 s, then, after a jump, 10 in 4 s
         for (load, from, to) in [
@@ -190,7 +193,7 @@ mod tests {
         ] {
             for part in [0.0, 0.25, 0.7, 1.0] {
                 let [time, turns] = [0, 1].map(|k| from[k] + part * (to[k] - from[k]));
-                sums.take(&sample(time, TAU * turns), powers(load));
+                sums.take(&sample(time, TAU * turns), &balls(load));
             }
         }
         let consumed = sums.finish().expect("a life").whole_run;

@@ -209,7 +209,7 @@ impl<'a> BearingObserver<'a> {
             self.zone.take(&balls.load[0], least);
         }
         if let Some(life) = &mut self.life {
-            life.take(sample, balls.life_powers);
+            life.take(sample, balls);
         }
     }
 }

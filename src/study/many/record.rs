@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 use std::io;
 
 use super::{KeptTrace, Turn};
+use crate::bearing::Support;
 use crate::rotor::{InitialPosition, InitialState, Sample};
 use crate::simulate::{Model, TraceSink};
 
@@ -221,7 +222,7 @@ impl End {
 fn cycle(model: &Model) -> f64 {
     let rotor = &model.rotor;
     let supports = rotor.rolling_supports().unwrap_or_default();
-    let passes = supports.first().map(|first| first.ball_pass(TAU).outer);
+    let passes = supports.first().map(Support::passes);
     match passes.filter(|passes| *passes > 0.0 && !rotor.shaft.is_unbalanced()) {
         Some(passes) => passes.recip(),
         None => 1.0,

@@ -10,7 +10,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::analysis::SectionKind;
-use crate::bearing::ContactLaw;
+use crate::bearing::{ContactLaw, Support};
 use crate::rotor::RotorDefinition;
 
 /// Order of runs that each go on from where their neighbour along the last axis ended.
@@ -267,7 +267,7 @@ impl Cycles {
         let passing = supports
             .iter()
             .find(|support| support.definition().law != ContactLaw::Linear);
-        let passes = passing.map(|support| support.ball_pass(TAU).outer);
+        let passes = passing.map(Support::passes);
         passes
             .filter(|passes| *passes > 0.0)
             .ok_or(CyclesError::BallPass)

@@ -227,8 +227,7 @@ fn lines_of_waves_bear_the_name_of_their_surface_and_order() {
 fn surfaces(imperfections: &Imperfections) -> LineSurfaces {
     let mut mounted = mounted(bearing("7205C"));
     mounted.imperfections = imperfections.clone();
-    let support = supports(&[mounted]).remove(0);
-    LineSurfaces::new(12, imperfections, support.surfaces_that_turn())
+    LineSurfaces::new(&supports(&[mounted])[0])
 }
 
 /// A pair under random shocks: perfect balls have no lines, neither has what is random.

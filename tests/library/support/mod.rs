@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 
 use crate::bearing::{
     BallContact, BallLoads, Bearing, BearingRotation, Facing, FreePosition, Geometry, HertzLaw,
-    Imperfections, Matrix5, MountedBearing, Preload, Ring, Support, Vector5, catalogue,
+    Matrix5, MountedBearing, Preload, Ring, Support, Vector5, catalogue,
 };
 use crate::integrate::{Method, Settings, System};
 use crate::rotor::{
@@ -126,7 +126,7 @@ impl HertzRing {
 /// The ring of balls of a bearing, ball 0 at an azimuth in rad.
 pub fn ring_from(bearing: &Bearing, first_ball: f64) -> HertzRing {
     HertzRing {
-        ring: Ring::new(&bearing.geometry, first_ball, &Imperfections::default()),
+        ring: Ring::new(&bearing.geometry, first_ball),
         law: law(bearing),
     }
 }
