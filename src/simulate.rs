@@ -8,6 +8,7 @@ mod part;
 pub(crate) mod passes;
 mod recorders;
 mod run;
+mod run_up;
 mod sampling;
 mod severity;
 mod spectra;
@@ -31,6 +32,7 @@ pub(crate) use run::LAST_BALLS;
 pub use run::{
     MeasuredError, RecordedRun, Reduction, ReductionError, Run, StaticState, UnknownColumn,
 };
+pub use run_up::{Extreme, RunUp};
 pub(crate) use sampling::RunSize;
 pub(crate) use severity::Machine;
 pub(crate) use severity::VibrationSeverity;
@@ -183,7 +185,7 @@ fn answer(
     let recording = observers.recording.as_ref();
     let analysis = sampling::analyse(model, rotor, recording, &causes);
     let estimated = spectra::estimated(model, recording, &causes, rotor.is_random());
-    let (motion, maps, spalls) = observers.recorders.finish();
+    let (motion, maps, run_up, spalls) = observers.recorders.finish();
     let (spectrum, peaks) = analysis.map_or_else(Default::default, |analysis| {
         (Some(analysis.spectrum), analysis.peaks)
     });
@@ -194,6 +196,7 @@ fn answer(
     let whole = spectrum.as_ref();
     let whole = whole.filter(|_| model.analyses.highest_order.is_none());
     warnings.extend(spectra::warnings(whole, &estimated, speed_changes));
+    warnings.extend(maps.iter().flat_map(|maps| maps.tracks.warnings()));
     let severity = |machine| Some(VibrationSeverity::of(machine, motion.as_ref()?, steady?));
     let vibration_severity = model.analyses.machine.and_then(severity);
     let vibration_severity = vibration_severity.and_then(|found| {
@@ -222,6 +225,7 @@ fn answer(
         peaks,
         motion,
         maps,
+        run_up,
         spalls,
         spectra: estimated
             .into_iter()

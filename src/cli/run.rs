@@ -165,7 +165,8 @@ fn finish(
     if opens {
         terminal::open_page(&files);
     }
-    let text = report::text(&scenario.title, model, &run, &files) + &job.contact_choice_text();
+    let text = report::text(&scenario.title, model, &run, campbell.as_ref(), &files)
+        + &job.contact_choice_text();
     let choice = scenario.contact_choice.as_ref();
     let summary = RunSummary::new(model, &run, choice, campbell.as_ref());
     let json = report::document(&scenario.title, &scenario.echo, summary);

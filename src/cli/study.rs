@@ -231,7 +231,7 @@ fn only(
     for warning in &run.warnings {
         terminal::tell(&format!("warning: {title}: {warning}\n"));
     }
-    let text = report::text(&title, &model, &run, &files);
+    let text = report::text(&title, &model, &run, None, &files);
     Ok(terminal::summarise(&text).map(|()| Outcome::Done))
 }
 

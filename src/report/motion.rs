@@ -15,16 +15,15 @@ use crate::simulate::VibrationSeverity;
 
 /// Everything about a steady motion but its points, and whether it has settled.
 pub(super) fn motion_json(motion: &Motion) -> Value {
-    let irregular = matches!(motion.recognition.kind, Kind::Irregular { .. });
     let settling = motion.drift.as_ref().map(|drift| {
         let mut json = json!({
-            "meaning": "change of mean and RMS from the second to the last third, in parts of the RMS of \
-                        the motion, of the freedom that changes most",
+            "meaning": "change of mean and RMS from one window to another one at the end of the record, whole revolutions \
+                        apart, in parts of the RMS of the motion, of the freedom that changes most",
             "channel": Channel::Displacement(drift.freedom).name(),
         });
         json = with_keys(json, json!(drift));
         // not known of an irregular motion, whose statistics move by themselves
-        json["settled"] = json!((!irregular).then(|| drift.is_settled()));
+        json["settled"] = json!(motion.has_settled());
         json
     });
     with_keys(motion, json!({ "settling": settling }))
@@ -34,15 +33,16 @@ pub(super) fn motion_json(motion: &Motion) -> Value {
 pub(super) fn add_motion(out: &mut Lines, motion: &Motion) {
     out.line("motion", kind(&motion.recognition.kind));
     if let Some(drift) = &motion.drift {
-        let word = match (&motion.recognition.kind, drift.is_settled()) {
-            (Kind::Irregular { .. }, _) => "wanders",
-            (_, true) => "settled",
-            (_, false) => "not settled",
+        let word = match motion.has_settled() {
+            None => "wanders",
+            Some(true) => "settled",
+            Some(false) => "not settled",
         };
         let channel = Channel::Displacement(drift.freedom);
         let [mean, rms] = [drift.mean, drift.rms].map(|part| 100.0 * part.abs());
         out.more(format_args!(
-            "{word}: between thirds mean and RMS of {channel} move by {mean:.2} % and {rms:.2} %"
+            "{word}: over {} s mean and RMS of {channel} move by {mean:.2} % and {rms:.2} %",
+            significant(drift.apart)
         ));
     }
     let all = motion.statistics.iter();

@@ -59,7 +59,14 @@ impl RunFindings {
     pub fn text(&self) -> String {
         let choice = self.scenario.contact_choice.as_ref();
         let chosen = choice.map(contact_choice_text).unwrap_or_default();
-        text(&self.scenario.title, &self.model, &self.recorded.run, &[]) + &chosen
+        let campbell = self.campbell.as_ref();
+        text(
+            &self.scenario.title,
+            &self.model,
+            &self.recorded.run,
+            campbell,
+            &[],
+        ) + &chosen
     }
 
     /// Names of the tables that the run has, as those of its files.

@@ -15,7 +15,9 @@ use super::histories::Histories;
 use super::motion::{motion_json, orbit_figure, poincare_table};
 use super::page::write_page;
 use super::run_tables::{SampleFiles, ball_columns, ball_row, event_columns, event_row};
-use super::run_up::{maps_figures, maps_json, tracks_table, waterfall_columns, waterfall_rows};
+use super::run_up::{
+    maps_figures, maps_json, run_up_json, tracks_table, waterfall_columns, waterfall_rows,
+};
 use super::scene::scene_figure;
 use super::spectra::{
     NamedPeak, estimated_figure, estimated_json, estimated_table, frequency_limit_of, peak_table,
@@ -376,6 +378,8 @@ pub struct RunSummary<'a> {
     spectrum: Option<Value>,
     peaks: Vec<NamedPeak<'a>>,
     motion: Option<Value>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    run_up: Option<Value>,
     maps: Option<Value>,
     spectra: Vec<Value>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -412,6 +416,10 @@ impl<'a> RunSummary<'a> {
             spectrum: spectrum.map(|spectrum| with_keys(spectrum, json!({ "scaling": SCALING }))),
             peaks: peaks.map(|peak| NamedPeak::new(peak, spectrum)).collect(),
             motion: run.motion.as_ref().map(motion_json),
+            run_up: run
+                .run_up
+                .as_ref()
+                .map(|run_up| run_up_json(run_up, campbell)),
             maps: run.maps.as_ref().map(maps_json),
             spectra: run.spectra.iter().map(estimated_json).collect(),
             contact_choice,

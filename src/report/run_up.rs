@@ -1,13 +1,17 @@
 //! A run whose speed changes: its waterfall and its order tracks.
 
-use serde_json::{Value, json};
+use serde_json::{Map as Object, Value, json};
 
+use super::destination::with_keys;
 use super::figure::{Axis, Curve, Figure, Map, Name, Panel, Point, WHITE, distinct, graded};
 use super::spectra::{amplitude_column, phase_column};
 use super::table::{Column, Table};
-use super::terminal::{MICRO, PER_MINUTE, PER_SECOND};
+use super::terminal::{
+    Lines, MICRO, PER_MINUTE, PER_SECOND, decimals, listed, shown_unit, significant,
+};
 use crate::analysis::{OrderTracks, Slice, Track, Waterfall};
-use crate::simulate::Maps;
+use crate::simulate::{Extreme, Maps, RunUp};
+use crate::study::campbell::{Campbell, CriticalSpeed};
 
 /// What is drawn of the maps, as far as they are not empty.
 pub(super) fn maps_figures(title: &str, maps: &Maps) -> Vec<Figure> {
@@ -16,6 +20,57 @@ pub(super) fn maps_figures(title: &str, maps: &Maps) -> Vec<Figure> {
     let waterfall = waterfall.then(|| waterfall_figure(title, maps));
     let tracks = tracks.then(|| order_figure(title, &maps.tracks));
     waterfall.into_iter().chain(tracks).collect()
+}
+
+/// The largest motion and the critical speeds that were passed, which are known where the run is mapped.
+pub(super) fn run_up_json(run_up: &RunUp, campbell: Option<&Campbell>) -> Value {
+    let axes = run_up.axes.iter();
+    let axes: Object<_, _> = axes
+        .map(|(channel, extreme)| (channel.name().to_owned(), json!(extreme)))
+        .collect();
+    let passed = campbell.map(|campbell| campbell.passed(run_up));
+    let further = json!({
+        "meaning": "largest distances from the static equilibrium, in m and rad, and when and at which speed they were reached; critical \
+                    speeds of the linearised shaft that its own order crossed",
+        "axes": axes,
+        "critical_speeds_passed": passed,
+    });
+    with_keys(run_up, further)
+}
+
+/// The largest motion and the critical speeds that were passed.
+pub(super) fn add_run_up(out: &mut Lines, run_up: &RunUp, campbell: Option<&Campbell>) {
+    let at = |extreme: &Extreme| {
+        let rpm = PER_MINUTE * extreme.speed;
+        format!("at {rpm:.0} rpm, {:.4} s", extreme.time)
+    };
+    let radial = &run_up.radial;
+    let size = significant(MICRO * radial.amplitude);
+    out.line(
+        "peak",
+        format!("{size} µm from the equilibrium {}", at(radial)),
+    );
+    for (channel, extreme) in &run_up.axes {
+        let (unit, scale) = shown_unit(channel.unit());
+        let size = significant(scale * extreme.amplitude);
+        out.more(format!("{channel} {size} {unit} {}", at(extreme)));
+    }
+    let Some(campbell) = campbell else { return };
+    let passed = campbell.passed(run_up);
+    let text = |critical: &CriticalSpeed| {
+        let (rpm, damping) = (
+            PER_MINUTE * critical.speed,
+            decimals(critical.damping_ratio, 3),
+        );
+        format!("{rpm:.1} rpm ({}, ζ {damping})", critical.whirl)
+    };
+    match passed[..] {
+        [] => out.line("critical", "no critical speed of 1× was passed"),
+        _ => out.line(
+            "critical",
+            format!("passed {}", listed(passed.iter().map(text))),
+        ),
+    }
 }
 
 /// What the maps of a run-up rest on.
@@ -35,10 +90,17 @@ pub(super) fn maps_json(maps: &Maps) -> Value {
         "order_tracks": {
             "window": "hann over the angle of the shaft",
             "window_revolutions": tracks.revolutions,
+            "resolution_orders": tracks.resolution(),
+            "bandwidth_orders": tracks.bandwidth(),
             "points": tracks.points.len(),
             "orders": tracks.orders,
+            "tracks": tracks.tracked.iter().zip(&tracks.bias).map(|(track, bias)| {
+                json!({ "name": track.name, "order": track.order, "bias": bias })
+            }).collect::<Value>(),
+            "bias": "what is left of the averaging over a window at the largest amplitude, in parts of it",
             "scaling": "peak values; phase of cos(order psi + phase), psi the angle of the shaft; mean \
-                        and all orders fitted together by weighted least squares",
+                        and all orders fitted together by weighted least squares, what a window averages taken away \
+                        again; orders closer than the resolution share a track at their mean",
         },
     })
 }
@@ -290,7 +352,7 @@ pub(super) fn tracks_table(tracks: &OrderTracks) -> Table<'static> {
     table.numbers("t_s", points().map(|point| point.time));
     table.numbers("speed_rad_s", points().map(|point| point.speed));
     for (row, channel) in tracks.channels.iter().enumerate() {
-        for (index, order) in tracks.orders.iter().enumerate() {
+        for (index, order) in tracks.tracked.iter().enumerate() {
             let of = column(&order.name);
             let track = || points().map(|point| &point.tracks[row][index]);
             let [amplitude, phase] = [amplitude_column(*channel), phase_column(*channel)]
@@ -302,8 +364,11 @@ pub(super) fn tracks_table(tracks: &OrderTracks) -> Table<'static> {
     table
 }
 
-/// `1×` → `order_1`, `2×BPFO` → `BPFO_2x`, `BPFO of bearing 2` → `BPFO_of_bearing_2`.
+/// `1×` → `order_1`, `2×BPFO` → `BPFO_2x`, `BPFO of bearing 2` → `BPFO_of_bearing_2`, `3× + BPFO` → `order_3_and_BPFO`.
 fn column(name: &str) -> String {
+    if let Some((one, others)) = name.split_once(" + ") {
+        return format!("{}_and_{}", column(one), column(others));
+    }
     let name = name.replace(' ', "_");
     match name.split_once('×') {
         Some((order, "")) => format!("order_{order}"),
@@ -315,21 +380,14 @@ fn column(name: &str) -> String {
 /// A row of amplitude and phase for each channel.
 fn order_figure(title: &str, tracks: &OrderTracks) -> Figure {
     let channels = 0..tracks.channels.len();
-    let loudest: Vec<f64> = channels.map(|channel| loudest(tracks, channel)).collect();
+    let loudest: Vec<f64> = channels.map(|channel| tracks.loudest(channel)).collect();
     let panels = moving(&loudest).flat_map(|row| {
         let phases = phases(tracks, row, LEAST_OF_PHASE * loudest[row]);
         [amplitudes(tracks, row), phases]
     });
-    let names = tracks.orders.iter().map(|order| order.name.as_str());
+    let names = tracks.tracked.iter().map(|order| order.name.as_str());
     let figure = Figure::new("order_tracks.svg", title, 2, panels.collect());
     figure.with_names(Name::each(names))
-}
-
-/// Largest amplitude of any order of a channel.
-fn loudest(tracks: &OrderTracks, channel: usize) -> f64 {
-    let points = tracks.points.iter();
-    let all = points.flat_map(|point| &point.tracks[channel]);
-    all.map(|track| track.amplitude).fold(0.0, f64::max)
 }
 
 fn amplitudes(tracks: &OrderTracks, row: usize) -> Panel {
@@ -338,7 +396,7 @@ fn amplitudes(tracks: &OrderTracks, row: usize) -> Panel {
         let points = over_speed(tracks, row, order, |track| Some(MICRO * track.amplitude));
         Curve::line(distinct(order), points)
     };
-    let curves = (0..tracks.orders.len()).map(curve);
+    let curves = (0..tracks.tracked.len()).map(curve);
     Panel::of(speeds(tracks), name, ORDERS_HEIGHT, curves.collect())
 }
 
@@ -350,7 +408,7 @@ fn phases(tracks: &OrderTracks, row: usize, least: f64) -> Panel {
     let curve = |order| Curve::dots(distinct(order), over_speed(tracks, row, order, phase));
     let angles = Axis::over(name, -190.0..190.0);
     Panel {
-        curves: (0..tracks.orders.len()).map(curve).collect(),
+        curves: (0..tracks.tracked.len()).map(curve).collect(),
         ..Panel::new(speeds(tracks), angles, ORDERS_HEIGHT)
     }
 }

@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 
 use super::motion::{add_motion, add_severity};
 use super::statics::ball_pass_text;
+use super::run_up::add_run_up;
 use super::terminal::{
     Lines, MICRO, clearance_text, decimals, displacement_text, listed, mark_estimated,
     measured_text, of_bearing, significant,
@@ -16,6 +17,7 @@ use crate::simulate::{
     BearingHistory, EventCount, EventKind, Model, NaturalFrequency, Reduction, Run, Spread,
     StaticState, TableUse,
 };
+use crate::study::campbell::Campbell;
 use crate::study::{ContactChoice, FidelityDifference};
 
 /// Peaks shown.
@@ -24,10 +26,21 @@ const PEAKS: usize = 8;
 const ENVELOPE_LINES: usize = 6;
 
 /// Key numbers of a run, its strongest peaks and the files written.
-pub fn text(title: &str, model: &Model, run: &Run, files: &[PathBuf]) -> String {
+///
+/// `campbell` is what is known of critical speeds where the speed changes.
+pub fn text(
+    title: &str,
+    model: &Model,
+    run: &Run,
+    campbell: Option<&Campbell>,
+    files: &[PathBuf],
+) -> String {
     let mut out = Lines::titled(title);
     if let Some(severity) = &run.vibration_severity {
         add_severity(&mut out, severity);
+    }
+    if let Some(run_up) = &run.run_up {
+        add_run_up(&mut out, run_up, campbell);
     }
     let moving = model.rotor.shaft.freedoms.axes();
     let place = displacement_text(moving, &run.equilibrium.displacement);

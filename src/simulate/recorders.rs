@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::run_up::{RunUp, RunUpRecorder};
 use super::{Analyses, Model, MotionAnalysis};
 use crate::analysis::{
     Channel, Motion, MotionRecorder, MotionSettings, OrderTracks, SectionKind, SpallRecorder,
@@ -23,9 +24,10 @@ const WINDOWS: [f64; 2] = [8.0, 64.0];
 /// short run for it.
 const FEWEST_REVOLUTIONS: f64 = 4.0;
 const LEAST_WINDOWS: f64 = 4.0;
-/// Windows of the order tracks in the run, and their shortest and longest length in revolutions.
-const TRACK_WINDOWS: f64 = 20.0;
+/// Shortest and longest windows of the order tracks, in revolutions, and in parts of √(2R) of R revolutions of the run: in a
+/// linear run-up a vibration of two thirds of the highest speed rings for about half of that while its order passes.
 const TRACK_REVOLUTIONS: [f64; 2] = [4.0, 16.0];
+const TRACK_PARTS: [f64; 2] = [1.0 / 6.0, 1.0 / 3.0];
 
 /// Maps of a run whose speed changes.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,6 +43,7 @@ pub struct Maps {
 pub(super) struct Recorders {
     motion: Option<MotionRecorder>,
     maps: Option<(WaterfallRecorder, TrackRecorder)>,
+    run_up: Option<RunUpRecorder>,
     spalls: Vec<SpallRecorder>,
 }
 
@@ -52,6 +55,7 @@ impl Recorders {
         Self {
             motion: steady.map(|speed| MotionRecorder::new(settings(model, rotor, grid, speed))),
             maps: maps.then(|| maps_of(model, rotor, 1.0 / grid.interval)),
+            run_up: RunUpRecorder::new(model, rotor),
             spalls: spalls(model, rotor, grid),
         }
     }
@@ -65,6 +69,9 @@ impl Recorders {
             waterfall.record(sample);
             tracks.record(sample);
         }
+        if let Some(run_up) = &mut self.run_up {
+            run_up.record(sample);
+        }
         for spall in &mut self.spalls {
             spall.record(sample);
         }
@@ -75,7 +82,14 @@ impl Recorders {
         !self.spalls.is_empty()
     }
 
-    pub fn finish(self) -> (Option<Motion>, Option<Maps>, Vec<SpallSignal>) {
+    pub fn finish(
+        self,
+    ) -> (
+        Option<Motion>,
+        Option<Maps>,
+        Option<RunUp>,
+        Vec<SpallSignal>,
+    ) {
         let maps = self.maps.map(|(waterfall, tracks)| Maps {
             waterfall: waterfall.finish(),
             tracks: tracks.finish(),
@@ -85,6 +99,7 @@ impl Recorders {
         (
             motion,
             maps,
+            self.run_up.and_then(RunUpRecorder::finish),
             spalls.filter_map(SpallRecorder::finish).collect(),
         )
     }
@@ -129,6 +144,12 @@ fn settings(model: &Model, rotor: &Rotor, grid: &Grid, speed: f64) -> MotionSett
         levers: std::array::from_fn::<_, FREEDOMS, _>(|axis| scale.lever(axis)),
         sections,
         housing_velocities: housing_velocities(model),
+        revolution: (speed > 0.0).then(|| TAU / speed),
+        passes: rotor
+            .ball_pass_orders()
+            .iter()
+            .map(|pass| pass[0])
+            .collect(),
         velocity_band: velocity_band(speed),
         kind: motion == MotionAnalysis::Kind,
     }
@@ -169,11 +190,9 @@ fn maps_of(model: &Model, rotor: &Rotor, rate: f64) -> (WaterfallRecorder, Track
     let limit = wanted.into_iter().fold(0.0, f64::max);
     let limit = if limit > 0.0 { limit } else { rate };
     let window = waterfall_window(model, rotor);
-    let tracks = TrackRecorder::new(
-        tracked(&passes),
-        channels.clone(),
-        track_window(model, rotor),
-    );
+    let orders = tracked(&passes);
+    let revolutions = track_window(model, rotor, &orders);
+    let tracks = TrackRecorder::new(orders, channels.clone(), revolutions);
     let waterfall = WaterfallRecorder::new(channels, rate, window, limit);
     (waterfall, tracks)
 }
@@ -204,17 +223,21 @@ fn waterfall_window(model: &Model, rotor: &Rotor) -> f64 {
         .min(model.duration / LEAST_WINDOWS)
 }
 
-/// Revolutions of a window: those of the run over a number of windows.
-fn track_window(model: &Model, rotor: &Rotor) -> f64 {
-    let [shortest, longest] = TRACK_REVOLUTIONS;
+/// Revolutions of a window: as few as tell the orders apart, as far as the sweep leaves time for it.
+fn track_window(model: &Model, rotor: &Rotor, orders: &[TrackedOrder]) -> f64 {
+    let [least, most] = TRACK_REVOLUTIONS;
     let angle = if rotor.is_driven() {
         0.5 * rotor.highest_speed() * model.duration
     } else {
         rotor.speed_profile().at(model.duration).angle
     };
-    (angle / TAU / TRACK_WINDOWS)
-        .round()
-        .clamp(shortest, longest)
+    let passing = TRACK_PARTS.map(|part| part * (2.0 * angle.abs() / TAU).sqrt());
+    let [shortest, longest] = passing.map(|revolutions| revolutions.round().clamp(least, most));
+    let mut places: Vec<f64> = orders.iter().map(|order| order.order).collect();
+    places.sort_by(f64::total_cmp);
+    let apart = places.windows(2).map(|pair| 2.0 / (pair[1] - pair[0]));
+    let needed = apart.filter(|revolutions| *revolutions <= longest);
+    needed.fold(shortest, f64::max).ceil()
 }
 
 /// The first shaft orders, and the ball passes of every bearing at both races.

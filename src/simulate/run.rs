@@ -7,8 +7,8 @@ use std::sync::atomic::AtomicBool;
 use serde::Serialize;
 
 use super::{
-    BearingHistory, EnergyReport, Event, Maps, Model, Monitor, SimulateError, TableUse, TraceSink,
-    VibrationSeverity, sampling, simulate,
+    BearingHistory, EnergyReport, Event, Maps, Model, Monitor, RunUp, SimulateError, TableUse,
+    TraceSink, VibrationSeverity, sampling, simulate,
 };
 use crate::analysis::{
     Channel, ChannelSpectrum, EstimateError, EstimatedSpectrum, Motion, Peak, SpallSignal,
@@ -158,6 +158,9 @@ pub struct Run {
     /// Zone of ISO 20816-3, where the motion is known and the machine is.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) vibration_severity: Option<VibrationSeverity>,
+    /// The largest motion, where the speed changes.
+    #[serde(skip)]
+    pub run_up: Option<RunUp>,
     /// Waterfall and order tracks, where asked for.
     #[serde(skip)]
     pub maps: Option<Maps>,

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use super::passes::Passes;
 use super::run::Reduction;
 use super::{MeasuredError, Model};
-use crate::analysis::{Channel, Kind, Motion};
+use crate::analysis::{Channel, Motion};
 use crate::bearing::{ContactLaw, Support};
 use crate::integrate::{Method, Stiffness};
 use crate::physics::{Race, ball_mass, centrifugal_force, nominal_cage_speed};
@@ -147,18 +147,18 @@ fn stiff(stiffness: &Stiffness) -> String {
 
 /// The statistics of an irregular motion move by themselves, and nothing is said of them.
 fn not_settled(motion: &Motion) -> Option<String> {
-    let drift = motion.drift.filter(|drift| !drift.is_settled())?;
-    if matches!(motion.recognition.kind, Kind::Irregular { .. }) {
-        return None;
-    }
+    let drift = motion
+        .drift
+        .filter(|_| motion.has_settled() == Some(false))?;
     // the size of a drift that rounds to nothing has no sign
     let percent = |part: f64| match (1e3 * part).round() {
         0.0 => 0.0,
         thousandths => 0.1 * thousandths,
     };
     Some(format!(
-        "the motion has not settled: from the second to the last third after the settle time the mean of \
-         {} moves by {:.1} % of the vibration and its RMS by {:.1} %; make `settle` and `duration` longer",
+        "the motion has not settled: over the last {:.4} s the mean of {} moves by {:.1} % of the vibration and its RMS by \
+         {:.1} %; make `settle` and `duration` longer",
+        drift.apart + drift.window,
         Channel::Displacement(drift.freedom),
         percent(drift.mean),
         percent(drift.rms)

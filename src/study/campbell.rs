@@ -7,7 +7,7 @@ use serde::Serialize;
 use crate::integrate::root::Bracket;
 use crate::keys;
 use crate::rotor::{Rotor, RotorDefinition, RotorError, Whirl};
-use crate::simulate::{Model, Run, finer_modes, speed_warnings};
+use crate::simulate::{Model, Run, RunUp, finer_modes, speed_warnings};
 
 pub use crate::rotor::Mode;
 
@@ -47,8 +47,75 @@ pub(crate) fn along_run_up(model: &Model, run: &mut Run) -> Option<Campbell> {
         let warning = format!("there is no diagram of natural frequencies: {error}");
         run.warnings.push(warning);
     };
-    question.diagram().map_err(refused).ok()
+    let found = question.diagram().map_err(refused).ok()?;
+    Some(found.up_to(None))
 }
+
+/// Highest order times highest speed up to which branches are shown, unless a frequency is asked for, as a factor.
+const SHOWN: f64 = 1.5;
+/// The same of the lowest branch, so that a diagram is never empty.
+const LEAST_SHOWN: f64 = 1.25;
+
+impl Campbell {
+    /// Without the branches that are above a frequency in Hz at every speed: one and a half times the highest order at the highest
+    /// speed where none is given, and at least a quarter above the lowest branch.
+    #[must_use]
+    pub fn up_to(mut self, highest: Option<f64>) -> Self {
+        let lowest = |branch: &Branch| {
+            let modes = branch.modes.iter().flatten();
+            modes
+                .map(Mode::damped_frequency)
+                .fold(f64::INFINITY, f64::min)
+        };
+        let first = self
+            .branches
+            .iter()
+            .map(lowest)
+            .fold(f64::INFINITY, f64::min);
+        let order = self.orders.iter().copied().fold(1.0, f64::max);
+        let speed = self.speeds.last().copied().unwrap_or(0.0);
+        let limit = highest.unwrap_or(SHOWN * order * speed / TAU);
+        let limit = if first.is_finite() {
+            limit.max(LEAST_SHOWN * first)
+        } else {
+            limit
+        };
+        let kept: Vec<bool> = self
+            .branches
+            .iter()
+            .map(|branch| lowest(branch) <= limit)
+            .collect();
+        let new_index = |old: usize| kept[..old].iter().filter(|kept| **kept).count();
+        self.critical_speeds
+            .retain(|critical| kept[critical.branch]);
+        for critical in &mut self.critical_speeds {
+            critical.branch = new_index(critical.branch);
+        }
+        self.left_out = kept.iter().filter(|kept| !**kept).count();
+        let mut keep = kept.iter();
+        self.branches.retain(|_| keep.next() == Some(&true));
+        self.highest_frequency = Some(limit);
+        self
+    }
+
+    /// Critical speeds of the shaft's own order that a run went through, by speed, those of both whirls of a round shaft once.
+    pub(crate) fn passed(&self, run_up: &RunUp) -> Vec<CriticalSpeed> {
+        let [lowest, highest] = run_up.speeds;
+        let own = self
+            .critical_speeds
+            .iter()
+            .filter(|critical| critical.order == 1.0);
+        let mut passed: Vec<_> = own
+            .filter(|critical| (lowest..=highest).contains(&critical.speed))
+            .copied()
+            .collect();
+        passed.dedup_by(|next, before| (next.speed / before.speed - 1.0).abs() < SAME);
+        passed
+    }
+}
+
+/// Critical speeds closer than this part of them are one.
+const SAME: f64 = 1e-6;
 
 /// A mode followed over the speeds by its shape.
 #[derive(Debug, Clone, PartialEq)]
@@ -112,6 +179,10 @@ pub struct Campbell {
     pub least_assurance: f64,
     /// What the reader should know, of the highest speed too.
     pub warnings: Vec<String>,
+    /// Frequency up to which branches are shown, Hz; none where all are.
+    pub highest_frequency: Option<f64>,
+    /// Branches above it, which are left out.
+    pub left_out: usize,
 }
 
 /// Why there is no diagram.
@@ -197,6 +268,8 @@ impl CampbellQuestion {
             critical_speeds,
             least_assurance,
             warnings: Vec::new(),
+            highest_frequency: None,
+            left_out: 0,
         })
     }
 

@@ -56,6 +56,132 @@ fn a_run_up_is_mapped_and_a_later_run_without_maps_leaves_none() {
     assert!(summary["motion"].is_null() && summary["maps"].is_null());
 }
 
+/// 5 kg on 1.974 N/µm, 100 Hz, ζ = 0.02, eccentricity 0.5 mm. The largest |r| by `solve_ivp` of SciPy, DOP853 at 1e-10.
+const RUN_UP: &str = "[shaft]\nmass = \"5 kg\"\neccentricity = \"0.5 mm\"\n[[bearing]]\n\
+    linear = { stiffness = { x = \"1.9739208802178716e6 N/m\", y = \"1.9739208802178716e6 N/m\" }, \
+    damping = { x = \"125.66370614359172 N s/m\", y = \"125.66370614359172 N s/m\" } }\n\
+    [speed]\nfrom = \"0 rpm\"\nto = \"9000 rpm\"\nover = \"3 s\"\n[initial]\nfrom = \"zero\"\n\
+    [time]\nduration = \"3 s\"\n";
+
+#[test]
+fn a_run_up_tells_its_largest_motion_and_tracks_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("run-up.toml");
+    fs::write(&file, RUN_UP).expect("a file");
+    let file = file.to_str().expect("a path");
+    let output = jeffcott(&["run", file, "--no-verify"], folder.path());
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let summary = json(&folder.path().join("run-up/summary.json"));
+    let number = |pointer: &str| {
+        summary
+            .pointer(pointer)
+            .and_then(Value::as_f64)
+            .expect("a number")
+    };
+    let rpm = |speed: f64| speed * 30.0 / std::f64::consts::PI;
+    assert!((number("/run_up/radial/amplitude") - 10.515_0e-3).abs() < 1e-6);
+    assert!((rpm(number("/run_up/radial/speed_rad_s")) - 6254.0).abs() < 2.0);
+    assert!((number("/run_up/axes/x/amplitude") / 10.515_0e-3 - 1.0).abs() < 0.02);
+    let passed = summary["run_up"]["critical_speeds_passed"]
+        .as_array()
+        .expect("speeds");
+    assert_eq!(passed.len(), 1, "{passed:?}");
+    let critical = passed[0]["speed_rad_s"].as_f64().map(rpm).expect("a speed");
+    assert!((critical - 5998.8).abs() < 0.1, "{critical}");
+    // 9.706 mm without the correction
+    let tracks =
+        fs::read_to_string(folder.path().join("run-up/order_tracks.csv")).expect("a table");
+    let mut rows = tracks.lines();
+    let column = rows.next().and_then(|head| {
+        head.split(',')
+            .position(|name| name == "order_1_x_amplitude_m")
+    });
+    let column = column.unwrap_or_else(|| panic!("{tracks:.200}"));
+    let peak = rows.map(|row| {
+        row.split(',')
+            .nth(column)
+            .and_then(|cell| cell.parse().ok())
+            .unwrap_or(0.0)
+    });
+    let peak: f64 = peak.fold(0.0, f64::max);
+    assert!((peak / 10.515_0e-3 - 1.0).abs() < 5e-3, "{peak}");
+    assert!(number("/maps/order_tracks/tracks/0/bias") < 5e-3);
+    let shown = text(&output.stdout);
+    let second = shown.lines().nth(1).expect("a line");
+    assert!(
+        second.contains("peak") && second.contains("at 6254 rpm"),
+        "{shown}"
+    );
+    assert!(shown.contains("passed 5998.8 rpm"), "{shown}");
+}
+
+/// 10 kg with 100 g mm on two bearings of constant stiffness, five revolutions kept, which repeat to 1e-9.
+const FIVE_REVOLUTIONS: &str = "[shaft]\nmass = \"10 kg\"\ngravity = true\nfreedoms = \"all\"\n\
+    inertia_transverse = \"0.1 kg m^2\"\ninertia_polar = \"0.05 kg m^2\"\n[[unbalance]]\namount = \"100 g mm\"\n\
+    [[bearing]]\nposition = \"-100 mm\"\nlinear = { stiffness = { x = \"50 N/um\", y = \"50 N/um\", z = \"10 N/um\" }, \
+    damping = { x = \"500 N s/m\", y = \"500 N s/m\", z = \"500 N s/m\" } }\n\
+    [[bearing]]\nposition = \"100 mm\"\nlinear = { stiffness = { x = \"50 N/um\", y = \"50 N/um\" }, \
+    damping = { x = \"500 N s/m\", y = \"500 N s/m\" } }\n\
+    [speed]\nconstant = \"3000 rpm\"\n[time]\nduration = \"0.5 s\"\nsettle = \"0.4 s\"\n";
+
+#[test]
+fn what_repeats_has_settled_whatever_the_revolutions() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("five.toml");
+    for settle in ["0.4 s", "0.36 s", "0.44 s"] {
+        let scene = FIVE_REVOLUTIONS.replace("0.4 s", settle);
+        fs::write(&file, scene).expect("a file");
+        let path = file.to_str().expect("a path");
+        let output = jeffcott(&["run", path, "--no-verify"], folder.path());
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        let summary = json(&folder.path().join("five/summary.json"));
+        let settling = &summary["motion"]["settling"];
+        assert_eq!(settling["settled"], true, "{settle}: {settling}");
+        for part in ["mean", "rms"] {
+            let moved = settling[part].as_f64().expect("a number");
+            assert!(moved.abs() < 1e-6, "{settle}: {settling}");
+        }
+        let warnings = summary["warnings"].to_string();
+        assert!(!warnings.contains("not settled"), "{warnings}");
+    }
+}
+
+/// A disc of 45.36 kg on a shaft of hardly any mass: a mode at 16 Hz, and those of the shaft from 31 kHz to 6 MHz.
+const LIGHT_SHAFT: &str = "[shaft]\nmaterial = { youngs_modulus = \"30e6 psi\", density = \"1 kg/m^3\" }\n\
+    [[shaft.section]]\nlength = \"30 in\"\nouter_diameter = \"1 in\"\n[[disc]]\nmass = \"100 lb\"\nposition = \"15 in\"\n\
+    [[bearing]]\nposition = \"0 in\"\nlinear = { stiffness = { x = \"1e10 N/m\", y = \"1e10 N/m\" } }\n\
+    [[bearing]]\nposition = \"30 in\"\nlinear = { stiffness = { x = \"1e10 N/m\", y = \"1e10 N/m\" } }\n\
+    [speed]\nconstant = \"1200 rpm\"\n";
+
+#[test]
+fn a_campbell_diagram_shows_what_the_orders_reach() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("light.toml");
+    fs::write(&file, LIGHT_SHAFT).expect("a file");
+    let asked = |more: &[&str]| {
+        let path = file.to_str().expect("a path");
+        let given = ["campbell", path, "--to", "2000 rpm", "--count", "5"];
+        let output = jeffcott(&[&given, more].concat(), folder.path());
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        let shown = text(&output.stdout);
+        assert!(!shown.contains("-0.0000"), "{shown}");
+        let document = json(&folder.path().join("light/campbell.json"));
+        let branches = document["branches"].as_array().map_or(0, Vec::len);
+        (branches, document)
+    };
+    let (branches, document) = asked(&[]);
+    assert_eq!(branches, 2, "{document}");
+    let highest = document["highest_frequency_Hz"]
+        .as_f64()
+        .expect("a frequency");
+    assert!((highest - 50.0).abs() < 1e-9, "{highest}");
+    for critical in document["critical_speeds"].as_array().expect("speeds") {
+        assert_eq!(critical["damping_ratio"].to_string(), "0.0");
+    }
+    let (more, document) = asked(&["--highest-frequency", "40 kHz"]);
+    assert!(more > branches, "{document}");
+}
+
 #[test]
 fn a_steady_run_has_its_points_and_its_orbit() {
     let folder = tempfile::tempdir().expect("a folder");

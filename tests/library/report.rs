@@ -199,6 +199,7 @@ fn run() -> Run {
         spectrum: Some(spectrum),
         peaks,
         vibration_severity: None,
+        run_up: None,
         motion: None,
         maps: None,
         spectra: Vec::new(),
@@ -533,6 +534,7 @@ fn the_text_shows_key_numbers_peaks_and_files() {
         "A title",
         &model(),
         &run(),
+        None,
         &[PathBuf::from("output/x/trace.csv")],
     );
     let flat: Vec<&str> = shown.split_whitespace().collect();

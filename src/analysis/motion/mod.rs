@@ -44,6 +44,10 @@ pub struct MotionSettings {
     pub sections: Vec<(SectionKind, f64)>,
     /// Velocities of housings whose RMS is asked for.
     pub housing_velocities: Vec<Channel>,
+    /// Time of a revolution, s; none where the shaft does not turn.
+    pub revolution: Option<f64>,
+    /// Ball passes a revolution of the bearings.
+    pub passes: Vec<f64>,
     /// Band of the RMS velocities, Hz.
     pub velocity_band: [f64; 2],
     /// Whether the kind of the motion is recognised, by the points of the sections.
@@ -108,6 +112,19 @@ pub struct Motion {
     pub orbit: Vec<[f64; 2]>,
 }
 
+impl Motion {
+    /// Whether the motion has settled: it repeats, or its statistics hardly move; not known of an irregular one, whose
+    /// statistics move by themselves, and of a record without a drift.
+    pub fn has_settled(&self) -> Option<bool> {
+        let drift = self.drift.as_ref()?;
+        match self.recognition.kind {
+            Kind::Irregular { .. } => None,
+            Kind::Periodic { .. } => Some(true),
+            _ => Some(drift.is_settled()),
+        }
+    }
+}
+
 /// Takes samples at equal times and constant speed.
 ///
 /// Beside three velocities a sample its memory grows with the sections' points only.
@@ -141,7 +158,11 @@ impl MotionRecorder {
             rates: [Moments::default(); FREEDOMS],
             velocity: vec![Vec::new(); settings.freedoms.lengths()],
             housing_velocity: housings.map(|channel| (*channel, Vec::new())).collect(),
-            drift: DriftRecorder::new(settings.start, settings.end),
+            drift: DriftRecorder::new(
+                [settings.start, settings.end],
+                settings.revolution,
+                &settings.passes,
+            ),
             sections: sections
                 .map(|(kind, order)| Section::new(*kind, *order))
                 .collect(),

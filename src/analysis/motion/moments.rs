@@ -196,7 +196,7 @@ pub fn velocity_level(velocity: Vec<f64>, rate: f64, wanted: [f64; 2]) -> Option
 /// A motion whose statistics move by less than this part of it has settled.
 pub const SETTLED: f64 = 0.02;
 
-/// How far mean and RMS of a freedom move from the second to the last third of the window.
+/// How far mean and RMS of a freedom move from one window to one that ends with the record.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Drift {
@@ -207,6 +207,12 @@ pub struct Drift {
     pub mean: f64,
     /// Change of its RMS, in the same parts.
     pub rms: f64,
+    /// Length of both windows, s.
+    #[serde(rename = "window_s")]
+    pub window: f64,
+    /// Time from one to the other, s: whole revolutions of a shaft that turns.
+    #[serde(rename = "apart_s")]
+    pub apart: f64,
 }
 
 impl Drift {
@@ -221,26 +227,65 @@ impl Drift {
     }
 }
 
-/// Takes samples of the freedoms at equal times over a window of known ends.
+/// Two windows of whole revolutions as far apart as makes the ball passes whole, too, as nearly as can be: a motion that repeats
+/// with the shaft then has the same mean and RMS in both, whatever part of its period a window ends with.
 ///
-/// Mean and RMS of each third are weighted by a Hann window over it, so that a vibration of no whole
-/// number of periods in a third does not move them.
+/// Returns length and distance in revolutions, about a third of `whole` revolutions each; none of less than two. `passes` are
+/// the ball passes a revolution.
+fn windows(whole: usize, passes: &[f64]) -> Option<[usize; 2]> {
+    if whole < 2 {
+        return None;
+    }
+    // a motion that repeats every other revolution is the most common of the others
+    let off = |revolutions: usize| {
+        let cycles = passes
+            .iter()
+            .chain(&[0.5])
+            .map(|order| order * revolutions as f64);
+        cycles
+            .map(|cycles| (cycles - cycles.round()).abs())
+            .fold(0.0, f64::max)
+    };
+    let third = (whole as f64 / 3.0).round() as usize;
+    let apart = ((whole / 4).max(1)..=third.max(1))
+        .rev()
+        .min_by(|a, b| off(*a).total_cmp(&off(*b)))?;
+    // a Hann window of two periods or more hides those that do not fit
+    let length = (whole / 3).max(2).min(whole - apart);
+    Some([length, apart])
+}
+
+/// Takes samples of the freedoms at equal times over a record of known ends.
+///
+/// Mean and RMS are weighted by a Hann window, so that a vibration of no whole number of periods in it hardly moves them.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct DriftRecorder {
-    start: f64,
-    third: f64,
+    /// Where the windows begin, s.
+    starts: [f64; 2],
+    /// Their length, s; none of a record that holds no two of them.
+    length: Option<f64>,
     /// Where the sums count from.
     origin: Option<[f64; FREEDOMS]>,
-    /// Of the second and the last third Σ w, and of every freedom Σ w x and Σ w x².
+    /// Of both windows Σ w, and of every freedom Σ w x and Σ w x².
     sums: [(f64, [[f64; 2]; FREEDOMS]); 2],
 }
 
 impl DriftRecorder {
-    /// For samples from `start` to `end`, s.
-    pub fn new(start: f64, end: f64) -> Self {
+    /// For samples from `start` to `end`, s, of a shaft that takes `revolution` seconds a turn, by its ball passes a revolution;
+    /// of one that does not turn the last two thirds.
+    pub fn new([start, end]: [f64; 2], revolution: Option<f64>, passes: &[f64]) -> Self {
+        let third = (end - start) / 3.0;
+        let found = match revolution {
+            None => Some([third; 2]),
+            Some(revolution) => {
+                let whole = ((end - start) / revolution).round() as usize;
+                windows(whole, passes).map(|found| found.map(|count| count as f64 * revolution))
+            }
+        };
+        let [length, apart] = found.unwrap_or_default();
         Self {
-            start,
-            third: (end - start) / 3.0,
+            starts: [end - length - apart, end - length],
+            length: found.map(|_| length),
             origin: None,
             sums: [(0.0, [[0.0; 2]; FREEDOMS]); 2],
         }
@@ -248,27 +293,28 @@ impl DriftRecorder {
 
     /// Takes a sample.
     pub fn record(&mut self, sample: &Sample) {
+        let Some(length) = self.length else { return };
         let origin = self.origin.get_or_insert(sample.displacement);
-        let thirds = (sample.time - self.start) / self.third;
-        let (weights, sums) = match thirds {
-            1.0..2.0 => &mut self.sums[0],
-            2.0..3.0 => &mut self.sums[1],
-            _ => return,
-        };
-        // a Hann window over every third
-        let weight = 0.5 - 0.5 * (TAU * thirds).cos();
-        *weights += weight;
-        for axis in 0..FREEDOMS {
-            let distance = sample.displacement[axis] - origin[axis];
-            sums[axis][0] += weight * distance;
-            sums[axis][1] += weight * distance * distance;
+        for (start, (weights, sums)) in self.starts.iter().zip(&mut self.sums) {
+            let part = (sample.time - start) / length;
+            if !(0.0..1.0).contains(&part) {
+                continue;
+            }
+            let weight = 0.5 - 0.5 * (TAU * part).cos();
+            *weights += weight;
+            for axis in 0..FREEDOMS {
+                let distance = sample.displacement[axis] - origin[axis];
+                sums[axis][0] += weight * distance;
+                sums[axis][1] += weight * distance * distance;
+            }
         }
     }
 
     /// The freedom that moves most, lengths and angles made comparable by `levers`, in parts of `scale`;
-    /// none where a third holds too little.
+    /// none where a window holds too little.
     pub fn finish(&self, levers: &[f64; FREEDOMS], scale: f64) -> Option<Drift> {
         let [second, last] = &self.sums;
+        let window = self.length?;
         if !(second.0 > 0.0 && last.0 > 0.0 && scale > 0.0) {
             return None;
         }
@@ -283,6 +329,8 @@ impl DriftRecorder {
                 freedom,
                 mean: change(0),
                 rms: change(1),
+                window,
+                apart: self.starts[1] - self.starts[0],
             }
         });
         drifts.max_by(|a, b| a.largest().total_cmp(&b.largest()))
@@ -316,6 +364,47 @@ mod tests {
         assert!((kurtosis - expected).abs() < 1e-13, "{kurtosis}");
         let highest = values.iter().copied().fold(0.0, f64::max);
         assert_eq!(moments.highest, highest);
+    }
+
+    /// Of a sine of one cycle a revolution the record holds so many: its mean moved by a fifth between thirds of five.
+    #[test]
+    fn what_repeats_every_revolution_does_not_drift() {
+        for (revolutions, samples) in [
+            (2, 128.0),
+            (3, 128.0),
+            (5, 128.0),
+            (5, 100.3),
+            (7, 128.0),
+            (10, 41.7),
+            (23, 64.0),
+        ] {
+            let mut recorder =
+                DriftRecorder::new([0.5 / samples, f64::from(revolutions)], Some(1.0), &[]);
+            let sample = |time: f64| Sample {
+                time,
+                displacement: [
+                    (TAU * time).cos() + 0.3 * (2.0 * TAU * time + 1.0).sin(),
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                ],
+                ..Sample::default()
+            };
+            let count = (f64::from(revolutions) * samples + 1e-9) as u32;
+            (1..=count).for_each(|n| recorder.record(&sample(f64::from(n) / samples)));
+            let drift = recorder.finish(&[1.0; FREEDOMS], 0.7).expect("a drift");
+            assert!(drift.largest() < 2e-5, "{revolutions}: {drift:?}");
+        }
+    }
+
+    #[test]
+    fn windows_are_apart_by_whole_revolutions_that_fit_the_ball_passes() {
+        assert_eq!(windows(1, &[]), None);
+        assert_eq!(windows(5, &[]), Some([2, 2]));
+        assert_eq!(windows(9, &[]), Some([3, 2]));
+        assert_eq!(windows(40, &[3.08]), Some([13, 12])); // 36.96 ball passes
+        assert_eq!(windows(39, &[3.25]), Some([13, 12]));
     }
 
     #[test]

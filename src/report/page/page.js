@@ -304,6 +304,19 @@
     return found && ["vibration zone", found.zone, found.meaning];
   }
 
+  /** The largest motion of a run whose speed changes, and the critical speeds that it passed. */
+  function runUpTiles() {
+    const found = summary.run_up;
+    if (!found) return [];
+    const rpm = (speed) => `${number((30 / Math.PI) * speed)} rpm`;
+    const { radial, critical_speeds_passed: passed } = found;
+    const axes = Object.entries(found.axes).map(([name, { amplitude }]) => `${named(name)} ${shown(amplitude, name.startsWith("tilt") ? "rad" : "m")}`);
+    return [
+      ["largest motion", shown(radial.amplitude, "m"), `from the equilibrium at ${rpm(radial.speed_rad_s)}, ${number(radial.time_s)} s; ${axes.join(", ")}`],
+      passed && ["critical speeds passed", passed.map((critical) => rpm(critical.speed_rad_s)).join(", ") || "none", "crossed by 1×, of the linearised shaft"],
+    ];
+  }
+
   /** What the zone rests on. */
   function zoneText() {
     const found = summary.vibration_severity;
@@ -323,6 +336,7 @@
     const ballsOf = summary.ball_pass[0];
     return tiles([
       zoneTile(),
+      ...runUpTiles(),
       ["speed", speedText(summary.scenario.speed ?? {})],
       ...velocities(),
       summary.motion && ["kind of motion", kindText(summary.motion.kind), summary.motion.settling
