@@ -266,11 +266,19 @@ class Scenario:
             return results.Response(self.scene.response(followed, period, points, doubled, tell))
 
     def campbell(
-        self, to: str, *, start: str = "0 rpm", count: int = 61, orders: Sequence[float] = (1.0,)
+        self,
+        to: str,
+        *,
+        start: str = "0 rpm",
+        count: int = 61,
+        orders: Sequence[float] = (1.0,),
+        highest_frequency: str | None = None,
     ) -> results.Campbell:
         """Natural frequencies from `start` to `to`, as "60000 rpm", at `count` speeds, and the critical speeds, where
-        they are `orders` times the frequency of the shaft."""
-        return results.Campbell(self.scene.campbell([start, to], count, list(map(float, orders))))
+        they are `orders` times the frequency of the shaft; branches up to `highest_frequency`, as "20 kHz", or one and
+        a half times the highest order at the highest speed."""
+        found = self.scene.campbell([start, to], count, list(map(float, orders)), highest_frequency)
+        return results.Campbell(found)
 
     def accuracy(
         self,

@@ -8,7 +8,7 @@ use jeffcott::bearing::CATALOGUE;
 use jeffcott::internals::{
     AccuracyQuestion, CampbellQuestion, Destination, Findings, OpenNumber, ResponseQuestion,
     RunFindings, accuracy_findings, answer_findings, campbell_findings, check_range,
-    contact_choice_text, method, response, response_findings, response_warnings, speed,
+    contact_choice_text, frequency, method, response, response_findings, response_warnings, speed,
     steady_findings, study_findings, time, written,
 };
 use jeffcott::scenario::{self, Format, Scenario};
@@ -231,9 +231,12 @@ impl Scene {
         ends: [String; 2],
         count: usize,
         orders: Vec<f64>,
+        highest: Option<String>,
     ) -> PyResult<Answer> {
         let read = |text: &String| speed(text).map_err(|issue| issue_error(py, &issue));
         let (from, to) = (read(&ends[0])?, read(&ends[1])?);
+        let highest = highest.map(|text| frequency(&text).map_err(|issue| issue_error(py, &issue)));
+        let highest = highest.transpose()?;
         check_range([from, to], count, &orders)
             .map_err(|error| PyValueError::new_err(error.to_string()))?;
         let question = CampbellQuestion {
@@ -244,7 +247,7 @@ impl Scene {
             orders,
         };
         let found = watched(py, None, None, |_| question.solve())?;
-        let found = found.map_err(|error| run_error(py, &error))?;
+        let found = found.map_err(|error| run_error(py, &error))?.up_to(highest);
         let findings = campbell_findings(&self.destination(), &question.rotor, &found);
         Ok(self.answer(findings))
     }

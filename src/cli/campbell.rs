@@ -36,6 +36,10 @@ pub struct Arguments {
     /// Number of speeds
     #[arg(long, value_name = "N", default_value_t = 61, value_parser = clap::value_parser!(u32).range(2..=MOST_SPEEDS as i64))]
     count: u32,
+    /// Frequency up to which branches are shown, as "20 kHz"; without it one and a half times the highest order at the highest
+    /// speed
+    #[arg(long, value_name = "FREQUENCY", value_parser = scenario::frequency)]
+    highest_frequency: Option<f64>,
     /// Multiples of the shaft's frequency whose crossings are critical speeds: numbers, and "bpfo", "bpfi", "ftf"
     /// and "bsf" for those of the bearings with their cages as in a run that starts at the lowest speed
     #[arg(long, value_name = "A,B", value_delimiter = ',', default_value = "1", value_parser = order)]
@@ -96,7 +100,7 @@ fn answer(job: &Job, arguments: &Arguments) -> Result<Answer, Failure> {
         count: arguments.count as usize,
         orders: orders(job, arguments),
     };
-    let campbell = question.solve()?;
+    let campbell = question.solve()?.up_to(arguments.highest_frequency);
     job.write(report::campbell_findings(
         &job.destination(),
         &question.rotor,

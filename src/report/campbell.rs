@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use super::figure::{Axis, Curve, Figure, GREY, Name, Panel, distinct, round_ticks};
 use super::shaft_shapes::shapes_at;
 use super::table::Table;
-use super::terminal::{Lines, PER_MINUTE, PER_SECOND, or_dash, rounded};
+use super::terminal::{Lines, PER_MINUTE, PER_SECOND, decimals, or_dash, rounded};
 use super::{Destination, FileSet, Findings};
 use crate::rotor::{Mode, RotorDefinition, Whirl};
 use crate::study::campbell::{Branch, Campbell};
@@ -30,6 +30,12 @@ pub fn campbell_findings(
     figures.extend(shapes_at(destination.title, rotor, fastest));
     let mut text = Lines::titled(destination.title);
     add_branches(&mut text, campbell);
+    if let (Some(highest), 1..) = (campbell.highest_frequency, campbell.left_out) {
+        text.put(format!(
+            "branches above {highest:.0} Hz are left out, {} of them: --highest-frequency asks for more",
+            campbell.left_out
+        ));
+    }
     if campbell.critical_speeds.is_empty() {
         text.put("no critical speed in the range\n");
     } else {
@@ -44,6 +50,8 @@ pub fn campbell_findings(
             "to_rad_s": campbell.speeds.last(),
             "count": campbell.speeds.len(),
             "orders": campbell.orders,
+            "highest_frequency_Hz": campbell.highest_frequency,
+            "branches_left_out": campbell.left_out,
             "branches": branches.collect::<Value>(),
             "least_assurance": campbell.least_assurance,
             "critical_speeds": campbell.critical_speeds,
@@ -91,7 +99,7 @@ fn add_branches(out: &mut Lines, campbell: &Campbell) {
             branch.whirl().to_string(),
             frequency(first),
             frequency(last),
-            last.map_or_else(String::new, |mode| format!("{:.4}", mode.damping_ratio())),
+            last.map_or_else(String::new, |mode| decimals(mode.damping_ratio(), 4)),
         ]
     });
     out.table(header, rows);
@@ -122,7 +130,7 @@ fn add_critical(out: &mut Lines, campbell: &Campbell) {
             format!("{:.1}", PER_MINUTE * found.speed),
             format!("{:.3}", found.speed),
             format!("{:.3}", found.frequency),
-            format!("{:.4}", found.damping_ratio),
+            decimals(found.damping_ratio, 4),
         ]
     });
     out.table(header, rows);
@@ -173,6 +181,13 @@ fn frequencies(campbell: &Campbell) -> Panel {
     let mut curves = branches(campbell, Mode::damped_frequency);
     let points = curves.iter().flat_map(|curve| &curve.points);
     let top = points.map(|point| point.1).fold(0.0, f64::max);
+    let top = campbell
+        .highest_frequency
+        .map_or(top, |highest| highest.min(top));
+    // what leaves the figure is cut
+    for curve in &mut curves {
+        curve.points.retain(|point| point.1 <= 1.05 * top);
+    }
     let [first, last] = ends(campbell);
     curves.extend(campbell.orders.iter().map(|order| {
         // up to the highest frequency, where the line leaves the figure

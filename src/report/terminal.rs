@@ -77,14 +77,14 @@ impl Lines {
 
     /// A line of its own.
     pub fn put(&mut self, text: impl Display) {
-        let text = text.to_string();
+        let text = without_negative_zeros(&text.to_string());
         self.text += &format!("{text}\n");
         self.parts.push(LinePart::Text(text));
     }
 
     /// A line behind its name, broken where it is too long; none where there is nothing to say.
     pub fn line(&mut self, name: &str, text: impl Display) {
-        let text = text.to_string();
+        let text = without_negative_zeros(&text.to_string());
         if !text.is_empty() {
             let line = wrapped(&format!("  {name:<13} {text}"), INDENT);
             self.text += &format!("{line}\n");
@@ -111,7 +111,12 @@ impl Lines {
         rows: impl IntoIterator<Item = Vec<String>>,
     ) {
         let header: Vec<&str> = header.into_iter().collect();
-        let rows: Vec<_> = rows.into_iter().collect();
+        let positive = |row: Vec<String>| {
+            row.iter()
+                .map(|cell| without_negative_zeros(cell))
+                .collect()
+        };
+        let rows: Vec<Vec<String>> = rows.into_iter().map(positive).collect();
         let shown = table(header.iter().copied(), rows.iter().cloned());
         self.text += &format!("\n{shown}\n\n");
         let header = header.iter().map(|head| head.trim().replace('\n', " "));
@@ -247,6 +252,24 @@ fn shortest(value: f64) -> String {
     format!("{rounded:e}")
 }
 
+/// A text whose numbers that are rounded to zero have no minus sign: `-0.0000` → `0.0000`.
+fn without_negative_zeros(text: &str) -> String {
+    let in_number = |c: char| c.is_alphanumeric() || c == '.';
+    let mut out = String::with_capacity(text.len());
+    for (index, c) in text.char_indices() {
+        let rest = &text[index + c.len_utf8()..];
+        let end = rest.find(|c| !in_number(c)).unwrap_or(rest.len());
+        let number = rest[..end].trim_end_matches('.').trim_end_matches("e0");
+        let is_zero =
+            number.starts_with('0') && number.bytes().all(|byte| matches!(byte, b'0' | b'.'));
+        let begins = !out.ends_with(|c: char| c.is_alphanumeric() || c == '_');
+        if !(c == '-' && is_zero && begins) {
+            out.push(c);
+        }
+    }
+    out
+}
+
 /// Decimals without a minus sign before zeros.
 pub(super) fn decimals(value: f64, count: usize) -> String {
     let text = format!("{value:.count$}");
@@ -313,6 +336,33 @@ pub(super) const PER_SECOND: f64 = 0.5 / std::f64::consts::PI;
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_rounds_to_zero_has_no_minus_sign() {
+        let text = "-0.0000, -0 N; (-0.0) -0.0e0 |-0.00| x -0.";
+        assert_eq!(
+            without_negative_zeros(text),
+            "0.0000, 0 N; (0.0) 0.0e0 |0.00| x 0."
+        );
+        for kept in [
+            "-0.5",
+            "1e-0",
+            "2-0",
+            "-0x",
+            "a -0.001 b",
+            "- 0",
+            "6205-0.toml",
+            "-0.toml",
+            "−",
+            "-1.0e-3",
+        ] {
+            assert_eq!(without_negative_zeros(kept), kept);
+        }
+        let mut out = Lines::default();
+        out.table(["a"], [vec![format!("{:.4}", -1e-9)]]);
+        out.line("b", format!("{:.1}", -0.01));
+        assert!(!out.as_str().contains('-'), "{}", out.as_str());
+    }
 
     #[test]
     fn lines_are_short_and_indented() {

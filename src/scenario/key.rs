@@ -409,6 +409,14 @@ pub fn speed(text: &str) -> Result<f64, Issue> {
     number(text, "speed.constant", "speed")
 }
 
+/// A frequency with its unit in Hz, positive.
+///
+/// # Errors
+/// [`Issue`] says what is wrong with the text.
+pub fn frequency(text: &str) -> Result<f64, Issue> {
+    number(text, "output.sample_rate", "frequency")
+}
+
 /// Seconds of a time with its unit, zero or positive.
 ///
 /// # Errors

@@ -47,7 +47,7 @@ pub(crate) use input::Output;
 #[doc(hidden)]
 pub use input::TableFormat;
 pub use key::methods;
-pub(crate) use key::{OpenNumber, method, number, speed, time, tolerance};
+pub(crate) use key::{OpenNumber, frequency, method, number, speed, time, tolerance};
 pub use problems::{Issue, ScenarioError};
 pub(crate) use quantity::{si_units, unit_size};
 pub use schema::schema;
