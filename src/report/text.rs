@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use serde_json::{Value, json};
 
 use super::motion::{add_motion, add_severity};
-use super::statics::ball_pass_text;
 use super::run_up::add_run_up;
+use super::statics::ball_pass_text;
 use super::terminal::{
     Lines, MICRO, clearance_text, decimals, displacement_text, listed, mark_estimated,
     measured_text, of_bearing, significant,
