@@ -30,7 +30,7 @@ impl Film {
         }
         let inner = balls.bearings().iter().flat_map(|balls| &balls.load[0]);
         let loads = inner.map(|load| *load as f32).collect();
-        self.samples.push_back((*sample, loads));
+        self.samples.push_back((sample.without_bearings(), loads));
     }
 
     /// Times in s, angles in rad, displacements in µm and µrad, and of every bearing its sizes in mm, how its cage turns

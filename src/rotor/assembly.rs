@@ -102,7 +102,15 @@ impl Rotor {
         let shaft = &definition.shaft;
         let dofs = structure.dofs;
         let tangent = structure.condensed(tangent);
-        let constant_force = structure.carried(structure.constant_load(definition));
+        let mut constant_force = structure.carried(structure.constant_load(definition));
+        // springs press by what is held, too
+        let followers = rest.len() - structure.followers.nrows();
+        for (row, force) in constant_force.iter_mut().enumerate() {
+            let held = rest[..followers].iter().enumerate().skip(dofs);
+            *force -= held
+                .map(|(own, place)| structure.stiffness[(row, own)] * place)
+                .sum::<f64>();
+        }
         let loads = definition.loads.iter().zip(&structure.load_places);
         let (loads, load_places) = loads
             .filter(|(load, _)| load.as_constant().is_none())
@@ -153,6 +161,7 @@ impl Rotor {
             balls_that_lift_off: supports.iter().map(Support::balls_that_lift_off).sum(),
             leading_ratio: supports.first().map_or(0.0, Support::cage_ratio),
             supports,
+            ball_places: definition.ball_places(),
             starts_from: definition.initial.from,
             initial: initial_state(definition, &equilibrium),
             equilibrium,

@@ -3,9 +3,8 @@
 use nalgebra::DMatrix;
 
 use super::coefficients::Mass;
-use super::point::about_origin;
 use super::structure::Structure;
-use super::{Damping, FREEDOMS, Rotation, Rotor};
+use super::{Damping, FREEDOMS, Rotor};
 use crate::bearing::Vector5;
 
 impl Damping {
@@ -69,25 +68,5 @@ impl Rotor {
         let [resisting, coupling] =
             [&self.damping, &self.gyroscopic].map(|matrix| matrix.entries[(row, column)]);
         resisting + coupling * speed
-    }
-
-    /// Force of the shaft against the damping of all contacts, N and N m.
-    pub(super) fn contact_damping(
-        &self,
-        dofs: &[f64],
-        velocity: &[f64],
-        rotation: &Rotation,
-    ) -> Vector5 {
-        let mut total = [0.0; FREEDOMS];
-        let bearings = self.bearings_at(rotation).zip(&self.structure.arms);
-        for ((bearing, seen), arm) in bearings {
-            let [position, rate] = bearing.motion(dofs, velocity);
-            let [_, force] = bearing.support.damped_force(&position, &rate, &seen);
-            let about = about_origin(&force, *arm);
-            for axis in 0..FREEDOMS {
-                total[axis] += about[axis];
-            }
-        }
-        total
     }
 }

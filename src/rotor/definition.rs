@@ -174,6 +174,18 @@ impl RotorDefinition {
         warnings
     }
 
+    /// Number of bearings, those of constant stiffness among them.
+    pub(crate) fn bearing_count(&self) -> usize {
+        self.bearings.len() + self.linear_bearings.len()
+    }
+
+    /// Place of each ball bearing among all bearings, from 0, in the order of the scene.
+    pub(crate) fn ball_places(&self) -> Vec<usize> {
+        let is_linear = |place: &usize| self.linear_bearings.iter().any(|own| own.place == *place);
+        let places = (0..self.bearing_count()).filter(|place| !is_linear(place));
+        places.take(self.bearings.len()).collect()
+    }
+
     /// Highest speed that the shaft is meant for, rad/s: of its points, or the no-load speed of its
     /// drive.
     pub(crate) fn highest_speed(&self) -> f64 {

@@ -1,14 +1,16 @@
 //! A bearing of constant stiffness and damping, as books and other programs have it.
 
-use nalgebra::DMatrix;
+use nalgebra::SVector;
 
 use super::FREEDOMS;
-use super::point::{Attachment, Point};
+use super::point::{Attachment, about_origin};
 use crate::bearing::{Matrix5, Vector5};
 
 /// Springs and dampers between a place of the shaft and the ground.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct LinearBearing {
+    /// Its place among all bearings of the shaft, from 0.
+    pub place: usize,
     /// Position along the shaft, m.
     pub position: f64,
     /// Along x, y, z in N/m and about X and Y in N m/rad.
@@ -17,26 +19,53 @@ pub struct LinearBearing {
     pub damping: Vector5,
 }
 
+/// A linear bearing between its points: `F = K u + C u̇` with u the displacement of the inner point from the outer one.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct AttachedLinear {
+    /// As [`LinearBearing::place`].
+    pub place: usize,
+    pub attachment: Attachment,
+    /// K by the motion of the points, arm included.
+    pub stiffness: Matrix5,
+    /// C likewise.
+    pub damping: Matrix5,
+    /// Distance of the inner point from the observed one along the shaft, m.
+    arm: f64,
+}
+
 impl LinearBearing {
-    /// Adds it to the matrices of a structure, `arm` in m behind a point of it along the shaft.
-    pub(super) fn add(
+    /// Between points of which the inner one is `from_point` in m before it along the shaft, and itself `arm` behind the
+    /// observed point.
+    pub(super) fn attached(
         &self,
-        point: Point,
+        attachment: Attachment,
+        from_point: f64,
         arm: f64,
-        stiffness: &mut DMatrix<f64>,
-        damping: &mut DMatrix<f64>,
-    ) {
-        let attachment = Attachment {
-            inner: point,
-            outer: None,
-        };
+    ) -> AttachedLinear {
         // x + a θy, y − a θx
         let mut transform = Matrix5::identity();
-        transform[(0, 4)] = arm;
-        transform[(1, 3)] = -arm;
-        for (values, sum) in [(self.stiffness, stiffness), (self.damping, damping)] {
-            let own = Matrix5::from_diagonal(&nalgebra::SVector::<f64, FREEDOMS>::from(values));
-            attachment.add_stiffness(&(transform.transpose() * own * transform), sum);
+        transform[(0, 4)] = from_point;
+        transform[(1, 3)] = -from_point;
+        let at_point = |values: Vector5| {
+            let own = Matrix5::from_diagonal(&SVector::<f64, FREEDOMS>::from(values));
+            transform.transpose() * own * transform
+        };
+        AttachedLinear {
+            place: self.place,
+            attachment,
+            stiffness: at_point(self.stiffness),
+            damping: at_point(self.damping),
+            arm,
         }
+    }
+}
+
+impl AttachedLinear {
+    /// Force of the shaft onto it, moments about the observed point.
+    pub fn force(&self, place: &[f64], rest: &[f64], velocity: &[f64]) -> Vector5 {
+        let displacement = SVector::from(self.attachment.displacement(place, rest));
+        let rate = SVector::from(self.attachment.rate(velocity));
+        let force = self.stiffness * displacement + self.damping * rate;
+        about_origin(&force.into(), self.arm)
     }
 }

@@ -88,6 +88,8 @@ pub struct Rotor {
     /// Whether the contacts of any bearing are damped.
     pub(super) contacts_damped: bool,
     pub(super) supports: Vec<Support>,
+    /// Place of each of them among all bearings of the shaft, those of constant stiffness counted.
+    pub(super) ball_places: Vec<usize>,
     /// Number of balls whose force is not smooth where they lift off.
     pub(super) balls_that_lift_off: usize,
     /// Speed of the first bearing's cage over that of the shaft.

@@ -30,6 +30,11 @@ impl Rotor {
         BallContacts {
             bearings: self.supports.iter().map(balls).collect(),
             axial_forces: vec![0.0; self.supports.len()],
+            forces_on_shaft: vec![
+                [0.0; FREEDOMS];
+                self.supports.len() + self.structure.linear.len()
+            ],
+            spare: Vec::new(),
             forces: true,
         }
     }
@@ -46,16 +51,9 @@ impl Rotor {
             Some(action) => &action.rotation,
             None => &self.speed.at(time),
         };
-        let force = contacts.forces.then(|| {
-            let mut force = self.observe_bearings(position, rotation, contacts);
-            if self.contacts_damped {
-                let damping = self.contact_damping(position, velocity, rotation);
-                for axis in 0..FREEDOMS {
-                    force[axis] += damping[axis];
-                }
-            }
-            force.map(|force| -force)
-        });
+        let force = contacts
+            .forces
+            .then(|| self.observe_bearings(position, velocity, rotation, contacts));
         let has_balls = contacts.bearings.iter().any(|balls| balls.balls() > 0);
         Sample {
             time,
@@ -66,6 +64,7 @@ impl Rotor {
             acceleration: None,
             housings: self.housing_motions(position, velocity),
             force_on_shaft: force,
+            bearing_forces: Vec::new(),
             largest_ball_load: has_balls.then_some(contacts.largest_load()),
             balls_loaded: has_balls.then_some(contacts.loaded()),
             energy: self
@@ -75,18 +74,21 @@ impl Rotor {
         }
     }
 
-    /// Force of the shaft onto all bearings, N and N m; axial forces and balls go to `contacts`.
+    /// Force of all bearings on the shaft, N, and moment about its observed point, N m; that of each of them, axial
+    /// forces and balls go to `contacts`.
     fn observe_bearings(
         &self,
         position: &[f64],
+        velocity: &[f64],
         rotation: &Rotation,
         contacts: &mut BallContacts,
     ) -> Vector5 {
-        let mut total = [0.0; FREEDOMS];
+        // of the shaft onto bearings, and against the damping of their contacts
+        let [mut total, mut damped] = [[0.0; FREEDOMS]; 2];
         let observed = contacts.bearings.iter_mut().zip(&mut contacts.axial_forces);
         let phases = self.phases(rotation);
-        let bearings = self.bearings().zip(&self.structure.arms);
-        for ((bearing, arm), (loads, axial)) in bearings.zip(observed) {
+        let places = self.structure.arms.iter().zip(&self.ball_places);
+        for ((bearing, (arm, place)), (loads, axial)) in self.bearings().zip(places).zip(observed) {
             let (support, displacement) = (bearing.support, bearing.displacement(position));
             let rotation = self.seen_by(support, rotation, &phases);
             let force = if loads.balls() > 0 {
@@ -94,13 +96,60 @@ impl Rotor {
             } else {
                 support.force(&displacement, &rotation)
             };
-            let about = about_origin(&force, *arm);
-            for axis in 0..FREEDOMS {
-                total[axis] += about[axis];
-            }
             *axial = support.definition().facing.sign() * force[2];
+            let force = about_origin(&force, *arm);
+            add(&mut total, &force);
+            let mut resisted = force;
+            if self.contacts_damped {
+                let rate = bearing.attachment.rate(velocity);
+                let [_, damping] = support.damped_force(&displacement, &rate, &rotation);
+                let damping = about_origin(&damping, *arm);
+                add(&mut damped, &damping);
+                add(&mut resisted, &damping);
+            }
+            contacts.forces_on_shaft[*place] = resisted.map(|force| 0.0 - force);
         }
-        total
+        if !self.structure.linear.is_empty() {
+            let (place, rate) = (self.place_of_all(position), self.rate_of_all(velocity));
+            for linear in &self.structure.linear {
+                let force = linear.force(&place, &self.rest, &rate);
+                add(&mut total, &force);
+                contacts.forces_on_shaft[linear.place] = force.map(|force| 0.0 - force);
+            }
+        }
+        if self.contacts_damped {
+            add(&mut total, &damped);
+        }
+        total.map(|force| -force)
+    }
+}
+
+fn add(sum: &mut Vector5, part: &Vector5) {
+    for (sum, part) in sum.iter_mut().zip(part) {
+        *sum += part;
+    }
+}
+
+impl Rotor {
+    /// What [`Rotor::sample`] observes with the force of every bearing, and the accelerations where `rate` is room for a
+    /// derivative.
+    pub(crate) fn whole_sample(
+        &self,
+        time: f64,
+        state: &[f64],
+        contacts: &mut BallContacts,
+        rate: Option<&mut Vec<f64>>,
+    ) -> Sample {
+        let mut sample = self.sample(time, state, contacts);
+        if contacts.forces {
+            sample.bearing_forces = std::mem::take(&mut contacts.spare);
+            sample.bearing_forces.clone_from(&contacts.forces_on_shaft);
+        }
+        if let Some(rate) = rate {
+            sample.acceleration = Some(self.acceleration(time, state, rate));
+            self.accelerate_housings(rate, &mut sample.housings);
+        }
+        sample
     }
 }
 
@@ -131,7 +180,7 @@ impl Rotor {
     }
 
     /// Writes the accelerations of the housings, taken from the derivative of a state.
-    pub(crate) fn accelerate_housings(
+    fn accelerate_housings(
         &self,
         rate: &[f64],
         motions: &mut Option<[HousingMotion; MOST_HOUSINGS]>,
@@ -163,7 +212,7 @@ pub struct HousingMotion {
 }
 
 /// State of the shaft and of its bearings at one instant, SI units. What was not observed is none.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Sample {
     /// Time, s.
     pub time: f64,
@@ -179,9 +228,11 @@ pub struct Sample {
     pub acceleration: Option<[f64; FREEDOMS]>,
     /// Housings of the first bearings; none where no bearing has one.
     pub housings: Option<[HousingMotion; MOST_HOUSINGS]>,
-    /// Force of all bearings on the shaft: x, y, z in N, moments about X and Y in N m; none where it is not
-    /// observed.
+    /// Force of all bearings on the shaft: x, y, z in N, moments about X and Y through the point of the shaft whose
+    /// displacement is given in N m; none where it is not observed.
     pub force_on_shaft: Option<[f64; FREEDOMS]>,
+    /// The share of every bearing in it, in the order of the scene; empty where it is not observed.
+    pub bearing_forces: Vec<[f64; FREEDOMS]>,
     /// Largest load on a ball of any bearing, N; none where no ball is observed, as of a linear bearing.
     pub largest_ball_load: Option<f64>,
     /// Number of balls in contact, all bearings together; likewise.
@@ -194,18 +245,36 @@ pub struct Sample {
     pub drive: Option<DriveMoments>,
 }
 
-/// Loads and contact angles of every ball of every bearing at one instant, and what each bearing
-/// bears axially; filled anew at every sample, without allocation.
+impl Sample {
+    /// The same without the forces of single bearings.
+    pub(crate) fn without_bearings(&self) -> Self {
+        Self {
+            bearing_forces: Vec::new(),
+            ..*self
+        }
+    }
+}
+
+/// Loads and contact angles of every ball of every bearing at one instant, and the force of each bearing; filled anew at every sample, without allocation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BallContacts {
     bearings: Vec<BallLoads>,
     /// By bearing, in its own orientation, N.
     axial_forces: Vec<f64>,
+    /// Of every bearing, in the order of the scene, N and N m; moments about the observed point.
+    forces_on_shaft: Vec<Vector5>,
+    /// Room for them in a sample.
+    spare: Vec<Vector5>,
     /// Whether the forces of the bearings are observed.
     forces: bool,
 }
 
 impl BallContacts {
+    /// Takes back what a sample had room in that nobody needs any more.
+    pub(crate) fn reuse(&mut self, sample: Sample) {
+        self.spare = sample.bearing_forces;
+    }
+
     /// The balls of each bearing; none of a linear one.
     pub fn bearings(&self) -> &[BallLoads] {
         &self.bearings

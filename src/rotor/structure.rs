@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::equilibrium::FREEDOM_NAMES;
 use super::flexible::Bending;
+use super::linear_bearing::AttachedLinear;
 use super::point::{Attachment, Place, Point};
 use super::static_search::Restoring;
 use super::{FREEDOMS, Freedoms, Load, PlaneUnbalance, RotorDefinition, ShaftError};
@@ -69,7 +70,8 @@ pub(super) struct Structure {
     pub mass: DMatrix<f64>,
     /// C of all that is damped but the shaft and the contacts.
     pub damping: DMatrix<f64>,
-    /// K of all that is elastic but the ball bearings; nothing couples degrees of freedom with what is held.
+    /// K of all that is elastic but the ball bearings; springs off the centre couple degrees of freedom with tilts that are
+    /// held.
     pub stiffness: DMatrix<f64>,
     /// G: gyroscopic forces per speed and velocity.
     pub gyroscopic: DMatrix<f64>,
@@ -84,10 +86,12 @@ pub(super) struct Structure {
     pub unbalances: Vec<UnbalancedPoint>,
     /// Coordinates of the shaft when it moves by one along x, y, z, or about X and Y through its observed point.
     pub rigid_motions: [DVector<f64>; FREEDOMS],
-    /// Distance of each bearing from the observed point along the shaft, where its position is that of its point, m.
+    /// Distance of each ball bearing from the observed point along the shaft, where its position is that of its point, m.
     pub arms: Vec<f64>,
-    /// One of every bearing.
+    /// One of every ball bearing.
     pub attachments: Vec<Attachment>,
+    /// The bearings of constant stiffness.
+    pub linear: Vec<AttachedLinear>,
     /// Masses on the ground that bearings stand in.
     pub housings: Vec<HousingPoint>,
     /// Displacement of the last coordinates, which have no mass, by that of the degrees of freedom: `−K_ss⁻¹ K_sd`.
@@ -143,6 +147,7 @@ impl Structure {
                 };
                 bearings
             ],
+            linear: Vec::new(),
             housings: Vec::new(),
             followers: DMatrix::zeros(0, 0),
             bending: None,
@@ -160,7 +165,9 @@ impl Structure {
         };
         let axes = definition.shaft.freedoms.lengths();
         let (mut structure, massless) = grounded.with_massless_last();
-        structure = structure.on_housings(&definition.bearings, axes);
+        structure = structure
+            .on_housings(&definition.bearings, axes)
+            .with_linear_bearings();
         if massless > 0 {
             structure.followers = structure
                 .followers_of(massless)
@@ -169,6 +176,16 @@ impl Structure {
                 })?;
         }
         Ok(structure)
+    }
+
+    /// The same with K and C of its linear bearings in those of the whole.
+    fn with_linear_bearings(mut self) -> Self {
+        for bearing in &self.linear {
+            let attachment = &bearing.attachment;
+            attachment.add_stiffness(&bearing.stiffness, &mut self.stiffness);
+            attachment.add_stiffness(&bearing.damping, &mut self.damping);
+        }
+        self
     }
 
     /// That of a definition whose shaft is rigid.
@@ -192,10 +209,13 @@ impl Structure {
             point: structure.shaft,
             unbalance: shaft.whole_unbalance(),
         }];
-        let (point, stiffness) = (structure.shaft, &mut structure.stiffness);
-        for bearing in &definition.linear_bearings {
-            bearing.add(point, bearing.position, stiffness, &mut structure.damping);
-        }
+        let linear = definition.linear_bearings.iter();
+        let grounded = Attachment {
+            inner: structure.shaft,
+            outer: None,
+        };
+        let attached = linear.map(|own| own.attached(grounded, own.position, 0.0));
+        structure.linear = attached.collect();
         structure
     }
 
@@ -377,7 +397,9 @@ impl Structure {
 
     /// All points of the shaft.
     fn points_mut(&mut self) -> impl Iterator<Item = &mut Point> {
-        let attachments = self.attachments.iter_mut().map(|own| &mut own.inner);
+        let linear = self.linear.iter_mut().map(|own| &mut own.attachment);
+        let attachments = self.attachments.iter_mut().chain(linear);
+        let attachments = attachments.map(|own| &mut own.inner);
         let unbalances = self.unbalances.iter_mut().map(|own| &mut own.point);
         let loads = self.load_places.iter_mut().map(|own| &mut own.point);
         attachments

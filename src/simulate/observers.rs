@@ -80,14 +80,12 @@ impl<'a> Observers<'a> {
             if time < self.start {
                 continue;
             }
-            let mut sample = rotor.sample(time, state, self.observation.contacts());
-            if self.accelerations {
-                sample.acceleration = Some(rotor.acceleration(time, state, &mut self.rate));
-                rotor.accelerate_housings(&self.rate, &mut sample.housings);
-            }
+            let rate = self.accelerations.then_some(&mut self.rate);
+            let sample = rotor.whole_sample(time, state, self.observation.contacts(), rate);
             self.sink.sample(&sample)?;
             self.observation.take(&sample, self.sink)?;
             self.record(rotor, &sample, state);
+            self.observation.contacts().reuse(sample);
         }
         Ok(())
     }

@@ -364,7 +364,7 @@ impl TraceSink for Keeper {
     }
 
     fn sample(&mut self, sample: &Sample) -> io::Result<()> {
-        self.samples.push(*sample);
+        self.samples.push(sample.clone());
         Ok(())
     }
 

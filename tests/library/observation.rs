@@ -33,7 +33,7 @@ impl TraceSink for Everything {
     }
 
     fn sample(&mut self, sample: &Sample) -> io::Result<()> {
-        self.samples.push(*sample);
+        self.samples.push(sample.clone());
         Ok(())
     }
 

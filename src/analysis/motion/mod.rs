@@ -203,7 +203,7 @@ impl MotionRecorder {
         if self.last.len() == NODES {
             self.last.pop_front();
         }
-        self.last.push_back(*sample);
+        self.last.push_back(sample.without_bearings());
         if let Ok(nodes) = <&[Sample; NODES]>::try_from(&*self.last.make_contiguous()) {
             for section in &mut self.sections {
                 section.record(nodes);

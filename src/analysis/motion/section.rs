@@ -120,8 +120,8 @@ impl Section {
             .map(|position| Hermite::<NODES>::new(0, position));
         let fewer = Hermite::<{ NODES - 1 }>::new(1, position);
         for axis in 0..FREEDOMS {
-            let values = nodes.map(|node| node.displacement[axis]);
-            let rates = nodes.map(|node| node.velocity[axis] * interval);
+            let values = nodes.each_ref().map(|node| node.displacement[axis]);
+            let rates = nodes.each_ref().map(|node| node.velocity[axis] * interval);
             point.displacement[axis] = at.value(values, rates);
             point.velocity[axis] = (later.value(values, rates) - earlier.value(values, rates))
                 / (2.0 * SLOPE * interval);

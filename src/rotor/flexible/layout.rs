@@ -7,7 +7,7 @@ use super::reduction::ReducedShaft;
 use crate::bearing::MountedBearing;
 use crate::rotor::point::{Attachment, Place, Point};
 use crate::rotor::structure::{Coordinate, CoordinateKind, Structure, UnbalancedPoint};
-use crate::rotor::{FREEDOMS, Load, PlaneUnbalance, RotorDefinition};
+use crate::rotor::{FREEDOMS, LinearBearing, Load, PlaneUnbalance, RotorDefinition};
 
 /// Frequency of the modes that are kept over that of the highest excitation.
 const HEADROOM: f64 = 3.0;
@@ -167,14 +167,14 @@ impl Structure {
         mass[(layout.z(), layout.z())] = shaft.mass();
         let elastic = layout.both(&plane.stiffness);
         let internal_damping = &elastic * shaft.internal_damping;
-        let (mut stiffness, mut damping) = (elastic, internal_damping.clone());
-        for bearing in &definition.linear_bearings {
-            bearing.add(at(bearing.position), 0.0, &mut stiffness, &mut damping);
-        }
-        let placed = |bearing: &MountedBearing| Attachment {
-            inner: at(bearing.position),
+        let placed = |position: f64| Attachment {
+            inner: at(position),
             outer: None,
         };
+        let linear = |own: &LinearBearing| {
+            own.attached(placed(own.position), 0.0, own.position - shaft.observed)
+        };
+        let balls = |bearing: &MountedBearing| placed(bearing.position);
         let carried = |load: &Load| Place {
             point: at(load.position),
             arm: 0.0,
@@ -189,8 +189,8 @@ impl Structure {
             coordinates: coordinates(&layout, &points, &reduction),
             dofs: layout.dofs(),
             mass,
-            damping,
-            stiffness,
+            damping: internal_damping.clone(),
+            stiffness: elastic,
             // w = u + i v: the gyroscopic force is i ω P ẇ, that of damping inside the shaft −τ K (ẇ − i ω w)
             gyroscopic: -layout.across(&plane.polar),
             internal_damping,
@@ -204,7 +204,8 @@ impl Structure {
                 .iter()
                 .map(|bearing| bearing.position - shaft.observed)
                 .collect(),
-            attachments: definition.bearings.iter().map(placed).collect(),
+            attachments: definition.bearings.iter().map(balls).collect(),
+            linear: definition.linear_bearings.iter().map(linear).collect(),
             housings: Vec::new(),
             followers: DMatrix::zeros(0, 0),
             bending: Some(Bending {

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use crate::bearing::{
     ContactDamping, ContactLaw, Facing, Housing, Imperfections, MountedBearing, Preload, catalogue,
@@ -297,6 +297,59 @@ fn moments_of_the_bearings_are_about_the_observed_point() {
     }
 }
 
+#[test]
+fn all_bearings_of_a_shaft_that_bends_balance_its_inertia() {
+    let mut definition = everything();
+    definition.damping = Damping::Undamped;
+    let springs = |place, position| LinearBearing {
+        place,
+        position,
+        stiffness: [4e6, 3e6, 2e6, 5e3, 7e3],
+        damping: [300.0, 200.0, 100.0, 0.5, 0.4],
+    };
+    definition.linear_bearings = vec![springs(0, 0.02), springs(3, 0.3)];
+    let rotor = Rotor::assemble(&definition).expect("a rotor");
+    let (mut state, dofs) = (rotor.start(), rotor.dofs());
+    for (index, value) in state.iter_mut().enumerate() {
+        let size = if index < dofs { 1e-6 } else { 1e-2 };
+        *value += size * (1.7 * index as f64 + 0.4).sin();
+    }
+    let (time, mut rate) = (0.01, Vec::new());
+    let sample = rotor.whole_sample(time, &state, &mut rotor.ball_contacts(), Some(&mut rate));
+    // M q̈ + ω G q̇ less what is not of the bearings
+    let rotation = rotor.speed.at(time);
+    let accelerations = DVector::from_column_slice(&rate[dofs..2 * dofs]);
+    let mut due = (&rotor.mass.entries * accelerations).as_slice().to_vec();
+    rotor
+        .gyroscopic
+        .add_product(rotation.speed, &state[dofs..2 * dofs], &mut due);
+    let mut others = rotor.constant_force.clone();
+    rotor.add_loads(time, rotation.angle, &mut others);
+    rotor.add_unbalances::<false>(&rotation, &rotor.phases(&rotation), &mut others);
+    for (axis, total) in sample
+        .force_on_shaft
+        .expect("observed")
+        .into_iter()
+        .enumerate()
+    {
+        let motion = rotor.structure.rigid_motions[axis].iter();
+        let due: f64 = motion
+            .zip(due.iter().zip(&others))
+            .map(|(t, (a, b))| t * (a - b))
+            .sum();
+        assert!(
+            (total - due).abs() < 1e-7 * due.abs().max(1.0),
+            "{axis}: {total}, not {due}"
+        );
+        let sum: f64 = sample.bearing_forces.iter().map(|force| force[axis]).sum();
+        assert!(
+            (total - sum).abs() < 1e-9 * total.abs().max(1.0),
+            "{axis}: {sum}"
+        );
+    }
+    assert_eq!(sample.bearing_forces.len(), 4);
+}
+
 /// Largest residual of the energy of a motion, and the largest of its parts.
 fn energy_residual(definition: &RotorDefinition) -> [f64; 2] {
     let mut rotor = Rotor::assemble(definition).expect("a rotor");
@@ -367,14 +420,15 @@ fn laval(density: f64, internal_damping: f64) -> RotorDefinition {
         internal_damping,
         ..FlexibleShaft::default()
     };
-    let pin = |position| LinearBearing {
+    let pin = |place, position| LinearBearing {
+        place,
         position,
         stiffness: [1e12, 1e12, 1e9, 0.0, 0.0],
         damping: [0.0; 5],
     };
     RotorDefinition {
         bearings: Vec::new(),
-        linear_bearings: vec![pin(0.0), pin(0.8)],
+        linear_bearings: vec![pin(0, 0.0), pin(1, 0.8)],
         loads: Vec::new(),
         ..on_bearings(flexible)
     }

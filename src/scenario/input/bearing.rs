@@ -172,6 +172,11 @@ impl BearingInput {
         }
     }
 
+    /// Number of bearings, whether of balls or linear.
+    pub fn all(&self) -> usize {
+        self.count().max(1)
+    }
+
     /// The mounted bearing, or both of a set, as far as nothing contradicts it.
     pub fn build(
         &self,

@@ -161,7 +161,7 @@ impl ScenarioInput {
 
     /// Refuses more of a kind than any machine has, before room is made for them.
     fn check_counts(&self, problems: &mut Problems<'_>) -> Option<()> {
-        let bearings = self.bearing.iter().map(BearingInput::count).sum();
+        let bearings = self.bearing.iter().map(BearingInput::all).sum();
         let counts = [
             ("bearing", bearings, MOST_BEARINGS),
             ("load", self.load.len(), MOST_LOADS),
@@ -338,7 +338,8 @@ impl ScenarioInput {
                     .help("leave it out, or leave out [bearing.linear]");
                 problems.refuse(issue.against(format!("{path}.linear")));
             }
-            found.push(linear.build(bearing.position.si()));
+            let place = self.bearing[..index].iter().map(BearingInput::all).sum();
+            found.push(linear.build(place, bearing.position.si()));
         }
         found
     }

@@ -92,10 +92,11 @@ impl LinearInput {
         si(&self.stiffness.z).is_some_and(|stiffness| stiffness > 0.0)
     }
 
-    /// The bearing at a position in m.
-    pub fn build(&self, position: f64) -> LinearBearing {
+    /// The bearing at its place among all of them, and its position in m.
+    pub fn build(&self, place: usize, position: f64) -> LinearBearing {
         let damping = self.damping.as_ref().map(Components::values);
         LinearBearing {
+            place,
             position,
             stiffness: self.stiffness.values().map(Option::unwrap_or_default),
             damping: damping.unwrap_or_default().map(Option::unwrap_or_default),

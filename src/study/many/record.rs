@@ -191,14 +191,14 @@ impl End {
         let since = |before| (sample.angle - before) / (TAU * self.cycle);
         let since = self.before.map_or(1.0, since);
         if (cycles - cycles.round()).abs() <= 0.5 * since {
-            self.whole = Some(*sample);
+            self.whole = Some(sample.without_bearings());
         }
         self.before = Some(sample.angle);
     }
 
     /// Where the next run of a chain starts.
     pub(super) fn carried(&self, model: &Model) -> Option<Carried> {
-        let sample = self.whole?;
+        let sample = self.whole.clone()?;
         let rotor = &model.rotor;
         let turned = match rotor.shaft.is_unbalanced() {
             true => sample.angle,

@@ -67,7 +67,7 @@ impl Scene {
         definition.initial.velocity = [Some(u), Some(v), None, None, None];
         let duration = passes * self.pass();
         let model = model(definition, duration, 1.0 / duration);
-        let last = *samples(&model, 0.5 * duration).last().expect("the end");
+        let last = samples(&model, 0.5 * duration).pop().expect("the end");
         let ([x, y, ..], [u, v, ..]) = (last.displacement, last.velocity);
         [x, y, u, v]
     }

@@ -67,9 +67,10 @@ impl TraceSink for Extremes {
         self.most_balls = self.most_balls.max(balls);
         let changed = self
             .last
+            .as_ref()
             .is_some_and(|last| last.balls_loaded != sample.balls_loaded);
         self.contact_changes += u32::from(changed);
-        self.last = Some(*sample);
+        self.last = Some(sample.clone());
         self.samples += 1;
         Ok(())
     }

@@ -37,8 +37,8 @@ fn end(definition: RotorDefinition, method: Method, tolerance: f64) -> (Run, Sam
         },
         ..model(definition, PASSES, 60.0 / PASSES)
     };
-    let (run, samples) = try_run(&model, 0.0);
-    (run.expect("a run"), *samples.last().expect("the end"))
+    let (run, mut samples) = try_run(&model, 0.0);
+    (run.expect("a run"), samples.pop().expect("the end"))
 }
 
 /// Displacement in µm and velocity in µm/s.

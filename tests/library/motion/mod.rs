@@ -1,6 +1,7 @@
 //! The whole bearing in motion: where it settles, what repeats, what no choice of method, of frame or
 //! of first ball may change.
 
+mod bearing_forces;
 mod frame;
 mod methods;
 mod periodicity;

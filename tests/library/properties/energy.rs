@@ -169,8 +169,8 @@ fn damped_motion_settles_on_the_static_equilibrium() {
             .expect("a rotor")
             .equilibrium()
             .displacement;
-        let last = *samples(&model(definition, 0.2, 1000.0), 0.2 - 1e-9)
-            .last()
+        let last = samples(&model(definition, 0.2, 1000.0), 0.2 - 1e-9)
+            .pop()
             .expect("samples");
         for (axis, place) in place.into_iter().enumerate() {
             let arm = if axis < 3 { 1.0 } else { 0.0194 };

@@ -280,7 +280,7 @@ pub struct Collector {
 impl TraceSink for Collector {
     fn sample(&mut self, sample: &Sample) -> io::Result<()> {
         if sample.time >= self.from {
-            self.samples.push(*sample);
+            self.samples.push(sample.clone());
         }
         Ok(())
     }
