@@ -147,7 +147,8 @@ impl RunAnswer {
     fn column<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let mut channels = Channel::all();
         let Some(channel) = channels.find(|channel| channel.column() == name) else {
-            let known: Vec<_> = Channel::all().map(Channel::column).collect();
+            let known = Channel::all().filter(|channel| !channel.is_further());
+            let known: Vec<_> = known.map(Channel::column).collect();
             return Err(PyKeyError::new_err(format!(
                 "no column is called {name:?}; the columns are {}",
                 known.join(", ")

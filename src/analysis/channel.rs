@@ -8,8 +8,9 @@ use std::sync::LazyLock;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
+use serde_json::Value;
 
-use crate::rotor::{Freedoms, MOST_HOUSINGS, Sample};
+use crate::rotor::{Freedoms, MOST_BEARINGS, MOST_HOUSINGS, RotorDefinition, Sample};
 
 /// A column of the table of samples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -44,6 +45,13 @@ pub enum Channel {
         /// x, y or z.
         axis: usize,
     },
+    /// Share of a bearing, from 0, in the force along freedom 0 … 4, moments about the same point.
+    BearingForce {
+        /// Bearing.
+        bearing: usize,
+        /// x, y, z, θx or θy.
+        freedom: usize,
+    },
     /// A quantity of a driven shaft: moments of drive, load, friction and vibration, twist.
     Drive(usize),
 }
@@ -57,6 +65,17 @@ pub enum HousingQuantity {
     Velocity,
     /// Acceleration.
     Acceleration,
+}
+
+impl HousingQuantity {
+    /// Its time derivative, where that is known.
+    pub(super) fn rate(self) -> Option<Self> {
+        match self {
+            Self::Displacement => Some(Self::Velocity),
+            Self::Velocity => Some(Self::Acceleration),
+            Self::Acceleration => None,
+        }
+    }
 }
 
 /// A column with its name and its unit.
@@ -107,11 +126,26 @@ const COLUMNS: [Column; 41] = [
     (Channel::Drive(4), "twist", "rad"),
 ];
 
-/// Every column: after those of shaft and bearings those of the housings, bearing by bearing.
+/// Every column: after those of the shaft those of the housings and the forces, bearing by bearing.
 static ALL: LazyLock<Vec<Column>> = LazyLock::new(|| {
     let housings = (0..MOST_HOUSINGS).flat_map(housing_columns);
-    COLUMNS.into_iter().chain(housings).collect()
+    let forces = (0..MOST_BEARINGS).flat_map(force_columns);
+    COLUMNS.into_iter().chain(housings).chain(forces).collect()
 });
+
+/// Names of the forces of the bearings behind the first, as a regular expression.
+const FURTHER: &str = "^bearing([2-9]|[1-5][0-9]|6[0-4])_(force_[xyz]|moment_[xy])$";
+
+fn force_columns(bearing: usize) -> impl Iterator<Item = Column> {
+    COLUMNS.into_iter().filter_map(move |(total, name, unit)| {
+        let Channel::Force(freedom) = total else {
+            return None;
+        };
+        let name = format!("bearing{}_{name}", bearing + 1);
+        let channel = Channel::BearingForce { bearing, freedom };
+        Some((channel, &*name.leak(), unit))
+    })
+}
 
 fn housing_columns(bearing: usize) -> impl Iterator<Item = Column> {
     let quantities = [
@@ -158,6 +192,7 @@ impl Channel {
                 | Self::Acceleration(2)
                 | Self::Force(2)
                 | Self::Housing { axis: 2, .. }
+                | Self::BearingForce { freedom: 2, .. }
         )
     }
 
@@ -166,15 +201,113 @@ impl Channel {
         ALL.iter().map(|(channel, ..)| *channel)
     }
 
-    /// The columns of the table `trace`, where no others are asked for.
+    /// The columns that the table `trace` has of every shaft.
     pub(crate) fn of_trace() -> impl Iterator<Item = Self> {
         let elsewhere = |channel: &Self| {
             matches!(
                 channel,
-                Self::Acceleration(_) | Self::Energy(_) | Self::Drive(_) | Self::Housing { .. }
+                Self::Acceleration(_)
+                    | Self::Energy(_)
+                    | Self::Drive(_)
+                    | Self::Housing { .. }
+                    | Self::BearingForce { .. }
             )
         };
         Self::all().filter(move |channel| !elsewhere(channel))
+    }
+
+    /// The columns of the table `trace` of a shaft, where no others are asked for: its housings, too, and of several
+    /// bearings the force of each along the axes that the shaft moves along.
+    pub(crate) fn of_trace_of(rotor: &RotorDefinition) -> Vec<Self> {
+        let lengths = rotor.shaft.freedoms.lengths();
+        let housings = rotor.housed();
+        let housings = housings.flat_map(|bearing| Self::of_housing(bearing, lengths));
+        let forces = Self::of_bearings(rotor).filter(|force| force.unit() == "N");
+        Self::of_trace().chain(housings).chain(forces).collect()
+    }
+
+    /// The same, or time and the columns that the `[output]` of a scenario asks for.
+    pub(crate) fn of_trace_in(scenario: &Value, rotor: &RotorDefinition) -> Vec<Self> {
+        let asked = Vec::deserialize(&scenario["output"]["channels"]).ok();
+        let timed = |asked: Vec<Self>| [Self::Time].into_iter().chain(asked).collect();
+        asked.map_or_else(|| Self::of_trace_of(rotor), timed)
+    }
+
+    /// Forces of each of several bearings along the freedoms that move; that of a single one is the total.
+    fn of_bearings(rotor: &RotorDefinition) -> impl Iterator<Item = Self> {
+        let bearings = Some(rotor.bearing_count()).filter(|count| *count > 1);
+        let axes = rotor.shaft.freedoms.axes();
+        (0..bearings.unwrap_or(0)).flat_map(move |bearing| {
+            let force = move |freedom: &usize| Self::BearingForce {
+                bearing,
+                freedom: *freedom,
+            };
+            axes.iter().map(force)
+        })
+    }
+
+    /// What a motion is described by beside displacements and forces of the shaft: displacements of its housings, and
+    /// forces of each of several bearings.
+    pub(crate) fn of_parts(rotor: &RotorDefinition) -> Vec<Self> {
+        let lengths = rotor.shaft.freedoms.lengths();
+        let housings = rotor.housed();
+        let housings = housings.flat_map(|bearing| Self::of_housing(bearing, lengths));
+        let displacements = housings.filter(|channel| channel.unit() == "m");
+        displacements.chain(Self::of_bearings(rotor)).collect()
+    }
+
+    /// Displacements and forces of the freedoms that move, then [`Channel::of_parts`].
+    pub(crate) fn of_motion(rotor: &RotorDefinition) -> Vec<Self> {
+        let mut channels = Self::of_freedoms(rotor.shaft.freedoms);
+        channels.extend(Self::of_parts(rotor));
+        channels
+    }
+
+    /// Why a shaft has no such column, and what to do, where it has none.
+    pub(crate) fn missing_of(self, rotor: &RotorDefinition) -> Option<[String; 2]> {
+        let lengths = rotor.shaft.freedoms.lengths();
+        let has_housing = |own: usize| rotor.housed().any(|bearing| bearing == own);
+        match self {
+            Self::Housing { bearing, axis, .. } if !has_housing(bearing) || axis >= lengths => {
+                Some([
+                    format!("there is no `{self}`: no such housing moves that way"),
+                    "give the bearing a table [bearing.housing], or leave it out".to_owned(),
+                ])
+            }
+            Self::BearingForce { bearing, .. } if bearing >= rotor.bearing_count() => Some([
+                format!(
+                    "there is no `{self}`: the number of bearings is {}",
+                    rotor.bearing_count()
+                ),
+                "bearings count from 1, each of a set by itself".to_owned(),
+            ]),
+            _ => None,
+        }
+    }
+
+    /// What turns together with it in a whirl: the y of an x, θy of θx.
+    pub(crate) fn across(self) -> Option<Self> {
+        let next = |freedom| matches!(freedom, 0 | 3).then_some(freedom + 1);
+        Some(match self {
+            Self::Displacement(freedom) => Self::Displacement(next(freedom)?),
+            Self::Velocity(freedom) => Self::Velocity(next(freedom)?),
+            Self::Acceleration(freedom) => Self::Acceleration(next(freedom)?),
+            Self::Force(freedom) => Self::Force(next(freedom)?),
+            Self::BearingForce { bearing, freedom } => Self::BearingForce {
+                bearing,
+                freedom: next(freedom)?,
+            },
+            Self::Housing {
+                bearing,
+                quantity,
+                axis: 0,
+            } => Self::Housing {
+                bearing,
+                quantity,
+                axis: 1,
+            },
+            _ => return None,
+        })
     }
 
     /// The columns of the table `energy`.
@@ -194,11 +327,25 @@ impl Channel {
         Self::all().filter(beside)
     }
 
+    /// Whether lists of names leave it out, as what bearings behind the first have like it.
+    pub fn is_further(self) -> bool {
+        matches!(self, Self::BearingForce { bearing: 1.., .. })
+    }
+
     /// What is known of it.
     fn column_of_table(self) -> &'static Column {
         let mut all = ALL.iter();
         all.find(|(channel, ..)| *channel == self)
             .expect("every quantity is a column")
+    }
+
+    /// Schema of the names that lists leave out.
+    pub(crate) fn further_schema() -> Schema {
+        json_schema!({
+            "description": "The same of bearing 2, 3, … in place of 1.",
+            "type": "string",
+            "pattern": FURTHER,
+        })
     }
 
     /// Name as in the files: `x`, `tilt_x`, `x_velocity`, `force_x`, `moment_x` ….
@@ -221,6 +368,7 @@ impl Channel {
             Self::Velocity(freedom) => sample.velocity[freedom],
             Self::Acceleration(freedom) => sample.acceleration?[freedom],
             Self::Force(freedom) => sample.force_on_shaft?[freedom],
+            Self::BearingForce { bearing, freedom } => sample.bearing_forces.get(bearing)?[freedom],
             Self::LargestBallLoad => sample.largest_ball_load?,
             Self::BallsLoaded => f64::from(sample.balls_loaded?),
             Self::KINETIC_ENERGY => sample.energy?.kinetic,
@@ -307,6 +455,11 @@ impl Channel {
         })
     }
 
+    /// Whether it is a force or a moment on the shaft.
+    pub(crate) fn is_force(self) -> bool {
+        matches!(self, Self::Force(_) | Self::BearingForce { .. })
+    }
+
     /// Whether its values are whole numbers.
     pub(crate) fn is_count(self) -> bool {
         self == Self::BallsLoaded
@@ -338,7 +491,8 @@ impl<'de> Deserialize<'de> for Channel {
         let name = Cow::<str>::deserialize(deserializer)?;
         let found = Self::selectable().find(|channel| channel.name() == name);
         found.ok_or_else(|| {
-            let names: Vec<_> = Self::selectable().map(|one| format!("`{one}`")).collect();
+            let names = Self::selectable().filter(|one| !one.is_further());
+            let names: Vec<_> = names.map(|one| format!("`{one}`")).collect();
             let names = names.join(", ");
             de::Error::custom(format!("unknown variant `{name}`, expected one of {names}"))
         })
@@ -355,6 +509,7 @@ impl JsonSchema for Channel {
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let listed = Self::selectable().filter(|channel| !channel.is_further());
         let column = |channel: Self| {
             let description = match channel.unit() {
                 "" => "A number.".to_owned(),
@@ -364,7 +519,7 @@ impl JsonSchema for Channel {
         };
         json_schema!({
             "description": "A column of the trace beside the time.",
-            "oneOf": Self::selectable().map(column).collect::<Vec<_>>(),
+            "oneOf": listed.map(column).chain([Self::further_schema()]).collect::<Vec<_>>(),
         })
     }
 }
@@ -385,6 +540,7 @@ mod tests {
             acceleration: Some([0.0; FREEDOMS]),
             housings: Some([housing; MOST_HOUSINGS]),
             force_on_shaft: Some([0.0; FREEDOMS]),
+            bearing_forces: vec![[0.0; FREEDOMS]; MOST_BEARINGS],
             largest_ball_load: Some(0.0),
             balls_loaded: Some(0),
             energy: Some(EnergyBalance::default()),
@@ -394,7 +550,10 @@ mod tests {
         for channel in Channel::all() {
             assert_eq!(channel.of(&sample), Some(0.0), "{channel}");
         }
-        assert_eq!(Channel::all().count(), 41 + 9 * MOST_HOUSINGS);
+        assert_eq!(
+            Channel::all().count(),
+            41 + 9 * MOST_HOUSINGS + 5 * MOST_BEARINGS
+        );
     }
 
     #[test]

@@ -71,7 +71,8 @@ impl Demand {
         let runs = study.plan.runs().unwrap_or(u64::MAX);
         let mut columns = study.columns.len() as f64;
         if study.keep.traces {
-            columns += (Channel::of_trace().count() as u64 * size.samples) as f64;
+            let channels = Channel::of_trace_in(&study.echo["base"], &first.rotor);
+            columns += (channels.len() as u64 * size.samples) as f64;
         }
         Ok(Self {
             runs: Some(runs),
@@ -183,7 +184,7 @@ fn disk(scenario: &Scenario, model: &Model, size: &RunSize) -> f64 {
     let mut columns = 0.0;
     if output.trace {
         let chosen = output.channels.as_ref().map(|channels| channels.len() + 1);
-        columns += chosen.unwrap_or_else(|| Channel::of_trace().count()) as f64;
+        columns += chosen.unwrap_or_else(|| Channel::of_trace_of(&model.rotor).len()) as f64;
     }
     let driven = model.rotor.drive.is_some();
     if model.energy || driven {

@@ -72,6 +72,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
         if let Ok(size) = RunSize::of(&model) {
             check_memory(&size, 1)?;
         }
+        arguments.written.check(&model.rotor)?;
         arguments.written.apply(&mut job.scenario);
         let restart = arguments.parts.restart(job, &model)?;
         Ok((model, restart))

@@ -3,12 +3,13 @@
 use std::fmt;
 use std::num::NonZeroU64;
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use serde::de::DeserializeOwned;
 use serde_json::json;
 
 use super::without_repeats;
 use crate::analysis::Channel;
+use crate::rotor::RotorDefinition;
 use crate::scenario::{Scenario, TableFormat};
 
 /// What of a run is written.
@@ -27,21 +28,35 @@ pub struct Written {
 
 fn format_parser() -> impl TypedValueParser<Value = TableFormat> {
     let built = TableFormat::ALL.into_iter().filter(|one| one.is_built());
-    named(built.map(TableFormat::extension).collect())
+    named(built.map(|format| format.extension().into()))
 }
 
 fn channel_parser() -> impl TypedValueParser<Value = Channel> {
-    named(Channel::selectable().map(Channel::name).collect())
+    let names = Channel::selectable().map(|channel| {
+        // the help shows what the first bearing has
+        PossibleValue::new(channel.name()).hide(channel.is_further())
+    });
+    named(names)
 }
 
 /// Parses one of some names, as a scenario has them.
 fn named<T: DeserializeOwned + Clone + Send + Sync + 'static>(
-    names: Vec<&'static str>,
+    names: impl Iterator<Item = PossibleValue>,
 ) -> impl TypedValueParser<Value = T> {
-    PossibleValuesParser::new(names).try_map(|word| serde_json::from_value(word.into()))
+    PossibleValuesParser::new(names.collect::<Vec<_>>())
+        .try_map(|word| serde_json::from_value(word.into()))
 }
 
 impl Written {
+    /// Refuses columns that a shaft does not have.
+    ///
+    /// # Errors
+    /// Which, and why.
+    pub fn check(&self, rotor: &RotorDefinition) -> Result<(), String> {
+        let mut missing = self.channels.iter().filter_map(|one| one.missing_of(rotor));
+        missing.next().map_or(Ok(()), |words| Err(words.join("; ")))
+    }
+
     /// Puts what is asked for in place of what the scenario says, also in what the summary tells.
     pub fn apply(&self, scenario: &mut Scenario) {
         let (output, echo) = (&mut scenario.output, &mut scenario.echo["output"]);

@@ -46,7 +46,8 @@ pub(super) fn add_motion(out: &mut Lines, motion: &Motion) {
         ));
     }
     let all = motion.statistics.iter();
-    for each in all.filter(|each| each.channel.unit() == "m") {
+    let of_shaft = |channel: Channel| matches!(channel, Channel::Displacement(0..3));
+    for each in all.filter(|each| of_shaft(each.channel)) {
         let moments = &each.moments;
         let (Some(crest), Some(kurtosis)) = (moments.crest_factor(), moments.kurtosis()) else {
             continue;

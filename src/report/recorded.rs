@@ -97,7 +97,7 @@ impl RunFindings {
         if let Some(first) = samples.first() {
             let (energy, drive) = (first.energy.is_some(), first.drive.is_some());
             let sampled: [(_, _, Vec<Channel>); 3] = [
-                ("trace", true, Channel::of_trace().collect()),
+                ("trace", true, Channel::of_trace_of(&self.model.rotor)),
                 ("energy", energy, Channel::of_energy().collect()),
                 ("drive", drive, Channel::of_drive().collect()),
             ];

@@ -80,7 +80,7 @@ impl RunReport {
         let folder = folder.with_tables(&output.formats, &scenario);
         let trace: Vec<Channel> = match &output.channels {
             Some(channels) => [Channel::Time].iter().chain(channels).copied().collect(),
-            None => Channel::of_trace().collect(),
+            None => Channel::of_trace_of(&model.rotor),
         };
         let drive = model.rotor.drive.is_some();
         let energy = model.energy || drive;

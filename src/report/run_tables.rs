@@ -71,22 +71,27 @@ fn column(channel: Channel) -> Column {
     }
 }
 
-/// Columns of the trace, where no others are asked for. Forces are those of all bearings on the shaft.
+/// Columns that the trace has of every shaft. Forces are those of all bearings on the shaft.
 pub fn trace_columns() -> Vec<Column> {
     Channel::of_trace().map(column).collect()
 }
 
-/// Writes samples as rows of CSV, all columns of the trace.
+/// Writes samples as rows of CSV.
 #[derive(Debug)]
-pub struct TraceCsv<W: Write>(CsvTable<W>);
+pub struct TraceCsv<W: Write> {
+    channels: Vec<Channel>,
+    table: CsvTable<W>,
+}
 
 impl<W: Write> TraceCsv<W> {
-    /// Writes the header.
+    /// Writes the header of some channels.
     ///
     /// # Errors
     /// What the writer answers.
-    pub fn new(writer: W) -> io::Result<Self> {
-        CsvTable::new(writer, &trace_columns()).map(Self)
+    pub fn new(writer: W, channels: Vec<Channel>) -> io::Result<Self> {
+        let columns: Vec<_> = channels.iter().copied().map(column).collect();
+        let table = CsvTable::new(writer, &columns)?;
+        Ok(Self { channels, table })
     }
 
     /// Gives the writer back, with everything written.
@@ -94,13 +99,19 @@ impl<W: Write> TraceCsv<W> {
     /// # Errors
     /// What the writer answers.
     pub fn finish(self) -> io::Result<W> {
-        self.0.finish()
+        self.table.finish()
     }
 }
 
 impl<W: Write> TraceSink for TraceCsv<W> {
+    fn needs_acceleration(&self) -> bool {
+        let mut channels = self.channels.iter();
+        channels.any(|channel| channel.needs_acceleration())
+    }
+
     fn sample(&mut self, sample: &Sample) -> io::Result<()> {
-        self.0.row(&sample_row(Channel::of_trace(), sample))
+        let channels = self.channels.iter().copied();
+        self.table.row(&sample_row(channels, sample))
     }
 }
 

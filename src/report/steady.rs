@@ -17,13 +17,14 @@ use super::{Destination, FileSet, Findings};
 use crate::analysis::Channel;
 use crate::shooting::Multipliers;
 use crate::simulate::Model;
-use crate::steady::{Base, Stability, Steady, SteadyLine, SteadyLines};
+use crate::steady::{Base, Stability, Steady, SteadyLine, SteadyLines, Swing};
 
 /// A steady motion: its trace, its spectrum, its stability and its error.
 pub fn steady_findings(destination: &Destination<'_>, model: &Model, steady: &Steady) -> Findings {
     let title = destination.title;
     let mut histories = Histories::new(model.rotor.shaft.freedoms);
     let trace = &steady.trace;
+    let channels = Channel::of_trace_in(destination.scenario, &model.rotor);
     trace.iter().for_each(|sample| histories.sample(sample));
     let tolerance = model.integrator.tolerance;
     let measured = steady.measured.as_ref();
@@ -41,7 +42,7 @@ pub fn steady_findings(destination: &Destination<'_>, model: &Model, steady: &St
     Findings {
         set: FileSet::STEADY,
         tables: vec![
-            ("steady_trace", sample_table(trace, Channel::of_trace())),
+            ("steady_trace", sample_table(trace, channels)),
             ("steady_spectrum", line_table(steady, model.rotor.speed)),
         ],
         figures: vec![
@@ -114,7 +115,7 @@ fn spectrum(title: &str, lines: &SteadyLines) -> Figure {
 fn lengths(lines: &SteadyLines) -> Vec<(usize, &Channel)> {
     let channels = lines.channels.iter().enumerate();
     channels
-        .filter(|(_, channel)| channel.unit() == "m")
+        .filter(|(_, channel)| matches!(channel, Channel::Displacement(_)) && channel.unit() == "m")
         .collect()
 }
 
@@ -226,7 +227,9 @@ fn search(steady: &Steady) -> String {
 
 fn add_swings(out: &mut Lines, steady: &Steady) {
     let header = ["swing", "mean", "peak to peak", "rms", "unit"];
-    let rows = steady.swings.iter().map(|swing| {
+    let of_shaft =
+        |swing: &&Swing| matches!(swing.channel, Channel::Displacement(_) | Channel::Force(_));
+    let rows = steady.swings.iter().filter(of_shaft).map(|swing| {
         let (unit, scale) = shown_unit(swing.channel.unit());
         let numbers =
             [swing.mean, swing.peak_to_peak, swing.rms].map(|value| digits(scale * value));

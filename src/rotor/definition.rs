@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Drive, FlexibleShaft, LinearBearing, Load, PlaneUnbalance, SpeedPoint};
+use super::{Drive, FlexibleShaft, LinearBearing, Load, MOST_HOUSINGS, PlaneUnbalance, SpeedPoint};
 use crate::bearing::CageMotion;
 use crate::physics::Race;
 
@@ -184,6 +184,12 @@ impl RotorDefinition {
         let is_linear = |place: &usize| self.linear_bearings.iter().any(|own| own.place == *place);
         let places = (0..self.bearing_count()).filter(|place| !is_linear(place));
         places.take(self.bearings.len()).collect()
+    }
+
+    /// The bearings, from 0, whose housings are observed.
+    pub(crate) fn housed(&self) -> impl Iterator<Item = usize> {
+        let bearings = self.bearings.iter().take(MOST_HOUSINGS).enumerate();
+        bearings.filter_map(|(bearing, mounted)| mounted.housing.map(|_| bearing))
     }
 
     /// Highest speed that the shaft is meant for, rad/s: of its points, or the no-load speed of its

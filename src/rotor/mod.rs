@@ -54,7 +54,7 @@ pub use motion::Rotor;
 pub use motion_scale::MotionScale;
 #[cfg(test)]
 pub(crate) use observation::HousingMotion;
-pub use observation::{BallContacts, MOST_HOUSINGS, Sample};
+pub use observation::{BallContacts, MOST_BEARINGS, MOST_HOUSINGS, Sample};
 pub(crate) use shaft_shapes::ShaftShape;
 pub use speed_profile::{Rotation, SpeedPoint, SpeedProfile};
 pub use tabulation::Tabulation;

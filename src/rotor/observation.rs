@@ -200,6 +200,9 @@ impl Rotor {
 /// Housings are observed of so many bearings, the first ones.
 pub const MOST_HOUSINGS: usize = 4;
 
+/// Most bearings of a shaft.
+pub const MOST_BEARINGS: usize = 64;
+
 /// Motion of a housing at one instant.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct HousingMotion {

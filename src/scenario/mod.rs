@@ -167,9 +167,6 @@ fn check(document: &Document) -> Result<Scenario, ScenarioError> {
     let ((input, questions, echo, study), warnings) = document.finish(made, problems)?;
     let questions = questions.with_warnings(&warnings);
     let study = study.map(|study| study.with_warnings(&warnings));
-    let mut output = input.output;
-    let with_housings = || ScenarioInput::columns_with_housings(&questions.question.rotor);
-    output.channels = output.channels.or_else(with_housings);
     Ok(Scenario {
         title: input.title.unwrap_or_else(|| document.stem()),
         question: questions.question,
@@ -177,7 +174,7 @@ fn check(document: &Document) -> Result<Scenario, ScenarioError> {
         contact_choice: questions.contact_choice,
         oils: questions.oils,
         study,
-        output,
+        output: input.output,
         echo,
         warnings,
     })

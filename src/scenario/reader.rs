@@ -14,6 +14,7 @@ use super::key::join;
 use super::node::{Content, Entry, Node};
 use super::problems::{Problems, nearest};
 use super::quantity::{Dimension, QuantityError, parse};
+use crate::analysis::Channel;
 
 /// The whole tree as a struct that `schema` describes; its required values may be examples where
 /// [`Problems`] holds an issue about them.
@@ -49,10 +50,11 @@ pub(super) fn last(path: &str) -> &str {
 pub(super) fn choices(schema: &Value) -> Vec<&str> {
     let plain = schema["enum"].as_array().into_iter().flatten();
     let documented = schema["oneOf"].as_array().into_iter().flatten();
-    plain
-        .chain(documented.map(|variant| &variant["const"]))
-        .filter_map(Value::as_str)
-        .collect()
+    let words = documented.flat_map(|variant| {
+        let listed = variant["enum"].as_array().into_iter().flatten();
+        listed.chain([&variant["const"]])
+    });
+    plain.chain(words).filter_map(Value::as_str).collect()
 }
 
 /// A key while it is read.
@@ -135,7 +137,12 @@ impl Reader<'_, '_> {
             Content::Plain(Value::String(text)) => text.as_str(),
             _ => "",
         };
-        if choices.contains(&written) {
+        let variants = self.schema["oneOf"].as_array().into_iter().flatten();
+        let mut patterns = variants.filter(|variant| variant["pattern"].is_string());
+        // the only pattern is that of columns that are like one that is listed
+        let is_further = |channel: Channel| channel.is_further() && channel.name() == written;
+        if choices.contains(&written) || patterns.next().is_some() && Channel::all().any(is_further)
+        {
             return Some(written.into());
         }
         let words: Vec<_> = choices.iter().map(|word| format!("\"{word}\"")).collect();

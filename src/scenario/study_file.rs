@@ -241,17 +241,17 @@ impl StudyFileInput {
 
     /// The numbers that are kept: of a scene all, or those that are named and the measured error.
     fn columns(&self, model: &Model, problems: &mut Problems<'_>) -> Vec<NumberColumn> {
-        let rotor = &model.rotor;
-        let all = number_columns(rotor.shaft.freedoms, rotor.bearings.len());
+        let all = number_columns(&model.rotor);
         let Some(named) = &self.keep.numbers else {
-            return all;
+            return all.into_iter().filter(|own| !own.on_request).collect();
         };
         for (index, name) in named.iter().enumerate() {
             if all.iter().all(|column| column.name != *name) {
                 let message = format!("no run of this scene has a number `{name}`");
-                let known = all.iter().map(|column| column.name.as_str());
+                let known: Vec<_> = all.iter().map(|column| column.name.as_str()).collect();
                 let issue = Issue::new(format!("keep.numbers[{index}]"), message);
-                problems.refuse(issue.help_nearest(name, known, "for instance: \"x_rms_m\""));
+                let list = format!("its numbers are {}", known.join(", "));
+                problems.refuse(issue.help_nearest(name, known, &list));
             }
         }
         let kept = |column: &NumberColumn| named.contains(&column.name) || column.is_error();
@@ -474,7 +474,7 @@ struct SetInput {
 #[serde(deny_unknown_fields, default)]
 struct KeepInput {
     /// Which numbers, by the names of their columns; the figures draw them in this order. The measured error
-    /// is always kept. Default: all, of which the figures draw some.
+    /// is always kept. Default: all but the lines of forces, as `bearing1_force_x_order_1_N`; the figures draw some.
     #[schemars(extend("minItems" = 1, "maxItems" = 64, "examples" = [["x_rms_m", "bearing_1_life_h"]]))]
     pub numbers: Option<Vec<String>>,
     /// Whether the amplitudes of the displacements are kept, in `spectra.csv`. Default: false.

@@ -90,6 +90,8 @@ pub struct Analyses {
     /// The spectra are those of the displacements alone, up to this order of the shaft, and without peaks; where
     /// `None`, all.
     pub highest_order: Option<f64>,
+    /// These spectra are of the forces, too.
+    pub force_lines: bool,
 }
 
 /// What is found out of a steady motion.

@@ -10,7 +10,7 @@ use crate::analysis::{
 };
 use crate::integrate::Grid;
 use crate::physics::velocity_band;
-use crate::rotor::{FREEDOMS, MOST_HOUSINGS, Rotor, Sample};
+use crate::rotor::{FREEDOMS, Rotor, Sample};
 
 /// Shaft orders that are tracked.
 const SHAFT_ORDERS: u32 = 3;
@@ -143,6 +143,7 @@ fn settings(model: &Model, rotor: &Rotor, grid: &Grid, speed: f64) -> MotionSett
         rate: 1.0 / grid.interval,
         levers: std::array::from_fn::<_, FREEDOMS, _>(|axis| scale.lever(axis)),
         sections,
+        parts: Channel::of_parts(&model.rotor),
         housing_velocities: housing_velocities(model),
         revolution: (speed > 0.0).then(|| TAU / speed),
         passes: rotor
@@ -157,9 +158,8 @@ fn settings(model: &Model, rotor: &Rotor, grid: &Grid, speed: f64) -> MotionSett
 
 /// Velocities along X and Y of the housings that have columns.
 fn housing_velocities(model: &Model) -> Vec<Channel> {
-    let bearings = model.rotor.bearings.iter().take(MOST_HOUSINGS).enumerate();
-    let housed = bearings.filter(|(_, bearing)| bearing.housing.is_some());
-    let channels = housed.flat_map(|(bearing, _)| Channel::of_housing(bearing, 2));
+    let housed = model.rotor.housed();
+    let channels = housed.flat_map(|bearing| Channel::of_housing(bearing, 2));
     channels.filter(|channel| channel.unit() == "m/s").collect()
 }
 

@@ -341,7 +341,10 @@ fn named(name: &str) -> Result<Channel, UnknownColumn> {
     let found = Channel::all().find(|channel| channel.name() == name);
     found.ok_or_else(|| UnknownColumn {
         name: name.to_owned(),
-        known: Channel::all().map(Channel::name).collect(),
+        known: Channel::all()
+            .filter(|channel| !channel.is_further())
+            .map(Channel::name)
+            .collect(),
     })
 }
 

@@ -47,19 +47,18 @@ fn channels(model: &Model, rotor: &Rotor) -> Vec<Channel> {
     match model.analyses.highest_order {
         None => {
             let mut channels = Channel::of_freedoms(freedoms);
-            let bearings = model.rotor.bearings.iter().enumerate();
-            let housed = bearings.filter(|(_, bearing)| bearing.housing.is_some());
+            let housed = model.rotor.housed();
             let columns =
-                housed.flat_map(|(bearing, _)| Channel::of_housing(bearing, freedoms.lengths()));
+                housed.flat_map(|bearing| Channel::of_housing(bearing, freedoms.lengths()));
             channels.extend(columns.filter(|channel| channel.needs_acceleration()));
             channels
         }
-        Some(_) => freedoms
-            .axes()
-            .iter()
-            .copied()
-            .map(Channel::Displacement)
-            .collect(),
+        Some(_) => {
+            let mut channels = Channel::of_motion(&model.rotor);
+            let forces = model.analyses.force_lines;
+            channels.retain(|channel| forces || !channel.is_force());
+            channels
+        }
     }
 }
 

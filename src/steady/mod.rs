@@ -197,7 +197,7 @@ fn answer(
     };
     let reduction = reduction(&mut map, &found, &sampled, question.model)?;
     let trace = trace(&map, &trajectories, &sampled, question.model);
-    let channels = Channel::of_freedoms(map.rotor.freedoms());
+    let channels = Channel::of_motion(&question.model.rotor);
     let error = measured.as_ref().map_or(0.0, |error| error.relative);
     let noise = error.max(NOISE * solver.settings.tolerance);
     let stability = match &measured {

@@ -265,7 +265,7 @@ fn response_point(
 ) -> Result<ResponsePoint, SteadyError> {
     map.set(point.parameter)?;
     let sampled = sampled(map, &point.states, question.model, true)?;
-    let channels = Channel::of_freedoms(map.rotor.freedoms());
+    let channels = Channel::of_motion(&question.model.rotor);
     Ok(ResponsePoint {
         value: question.value(point.parameter),
         period: map.periods.circle.period,

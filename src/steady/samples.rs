@@ -63,10 +63,13 @@ fn samples_along(
     trajectories: &[States],
     mut contacts: BallContacts,
 ) -> Vec<Vec<Sample>> {
+    let mut rate = Vec::new();
     let samples = instants(map, trajectories).map(|instants| {
-        instants
-            .map(|(time, state)| map.rotor.sample(time, state, &mut contacts))
-            .collect()
+        let sample = |(time, state)| {
+            let rate = Some(&mut rate);
+            map.rotor.whole_sample(time, state, &mut contacts, rate)
+        };
+        instants.map(sample).collect()
     });
     samples.collect()
 }
@@ -135,7 +138,7 @@ pub(super) fn trace(
     let periods = (TRACED * slower / circle.period).ceil() as u64;
     let instants = trajectories.first().map_or(0, States::len);
     let shown = requested(map, model).max(LEAST_SHOWN).next_power_of_two();
-    let mut trace = Vec::new();
+    let (mut trace, mut rate) = (Vec::new(), Vec::new());
     for strobe in 0..periods {
         let weights = circle.values_at(&[circle.phase(strobe)]);
         for instant in (0..instants).step_by((instants / shown).max(1)) {
@@ -148,7 +151,8 @@ pub(super) fn trace(
             }
             let since = strobe as f64 + instant as f64 / instants as f64;
             let time = map.periods.time(0) + since * circle.period;
-            trace.push(map.rotor.sample(time, &state, &mut contacts));
+            let rate = Some(&mut rate);
+            trace.push(map.rotor.whole_sample(time, &state, &mut contacts, rate));
         }
     }
     trace

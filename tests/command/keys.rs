@@ -68,8 +68,9 @@ fn kind(node: &Value, units: &mut Units) -> String {
         return format!("{dimension}{sign}{}", example.unwrap_or_default());
     }
     if let Some(choices) = node["oneOf"].as_array() {
-        let words = choices.iter().map(|choice| code(&choice["const"]));
-        return words.collect::<Vec<_>>().join(", ");
+        let words = choices.iter().filter(|choice| choice["const"].is_string());
+        let words: Vec<_> = words.map(|choice| code(&choice["const"])).collect();
+        return words.join(", ");
     }
     if node["items"].is_object() && node["type"].is_array() {
         return "text, or list: text".to_owned();
@@ -79,7 +80,7 @@ fn kind(node: &Value, units: &mut Units) -> String {
     }
     match string(node, "type") {
         "boolean" => "`true`, `false`".to_owned(),
-        "array" if node["items"]["enum"].is_array() => "list of names".to_owned(),
+        "array" if node["items"]["oneOf"][0]["enum"].is_array() => "list of names".to_owned(),
         "array" => format!("list: {}", kind(&node["items"], units)),
         "object" if is_vector(node) => {
             let kinds: Vec<_> = keys(node)
@@ -119,9 +120,9 @@ fn meaning(node: &Value) -> String {
             write!(says, "<br>{}: {description}", code(&choice["const"])).expect("a string");
         }
     }
-    let names = &node["items"]["enum"];
-    if names.is_array() {
-        write!(says, "<br>{}", codes(names)).expect("a string");
+    let names = &node["items"]["oneOf"];
+    if names[0]["enum"].is_array() {
+        write!(says, "<br>{}", codes(&names[0]["enum"])).expect("a string");
     }
     let default = &node["default"];
     if !default.is_null()

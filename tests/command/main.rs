@@ -11,6 +11,7 @@ mod compare;
 mod documents;
 mod endings;
 mod flexible;
+mod forces;
 mod hard_scenes;
 mod help;
 mod keys;

@@ -10,6 +10,7 @@ use std::fs::File;
 use std::io;
 use std::sync::atomic::AtomicBool;
 
+use crate::analysis::Channel;
 use crate::bearing::{BallLoads, BearingRotation};
 use crate::integrate::{Method, System};
 use crate::report::{RunIdentity, RunReport, TraceCsv};
@@ -288,7 +289,7 @@ fn memory_is_flat_in_the_duration_when_the_trace_is_written() {
     let folder = tempfile::tempdir().expect("a folder");
     let peak = |samples: u32| {
         let file = File::create(folder.path().join("trace.csv")).expect("a file");
-        let mut sink = TraceCsv::new(file).expect("a header");
+        let mut sink = TraceCsv::new(file, Channel::of_trace().collect()).expect("a header");
         let (_, peak, _) = run(&unbalanced(samples, 1e-8), &mut sink);
         sink.finish().expect("the rest is written");
         peak

@@ -333,7 +333,7 @@ fn the_same_run_gives_the_same_bytes() {
 
 #[test]
 fn the_trace_has_its_columns_and_reads_back_bit_by_bit() {
-    let mut csv = TraceCsv::new(Vec::new()).unwrap();
+    let mut csv = TraceCsv::new(Vec::new(), Channel::of_trace().collect()).unwrap();
     let mut sample = samples()[1].clone();
     sample.displacement[0] = 0.1 + 0.2;
     csv.sample(&sample).unwrap();

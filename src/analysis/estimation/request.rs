@@ -114,6 +114,15 @@ pub(super) fn rate_of(channel: Channel) -> Option<Channel> {
     match channel {
         Channel::Displacement(freedom) => Some(Channel::Velocity(freedom)),
         Channel::Velocity(freedom) => Some(Channel::Acceleration(freedom)),
+        Channel::Housing {
+            bearing,
+            quantity,
+            axis,
+        } => Some(Channel::Housing {
+            bearing,
+            quantity: quantity.rate()?,
+            axis,
+        }),
         _ => None,
     }
 }

@@ -42,6 +42,8 @@ pub struct MotionSettings {
     pub levers: [f64; FREEDOMS],
     /// Sections, each with its cycles a revolution; none where the shaft does not turn.
     pub sections: Vec<(SectionKind, f64)>,
+    /// What is described besides: motions of housings, forces of single bearings.
+    pub parts: Vec<Channel>,
     /// Velocities of housings whose RMS is asked for.
     pub housing_velocities: Vec<Channel>,
     /// Time of a revolution, s; none where the shaft does not turn.
@@ -88,7 +90,8 @@ pub struct Motion {
     /// Last sample, s.
     #[serde(rename = "end_s")]
     pub end: f64,
-    /// Displacements and forces of the freedoms that move; forces where they are observed.
+    /// Displacements and forces of the freedoms that move; forces where they are observed. Then displacements of the
+    /// housings, and forces of each of several bearings.
     pub statistics: Vec<ChannelStatistics>,
     /// RMS velocity of the lengths that move, in their order.
     #[serde(rename = "velocity_rms", serialize_with = "keys::by_axis")]
@@ -147,7 +150,8 @@ impl MotionRecorder {
     /// For one scene.
     pub fn new(settings: MotionSettings) -> Self {
         let channels = Channel::of_freedoms(settings.freedoms).into_iter();
-        let statistics = channels.map(|channel| ChannelStatistics {
+        let statistics = channels.chain(settings.parts.iter().copied());
+        let statistics = statistics.map(|channel| ChannelStatistics {
             channel,
             moments: Moments::default(),
         });

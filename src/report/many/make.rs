@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
 use super::{Digest, JournalError, StudyReport, Traces};
+use crate::analysis::Channel;
 use crate::report::ReportError;
 use crate::scenario::StudyFile;
 use crate::simulate::Model;
@@ -126,7 +127,11 @@ impl<'a> StudyRuns<'a> {
             let runs = chains.clone().filter(is_done);
             (watch.resumed)(runs.map(|chain| self.runs_of(chain..chain + 1)).sum());
         }
-        let traces = study.keep.traces.then(|| Traces::open(making.folder));
+        let channels = || Channel::of_trace_in(&study.echo["base"], &self.first.rotor);
+        let traces = study
+            .keep
+            .traces
+            .then(|| Traces::open(making.folder, channels()));
         let traces = traces.transpose()?;
         let keep = |run| match &traces {
             Some(traces) => traces.begin(run),

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 
 use super::each_row;
 use super::part::MergeError;
+use crate::analysis::Channel;
 use crate::report::checksum::Checksum;
 use crate::report::folder::sync_folder;
 use crate::report::run_tables::TraceCsv;
@@ -24,6 +25,8 @@ const FOLDER: &str = "traces";
 #[derive(Debug)]
 pub struct Traces {
     folder: RunFolder,
+    /// Their columns.
+    channels: Vec<Channel>,
 }
 
 impl Traces {
@@ -31,9 +34,9 @@ impl Traces {
     ///
     /// # Errors
     /// [`ReportError::File`] where it cannot be created, or a link stands there, which is not followed.
-    pub(super) fn open(study: &Path) -> Result<Self, ReportError> {
+    pub(super) fn open(study: &Path, channels: Vec<Channel>) -> Result<Self, ReportError> {
         let folder = RunFolder::of_any(&study.join(FOLDER), FileSet::RUNS)?;
-        Ok(Self { folder })
+        Ok(Self { folder, channels })
     }
 
     /// Begins the trace of a run.
@@ -44,7 +47,8 @@ impl Traces {
         let file = self.folder.create(&file_name(run)).map_err(other)?;
         let path = file.path().to_owned();
         let sum = Checksum::START;
-        let csv = TraceCsv::new(Summed { file, sum }).map_err(|error| refused(&path, error))?;
+        let csv = TraceCsv::new(Summed { file, sum }, self.channels.clone());
+        let csv = csv.map_err(|error| refused(&path, error))?;
         Ok(Box::new(TraceFile { csv, path }))
     }
 }
@@ -148,6 +152,10 @@ struct TraceFile {
 }
 
 impl TraceSink for TraceFile {
+    fn needs_acceleration(&self) -> bool {
+        self.csv.needs_acceleration()
+    }
+
     fn sample(&mut self, sample: &Sample) -> io::Result<()> {
         self.csv
             .sample(sample)

@@ -73,7 +73,9 @@ pub struct Output {
     /// written.
     #[schemars(range(min = 1, max = 1_000_000))]
     pub every: Option<NonZeroU64>,
-    /// What the written trace shows beside the time, in this order. Default: everything.
+    /// What the written trace shows beside the time, in this order; `bearing2_force_x`, … as `bearing1_force_x`. Default:
+    /// everything but accelerations of the shaft and moments of single bearings; the force of each bearing where there are
+    /// two and more.
     #[schemars(extend("minItems" = 1))]
     pub channels: Option<Vec<Channel>>,
 }

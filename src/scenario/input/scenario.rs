@@ -16,14 +16,14 @@ use super::speed::SpeedInput;
 use super::study::StudyInput;
 use super::support::LinearInput;
 use super::unbalance::{self, UnbalanceInput};
-use crate::analysis::{Channel, SpectrumRequest};
+use crate::analysis::SpectrumRequest;
 use crate::bearing::catalogue::CatalogueEntry;
 use crate::bearing::{MountedBearing, Oil};
 use crate::physics::Race;
 use crate::quasi_static::StaticQuestion;
 use crate::rotor::{
     Disc, Drive, FlexibleShaft, Freedoms, InitialState, LinearBearing, Load, LoadKind,
-    MOST_HOUSINGS, RotorDefinition, Shaft,
+    MOST_BEARINGS, MOST_HOUSINGS, RotorDefinition, Shaft,
 };
 use crate::scenario::node::Node;
 use crate::scenario::problems::Problems;
@@ -37,8 +37,6 @@ const MODEL_ERROR: f64 = 1e-3;
 const FAR: f64 = 10.0;
 /// Place of z among the freedoms.
 const AXIAL: usize = 2;
-/// Most bearings, all those of sets counted.
-const MOST_BEARINGS: usize = 64;
 /// Most loads.
 const MOST_LOADS: usize = 1000;
 /// Most spectra to be estimated.
@@ -370,49 +368,30 @@ impl ScenarioInput {
         }
     }
 
-    /// Refuses columns of housings that are not there, and housings that have no columns.
+    /// Refuses columns of housings and bearings that are not there, and housings that have no columns.
     fn check_housings(
         &self,
         rotor: &RotorDefinition,
         spectra: &[SpectrumRequest],
         problems: &mut Problems<'_>,
     ) {
-        let axes = rotor.shaft.freedoms.lengths();
         let housed = |bearing: &MountedBearing| bearing.housing.is_some();
         if rotor.bearings.iter().skip(MOST_HOUSINGS).any(housed) {
             let message = format!("only the first {MOST_HOUSINGS} bearings can stand in housings");
             let issue = Issue::new("bearing", message);
             problems.refuse(issue.help("write bearings with a housing first"));
         }
-        let missing = |channel: &Channel| match channel {
-            Channel::Housing { bearing, axis, .. } => {
-                !rotor.bearings.get(*bearing).is_some_and(housed) || *axis >= axes
-            }
-            _ => false,
-        };
         let shown = self.output.channels.iter().flatten();
         let shown = shown.map(|channel| ("output.channels".to_owned(), channel));
         let analysed = spectra.iter().enumerate().flat_map(|(index, request)| {
             let path = format!("spectrum[{index}].channels");
             request.channels.iter().map(move |one| (path.clone(), one))
         });
-        let all = shown.chain(analysed);
-        for (path, channel) in all.filter(|(_, channel)| missing(channel)) {
-            let message = format!("there is no `{channel}`: no such housing moves that way");
-            let help = "give the bearing a table [bearing.housing], or leave it out";
-            problems.refuse(Issue::new(path, message).help(help));
+        for (path, channel) in shown.chain(analysed) {
+            if let Some([message, help]) = channel.missing_of(rotor) {
+                problems.refuse(Issue::new(path, message).help(help));
+            }
         }
-    }
-
-    /// Columns of the trace beside the time, where there are housings and no others are asked for.
-    pub fn columns_with_housings(rotor: &RotorDefinition) -> Option<Vec<Channel>> {
-        let axes = rotor.shaft.freedoms.lengths();
-        let housed = rotor.bearings.iter().enumerate();
-        let housed = housed.filter(|(_, bearing)| bearing.housing.is_some());
-        let housings = housed.flat_map(|(bearing, _)| Channel::of_housing(bearing, axes));
-        let housings: Vec<_> = housings.collect();
-        let plain = Channel::of_trace().filter(|channel| *channel != Channel::Time);
-        (!housings.is_empty()).then(|| plain.chain(housings).collect())
     }
 
     fn drive(&self) -> Option<Drive> {

@@ -10,7 +10,7 @@ use super::output::Turning;
 use crate::analysis::{
     Axis, Channel, Detrend, Scaling, Segment, SpectrumKind, SpectrumRequest, Window,
 };
-use crate::rotor::{FREEDOMS, Freedoms, MOST_HOUSINGS};
+use crate::rotor::{FREEDOMS, Freedoms};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Frequency, Quantity, Time, si, significant};
@@ -347,24 +347,28 @@ impl JsonSchema for ChannelName {
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         let groups = GROUPS.iter().map(|(name, _)| *name);
-        let names: Vec<_> = groups.chain(every_channel().map(Channel::name)).collect();
+        let listed = every_channel().filter(|channel| !channel.is_further());
+        let names: Vec<_> = groups.chain(listed.map(Channel::name)).collect();
         json_schema!({
             "description":
                 "A channel, named as in the columns of the trace, or a group of channels.",
             "type": "string",
-            "enum": names,
+            "oneOf": [{ "enum": names }, Channel::further_schema()],
         })
     }
 }
 
-/// The channels of all freedoms, each kind together, and of all housings.
+/// The channels of all freedoms, each kind together, of all housings and of all bearings.
 fn every_channel() -> impl Iterator<Item = Channel> {
     let freedoms = GROUPS.iter().flat_map(|(_, of)| (0..FREEDOMS).map(of));
-    freedoms.chain((0..MOST_HOUSINGS).flat_map(|bearing| Channel::of_housing(bearing, 3)))
+    let of_parts = |channel: &Channel| {
+        matches!(
+            channel,
+            Channel::Housing { .. } | Channel::BearingForce { .. }
+        )
+    };
+    freedoms.chain(Channel::all().filter(of_parts))
 }
-
-/// Freedoms of a whirl: what turns with the shaft runs from the first to the second.
-const WHIRLS: [(usize, usize); 2] = [(0, 1), (3, 4)];
 
 /// Refuses the motion of a freedom that is held; its force is as good as any.
 fn refuse_held(path: &str, channel: Channel, freedoms: Freedoms, problems: &mut Problems<'_>) {
@@ -381,11 +385,7 @@ fn refuse_held(path: &str, channel: Channel, freedoms: Freedoms, problems: &mut 
 /// Refuses a whirl of anything but neighbouring pairs.
 fn refuse_single(channels: &[Channel], problems: &mut Problems<'_>) {
     let is_pair = |pair: &[Channel]| match pair {
-        [x, y] => {
-            let freedoms = x.freedom().zip(y.freedom());
-            let same = std::mem::discriminant(x) == std::mem::discriminant(y);
-            same && freedoms.is_some_and(|freedoms| WHIRLS.contains(&freedoms))
-        }
+        [x, y] => x.across() == Some(*y),
         _ => false,
     };
     if let Some(wrong) = channels.chunks(2).find(|pair| !is_pair(pair)) {

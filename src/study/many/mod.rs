@@ -130,6 +130,7 @@ impl Maker<'_> {
             maps: false,
             settled_only: true,
             highest_order,
+            force_lines: false,
         };
         for column in self.columns {
             (column.ask)(&mut model.analyses);

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::analysis::{Channel, Kind, Moments, Motion, Spectrum, column_unit};
-use crate::rotor::Freedoms;
+use crate::rotor::RotorDefinition;
 use crate::simulate::{Analyses, EventKind, MotionAnalysis, Run};
 
 /// Multiples of the shaft frequency whose lines are kept.
@@ -31,6 +31,8 @@ pub struct NumberColumn {
     pub name: String,
     /// Order of the shaft whose line it is.
     pub order: Option<u32>,
+    /// Whether it is kept only where it is asked for.
+    pub on_request: bool,
     /// Asks for what it rests on, beside lines of spectra.
     pub(super) ask: fn(&mut Analyses),
     value: Value,
@@ -62,30 +64,77 @@ fn column(
     NumberColumn {
         name: name.into(),
         order: None,
+        on_request: false,
         ask,
         value: Arc::new(value),
     }
 }
 
-/// Mean, RMS and range of a channel.
-fn moments(channel: Channel) -> [NumberColumn; MOMENTS.len()] {
+/// Mean, RMS and range of a channel, which are those of a column that is recorded.
+fn moments([channel, recorded]: [Channel; 2]) -> [NumberColumn; MOMENTS.len()] {
     MOMENTS.map(|(what, moment)| {
         column(of(channel, what), STATISTICS, move |run| {
             let mut statistics = run.motion.as_ref()?.statistics.iter();
-            let found = statistics.find(|entry| entry.channel == channel);
+            let found = statistics.find(|entry| entry.channel == recorded);
             found.map(|entry| moment(&entry.moments))
         })
     })
 }
 
-/// Amplitude of a displacement at a multiple of the shaft frequency.
-fn line(freedom: usize, order: u32) -> NumberColumn {
-    let name = of(Channel::Displacement(freedom), &format!("order_{order}"));
-    let amplitude = move |run: &Run| order_line(run.spectrum.as_ref()?, freedom, order);
+/// Amplitude of a channel, which is that of a column that is recorded, at a multiple of the shaft frequency; of forces on
+/// request.
+fn line([channel, recorded]: [Channel; 2], order: u32) -> NumberColumn {
+    let name = of(channel, &format!("order_{order}"));
+    let amplitude = move |run: &Run| order_line(run.spectrum.as_ref()?, recorded, order);
+    let ask = if channel.is_force() {
+        FORCE_LINES
+    } else {
+        NOTHING
+    };
     NumberColumn {
         order: Some(order),
-        ..column(name, NOTHING, amplitude)
+        on_request: channel.is_force(),
+        ..column(name, ask, amplitude)
     }
+}
+
+/// RMS velocity of a housing.
+fn housing_velocity(channel: Channel) -> NumberColumn {
+    column(of(channel, "rms"), STATISTICS, move |run| {
+        let mut levels = run.motion.as_ref()?.housing_velocity.iter();
+        let found = levels.find(|entry| entry.channel == channel);
+        found.map(|entry| entry.level.rms)
+    })
+}
+
+/// Numbers of housings and of single bearings, whose forces along freedoms that move are recorded where there are several.
+fn of_parts(rotor: &RotorDefinition) -> Vec<NumberColumn> {
+    let mut columns = Vec::new();
+    let mut parts: Vec<_> = Channel::of_parts(rotor)
+        .into_iter()
+        .map(|own| [own; 2])
+        .collect();
+    if rotor.bearing_count() == 1 {
+        let axes = rotor.shaft.freedoms.axes().iter();
+        let only = |freedom| Channel::BearingForce {
+            bearing: 0,
+            freedom,
+        };
+        parts.extend(axes.map(|freedom| [only(*freedom), Channel::Force(*freedom)]));
+    }
+    for part in parts {
+        let is_total = part[0] != part[1];
+        columns.extend(moments(part).map(|column| NumberColumn {
+            on_request: is_total,
+            ..column
+        }));
+        columns.extend(ORDERS.map(|order| line(part, order)));
+    }
+    let housings = rotor.housed();
+    let velocities = housings.flat_map(|bearing| Channel::of_housing(bearing, 2));
+    let velocities = velocities.filter(|channel| channel.unit() == "m/s");
+    columns.extend(velocities.map(housing_velocity));
+    columns
 }
 
 /// What is observed of a bearing.
@@ -111,6 +160,9 @@ const NOTHING: fn(&mut Analyses) = |_| {};
 /// Of a number of the motion after the settle time.
 const STATISTICS: fn(&mut Analyses) = |asked| asked.motion = asked.motion.with_statistics();
 
+/// Of a line of a force.
+const FORCE_LINES: fn(&mut Analyses) = |asked| asked.force_lines = true;
+
 /// Of a number of the whole motion.
 const WHOLE: fn(&mut Analyses) = |asked| asked.settled_only = false;
 
@@ -119,8 +171,9 @@ fn of(channel: Channel, what: &str) -> String {
     format!("{channel}_{what}_{}", column_unit(channel.unit()))
 }
 
-/// Columns for scenes of these freedoms and so many bearings.
-pub fn number_columns(freedoms: Freedoms, bearings: usize) -> Vec<NumberColumn> {
+/// Columns for scenes like that of a rotor.
+pub fn number_columns(rotor: &RotorDefinition) -> Vec<NumberColumn> {
+    let (freedoms, bearings) = (rotor.shaft.freedoms, rotor.bearings.len());
     let mut columns = Vec::new();
     for &freedom in freedoms.axes() {
         let name = of(Channel::Displacement(freedom), "equilibrium");
@@ -145,9 +198,12 @@ pub fn number_columns(freedoms: Freedoms, bearings: usize) -> Vec<NumberColumn> 
         let name = format!("damping_ratio_{}", mode + 1);
         columns.push(column(name, NOTHING, ratio));
     }
-    columns.extend(Channel::of_freedoms(freedoms).into_iter().flat_map(moments));
-    for &freedom in freedoms.axes() {
-        columns.extend(ORDERS.map(|order| line(freedom, order)));
+    let channels = Channel::of_freedoms(freedoms)
+        .into_iter()
+        .map(|own| [own; 2]);
+    columns.extend(channels.clone().flat_map(moments));
+    for channel in channels {
+        columns.extend(ORDERS.map(|order| line(channel, order)));
     }
     for freedom in 0..freedoms.lengths() {
         let name = of(Channel::Velocity(freedom), "rms");
@@ -165,6 +221,7 @@ pub fn number_columns(freedoms: Freedoms, bearings: usize) -> Vec<NumberColumn> 
         column("drift", STATISTICS, drift),
         column("largest_ball_load_N", NOTHING, load),
     ]);
+    columns.extend(of_parts(rotor));
     columns.extend((0..bearings).flat_map(of_bearing));
     let error = |run: &Run| Some(run.measured_error.as_ref()?.relative);
     let evaluations = |run: &Run| Some(run.counters.evaluations as f64);
@@ -176,12 +233,12 @@ pub fn number_columns(freedoms: Freedoms, bearings: usize) -> Vec<NumberColumn> 
 }
 
 /// Amplitude at a multiple of the shaft frequency, where that is a bin.
-fn order_line(spectrum: &Spectrum, freedom: usize, order: u32) -> Option<f64> {
+fn order_line(spectrum: &Spectrum, channel: Channel, order: u32) -> Option<f64> {
     let bin = f64::from(order) * spectrum.shaft_frequency / spectrum.resolution;
     if spectrum.shaft_frequency <= 0.0 || (bin - bin.round()).abs() > 1e-6 {
         return None;
     }
-    let entry = spectrum.channel(Channel::Displacement(freedom))?;
+    let entry = spectrum.channel(channel)?;
     entry.amplitude.get(bin.round() as usize).copied()
 }
 

@@ -145,6 +145,11 @@ impl TraceSink for RunSink {
         }
     }
 
+    fn needs_acceleration(&self) -> bool {
+        let trace = self.trace.as_ref();
+        trace.is_some_and(|trace| trace.needs_acceleration())
+    }
+
     fn sample(&mut self, sample: &Sample) -> io::Result<()> {
         if let Some(end) = &mut self.end {
             end.take(sample);
