@@ -8,7 +8,7 @@ use plotters::style::RGBColor;
 
 use super::figure::{Axis, Curve, Figure, GREY, Name, PLOT_WIDTH, Panel, Point, distinct, ends};
 use super::terminal::{MICRO, MILLI};
-use crate::bearing::MountedBearing;
+use crate::bearing::{Housing, MountedBearing};
 use crate::rotor::{Disc, FlexibleShaft, Load, LoadKind, RotorDefinition};
 
 /// Thickness of a ring at its groove, in ball diameters.
@@ -59,6 +59,7 @@ pub(crate) fn scene_figure(title: &str, rotor: &RotorDefinition) -> Figure {
     }
     for bearing in &rotor.linear_bearings {
         drawing.spring(MILLI * bearing.position, &scale);
+        drawing.housing(MILLI * bearing.position, bearing.housing.as_ref(), &scale);
     }
     for (index, bearing) in rotor.bearings.iter().enumerate() {
         drawing.bearing(index + 1, bearing, &scale);
@@ -80,7 +81,7 @@ pub(crate) fn scene_figure(title: &str, rotor: &RotorDefinition) -> Figure {
         )
     };
     let names = ["rings and balls", "lines of contact", "loads", "unbalance"];
-    let housing = rotor.bearings.iter().any(|each| each.housing.is_some());
+    let housing = !rotor.housings().is_empty();
     let names = names.into_iter().chain(housing.then_some("housings"));
     Figure::new("scene.svg", title, 1, vec![panel]).with_names(Name::each(names))
 }
@@ -291,9 +292,14 @@ impl Drawing {
         }
         let name = format!("bearing {number}");
         self.label((across[0], -1.15 * outside), name, distinct(RINGS));
-        if let Some(housing) = &bearing.housing {
+        self.housing(across[0], bearing.housing.as_ref(), scale);
+    }
+
+    /// The name of a housing.
+    fn housing(&mut self, at: f64, housing: Option<&Housing>, scale: &Scale) {
+        if let Some(housing) = housing {
             let text = format!("housing, {} kg", rounded(housing.mass));
-            self.label((across[0], 1.35 * scale.outer), text, distinct(HOUSINGS));
+            self.label((at, 1.35 * scale.outer), text, distinct(HOUSINGS));
         }
     }
 

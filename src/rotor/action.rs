@@ -2,6 +2,7 @@
 
 use super::coefficients::half_square;
 use super::energy::Works;
+use super::linear_bearing::AttachedLinear;
 use super::motion::dot;
 use super::structure::UnbalancedPoint;
 use super::{Drive, DriveMoments, Rotation, Rotor};
@@ -19,6 +20,8 @@ pub(super) struct Action {
     unbalance: f64,
     /// Power that viscous damping takes, W.
     viscous: f64,
+    /// Power that linear bearings supply whose stiffness is not symmetric, W.
+    crossing: f64,
     pub moments: Option<DriveMoments>,
 }
 
@@ -29,6 +32,7 @@ impl Action {
         let speed = self.rotation.speed;
         let powers = Works {
             loads: self.loads,
+            rotation: self.crossing,
             viscous: self.viscous,
             contact: bearings.damping_power,
             bearings: bearings.power,
@@ -37,7 +41,7 @@ impl Action {
         match &self.moments {
             None => Works {
                 unbalance: self.unbalance,
-                rotation: -(bearings.cage_moment + self.internal_moment) * speed,
+                rotation: self.crossing - (bearings.cage_moment + self.internal_moment) * speed,
                 ..powers
             },
             Some(moments) => Works {
@@ -137,6 +141,18 @@ impl Rotor {
         [along - speed * (crossing + moment), moment]
     }
 
+    /// Power of the part of K that is not symmetric and has no potential, as of films, `−½ (q̇ᵀ K q − qᵀ K q̇)`, W.
+    fn crossing_power(&self, place: &[f64], velocity: &[f64]) -> f64 {
+        let across = |own: &AttachedLinear| own.stiffness != own.stiffness.transpose();
+        if !self.structure.linear.iter().any(across) {
+            return 0.0;
+        }
+        let [mut by_place, mut by_rate] = [(); 2].map(|()| vec![0.0; self.dofs()]);
+        self.stiffness.add_product(1.0, place, &mut by_place);
+        self.stiffness.add_product(1.0, velocity, &mut by_rate);
+        0.5 * (dot(&by_rate, place) - dot(&by_place, velocity))
+    }
+
     /// Everything that acts in a state; leaves the accelerations of the degrees of freedom in `sum`.
     pub(super) fn act(&self, time: f64, state: &[f64], sum: &mut [f64]) -> Action {
         let dofs = self.dofs();
@@ -182,6 +198,7 @@ impl Rotor {
             loads,
             unbalance,
             viscous: 2.0 * (all - turning) + internal,
+            crossing: self.crossing_power(place, velocity),
             moments,
         }
     }

@@ -187,7 +187,7 @@ fn check_eccentricity(eccentricity: f64, supports: &[Support]) -> Result<(), Rot
 fn check_inertia(definition: &RotorDefinition) -> Result<(), RotorError> {
     let shaft = &definition.shaft;
     let polar = "the polar moment of inertia in kg m²";
-    if shaft.freedoms.tilts() {
+    if shaft.freedoms.tilts() && definition.flexible.is_none() {
         positive(
             "the transverse moment of inertia in kg m²",
             shaft.inertia_transverse,

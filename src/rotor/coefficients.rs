@@ -86,7 +86,7 @@ pub(super) struct Mass {
 #[derive(Debug, Clone, PartialEq)]
 enum Inverse {
     Diagonal(Vec<f64>),
-    /// All of it, and its panels.
+    /// L of M = L Lᵀ, and the panels of the inverse.
     Full(DMatrix<f64>, Panels),
 }
 
@@ -102,7 +102,7 @@ impl Mass {
             factors.map(|factors| {
                 let inverse = factors.inverse();
                 let panels = Panels::new(&inverse, inverse.ncols());
-                Inverse::Full(inverse, panels)
+                Inverse::Full(factors.l(), panels)
             })
         };
         inverse.map(|inverse| Self { entries, inverse })
@@ -134,19 +134,15 @@ impl Mass {
         }
     }
 
-    /// `M^½`.
+    /// L of M = L Lᵀ, which loses no digits of small masses beside large ones: in coordinates `u = Lᵀ q` the mass is one.
     pub fn root(&self) -> DMatrix<f64> {
-        self.power(f64::sqrt)
+        match &self.inverse {
+            Inverse::Diagonal(_) => DMatrix::from_diagonal(&self.entries.diagonal().map(f64::sqrt)),
+            Inverse::Full(root, _) => root.clone(),
+        }
     }
 
-    /// A function of M by its eigenvalues.
-    fn power(&self, of: impl Fn(f64) -> f64) -> DMatrix<f64> {
-        let modes = self.entries.clone().symmetric_eigen();
-        let diagonal = DMatrix::from_diagonal(&modes.eigenvalues.map(of));
-        &modes.eigenvectors * diagonal * modes.eigenvectors.transpose()
-    }
-
-    /// `M^(−½) A M^(−½)`: a matrix in coordinates in which the mass is one.
+    /// `L⁻¹ A L⁻ᵀ`: a matrix in coordinates in which the mass is one.
     pub fn normalised(&self, matrix: &DMatrix<f64>) -> DMatrix<f64> {
         match &self.inverse {
             Inverse::Diagonal(inverse) => {
@@ -154,10 +150,13 @@ impl Mass {
                     matrix[(row, column)] * (inverse[row] * inverse[column]).sqrt()
                 })
             }
-            Inverse::Full(inverse, _) => {
-                let size = inverse.nrows();
-                let root = self.power(|mass| 1.0 / mass.sqrt());
-                &root * matrix.view((0, 0), (size, size)) * &root
+            Inverse::Full(root, _) => {
+                let size = root.nrows();
+                let mut half = matrix.view((0, 0), (size, size)).into_owned();
+                root.solve_lower_triangular_mut(&mut half);
+                let mut whole = half.transpose();
+                root.solve_lower_triangular_mut(&mut whole);
+                whole.transpose()
             }
         }
     }

@@ -49,7 +49,7 @@ fn critical(structure: &Structure, stiffness: &DMatrix<f64>) -> DMatrix<f64> {
     let doubled = modes.eigenvalues.map(|square| 2.0 * square.max(0.0).sqrt());
     let scaled = &modes.eigenvectors * DMatrix::from_diagonal(&doubled);
     let root = mass.root();
-    let critical = &root * (scaled * modes.eigenvectors.transpose()) * &root;
+    let critical = &root * (scaled * modes.eigenvectors.transpose()) * root.transpose();
     whole.view_mut((0, 0), (dofs, dofs)).copy_from(&critical);
     whole
 }

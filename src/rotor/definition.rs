@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Drive, FlexibleShaft, LinearBearing, Load, MOST_HOUSINGS, PlaneUnbalance, SpeedPoint};
-use crate::bearing::CageMotion;
+use crate::bearing::{CageMotion, Housing};
 use crate::physics::Race;
 
 /// Standard acceleration of gravity, m/s² (ISO 80000-3).
@@ -188,8 +188,8 @@ impl RotorDefinition {
 
     /// The bearings, from 0, whose housings are observed.
     pub(crate) fn housed(&self) -> impl Iterator<Item = usize> {
-        let bearings = self.bearings.iter().take(MOST_HOUSINGS).enumerate();
-        bearings.filter_map(|(bearing, mounted)| mounted.housing.map(|_| bearing))
+        let housings = self.housings().into_iter().map(|(place, _)| place);
+        housings.filter(|place| *place < MOST_HOUSINGS)
     }
 
     /// Highest speed that the shaft is meant for, rad/s: of its points, or the no-load speed of its
@@ -214,16 +214,31 @@ impl RotorDefinition {
         passing.chain(loads).fold(speed, f64::max)
     }
 
+    /// The housings, each with the place of its bearing among all bearings, from 0, in the order of the scene.
+    pub(crate) fn housings(&self) -> Vec<(usize, Housing)> {
+        let balls = self.ball_places().into_iter().zip(&self.bearings);
+        let balls = balls.map(|(place, own)| (place, own.housing));
+        let linear = self
+            .linear_bearings
+            .iter()
+            .map(|own| (own.place, own.housing));
+        let mut housings: Vec<_> = balls
+            .chain(linear)
+            .filter_map(|(place, own)| Some((place, own?)))
+            .collect();
+        housings.sort_by_key(|(place, _)| *place);
+        housings
+    }
+
     /// Whether linear bearings, housings or the shaft itself damp it.
     pub(crate) fn is_damped_by_parts(&self) -> bool {
-        let linear = self.linear_bearings.iter().flat_map(|own| &own.damping);
-        let housings = self.bearings.iter().filter_map(|own| own.housing.as_ref());
-        let housings = housings.flat_map(|own| &own.damping);
-        let inside = self.flexible.iter().map(|own| &own.internal_damping);
+        let linear = self.linear_bearings.iter().flat_map(|own| own.damping);
+        let housings = self.housings().into_iter().flat_map(|(_, own)| own.damping);
+        let inside = self.flexible.iter().map(|own| own.internal_damping);
         linear
             .chain(housings)
             .chain(inside)
-            .any(|damping| *damping > 0.0)
+            .any(|damping| damping > 0.0)
     }
 
     /// Whether the shaft stands and the outer rings of its bearings turn.

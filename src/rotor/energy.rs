@@ -35,7 +35,8 @@ pub struct Works {
     pub loads: f64,
     /// Supplied by the rotation through the unbalance; part of the whole where the shaft is driven.
     pub unbalance: f64,
-    /// Supplied by the rotation of the cages past the displaced shaft; likewise.
+    /// Supplied by the rotation of the cages past the displaced shaft, likewise, and by bearings of constant stiffness that is
+    /// not symmetric.
     pub rotation: f64,
     /// Dissipated by viscous damping.
     pub viscous: f64,

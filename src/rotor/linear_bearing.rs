@@ -4,9 +4,9 @@ use nalgebra::SVector;
 
 use super::FREEDOMS;
 use super::point::{Attachment, about_origin};
-use crate::bearing::{Matrix5, Vector5};
+use crate::bearing::{Housing, Matrix5, Vector5};
 
-/// Springs and dampers between a place of the shaft and the ground.
+/// Springs and dampers between a place of the shaft and a housing or the ground.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct LinearBearing {
     /// Its place among all bearings of the shaft, from 0.
@@ -17,6 +17,12 @@ pub struct LinearBearing {
     pub stiffness: Vector5,
     /// Along x, y, z in N s/m and about X and Y in N m s/rad.
     pub damping: Vector5,
+    /// k_xy and k_yx in N/m: the force along the first axis by a displacement along the second.
+    pub cross_stiffness: [f64; 2],
+    /// c_xy and c_yx in N s/m likewise.
+    pub cross_damping: [f64; 2],
+    /// The housing that it stands in; without one it stands on the ground.
+    pub housing: Option<Housing>,
 }
 
 /// A linear bearing between its points: `F = K u + C u̇` with u the displacement of the inner point from the outer one.
@@ -46,15 +52,16 @@ impl LinearBearing {
         let mut transform = Matrix5::identity();
         transform[(0, 4)] = from_point;
         transform[(1, 3)] = -from_point;
-        let at_point = |values: Vector5| {
-            let own = Matrix5::from_diagonal(&SVector::<f64, FREEDOMS>::from(values));
+        let at_point = |values: Vector5, [xy, yx]: [f64; 2]| {
+            let mut own = Matrix5::from_diagonal(&SVector::<f64, FREEDOMS>::from(values));
+            (own[(0, 1)], own[(1, 0)]) = (xy, yx);
             transform.transpose() * own * transform
         };
         AttachedLinear {
             place: self.place,
             attachment,
-            stiffness: at_point(self.stiffness),
-            damping: at_point(self.damping),
+            stiffness: at_point(self.stiffness, self.cross_stiffness),
+            damping: at_point(self.damping, self.cross_damping),
             arm,
         }
     }

@@ -68,7 +68,7 @@ pub struct Mode {
     /// Eigenvalue λ of positive imaginary part, 1/s.
     pub eigenvalue: Complex<f64>,
     /// Displacements of the degrees of freedom times the root of their mass or moment of inertia, of unit
-    /// length: `M^½ q`.
+    /// length: `Lᵀ q` with M = L Lᵀ.
     pub shape: Vec<Complex<f64>>,
     /// What goes round forward and backward, and what moves along the axis, by their kinetic energy.
     shares: [f64; 3],
@@ -186,7 +186,7 @@ impl Rotor {
             .collect()
     }
 
-    /// The directions that `λ² + λ M^(−½)(C + ωG)M^(−½) + M^(−½) K M^(−½)` shrinks most, as many as
+    /// The directions that `λ² + λ L⁻¹(C + ωG)L⁻ᵀ + L⁻¹ K L⁻ᵀ` shrinks most, as many as
     /// there are modes of this eigenvalue: of modes that share one any mixture is a mode, and here they
     /// are those that go round as clearly as can be.
     fn shapes(
@@ -266,7 +266,7 @@ fn most_shrunk(mut matrix: DMatrix<Complex<f64>>, count: usize) -> DMatrix<Compl
     directions
 }
 
-/// Matrix A of `d/dt (ω₀ u, u̇) = A (ω₀ u, u̇)` with u = M^½ q: in these units, ω₀ the highest frequency of a freedom
+/// Matrix A of `d/dt (ω₀ u, u̇) = A (ω₀ u, u̇)` with u = Lᵀ q: in these units, ω₀ the highest frequency of a freedom
 /// by itself, its entries are of one size, and its eigenvalues lose no digits.
 fn state_matrix([stiffness, rate]: &[DMatrix<f64>; 2]) -> DMatrix<f64> {
     let dofs = rate.nrows();

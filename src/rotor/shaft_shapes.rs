@@ -22,8 +22,8 @@ impl Rotor {
 
     /// Shape of a mode, of any size; none where the shaft is rigid.
     pub(crate) fn mode_shape(&self, mode: &Mode) -> Option<ShaftShape<Complex<f64>>> {
-        // u = M^½ q
-        let root = self.mass.root().lu();
+        // u = Lᵀ q
+        let root = self.mass.root().transpose().lu();
         let part = |of: fn(&Complex<f64>) -> f64| {
             let scaled = DVector::from_iterator(mode.shape.len(), mode.shape.iter().map(of));
             root.solve(&scaled)

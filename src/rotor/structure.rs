@@ -8,7 +8,7 @@ use super::linear_bearing::AttachedLinear;
 use super::point::{Attachment, Place, Point};
 use super::static_search::Restoring;
 use super::{FREEDOMS, Freedoms, Load, PlaneUnbalance, RotorDefinition, ShaftError};
-use crate::bearing::{BearingRotation, MountedBearing, Support, Vector5};
+use crate::bearing::{BearingRotation, Support, Vector5};
 
 /// A generalised coordinate.
 #[derive(Debug, Clone, PartialEq)]
@@ -103,7 +103,7 @@ pub(super) struct Structure {
 /// A housing that moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct HousingPoint {
-    /// The bearing that stands in it, from 0.
+    /// The bearing that stands in it, from 0, in the order of the scene.
     pub bearing: usize,
     /// Mass, kg.
     pub mass: f64,
@@ -164,9 +164,9 @@ impl Structure {
             None => Self::of_rigid(definition),
         };
         let axes = definition.shaft.freedoms.lengths();
-        let (mut structure, massless) = grounded.with_massless_last();
-        structure = structure
-            .on_housings(&definition.bearings, axes)
+        let (structure, massless) = grounded.with_massless_last();
+        let mut structure = structure
+            .on_housings(definition, axes)
             .with_linear_bearings();
         if massless > 0 {
             structure.followers = structure
@@ -221,12 +221,9 @@ impl Structure {
 
     /// The same with those bearings on housings that have one. A housing moves along the first `axes` of x, y, z, as the
     /// shaft does; its displacement counts from where its own weight has put it.
-    fn on_housings(self, bearings: &[MountedBearing], axes: usize) -> Self {
+    fn on_housings(self, definition: &RotorDefinition, axes: usize) -> Self {
         let first = self.dofs;
-        let housings = bearings.iter().enumerate();
-        let housings: Vec<_> = housings
-            .filter_map(|(bearing, mounted)| Some((bearing, mounted.housing?)))
-            .collect();
+        let (housings, balls) = (definition.housings(), definition.ball_places());
         let mut structure = self.with_room_for(axes * housings.len());
         for (number, (bearing, housing)) in housings.into_iter().enumerate() {
             let mut coordinates = [usize::MAX; 5];
@@ -240,7 +237,18 @@ impl Structure {
                 structure.coordinates[index] = Coordinate::of_axis(axis, &owner);
             }
             let point = Point { coordinates };
-            structure.attachments[bearing].outer = Some(point);
+            let attachment = match balls.iter().position(|place| *place == bearing) {
+                Some(ball) => Some(&mut structure.attachments[ball]),
+                None => {
+                    let mut linear = structure.linear.iter_mut();
+                    linear
+                        .find(|own| own.place == bearing)
+                        .map(|own| &mut own.attachment)
+                }
+            };
+            if let Some(attachment) = attachment {
+                attachment.outer = Some(point);
+            }
             structure.housings.push(HousingPoint {
                 bearing,
                 mass: housing.mass,
@@ -343,11 +351,19 @@ impl Structure {
         let on_followers = forces.split_off(forces.len() - count);
         forces.truncate(self.dofs);
         if count > 0 {
-            let carried = self.followers.tr_mul(&DVector::from_vec(on_followers));
+            // −K_ds K_ss⁻¹ f_s
+            let first = self.coordinates.len() - count;
+            let own = self.stiffness.view((first, first), (count, count));
+            let moved = own
+                .into_owned()
+                .lu()
+                .solve(&DVector::from_vec(on_followers));
+            let held = self.stiffness.view((0, first), (self.dofs, count));
+            let carried = held * moved.unwrap_or_else(|| DVector::zeros(count));
             forces
                 .iter_mut()
                 .zip(&carried)
-                .for_each(|(sum, part)| *sum += part);
+                .for_each(|(sum, part)| *sum -= part);
         }
         forces
     }

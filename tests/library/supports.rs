@@ -2,10 +2,13 @@
 
 use std::f64::consts::{PI, TAU};
 
+use nalgebra::Complex;
+
 use crate::analysis::{Channel, Peak};
-use crate::rotor::{Freedoms, Rotor};
+use crate::rotor::{Freedoms, Rotor, Whirl};
 use crate::scenario::Scenario;
 use crate::simulate::Run;
+use crate::study::campbell::CampbellQuestion;
 
 /// A shaft of 0.4 m with a disc at two thirds on bearings of constant stiffness along x and y alone.
 const WITHOUT_Z: &str = r#"
@@ -334,5 +337,229 @@ fn what_moves_a_massless_place_by_itself_is_refused_all_at_once() {
         "x of the shaft at 50.0 mm",
     ] {
         assert!(error.contains(place), "{error}");
+    }
+}
+
+/// ω² of [[k/m, −k/m], [−k/M, (k + K)/M]]: 168.319 and 673.011 Hz, and where the shaft's weight puts it.
+#[test]
+fn a_linear_bearing_stands_in_a_housing() {
+    let rigid = "[shaft]\nmass = \"10 kg\"\ngravity = true\n[[bearing]]\nlinear = { stiffness = { x = \"50 N/um\", y = \"50 \
+                 N/um\" } }\nhousing = { mass = \"5 kg\", stiffness = { x = \"20 N/um\", y = \"20 N/um\" } }\n[speed]\n\
+                 constant = \"3000 rpm\"\n";
+    for (found, expected) in frequencies(rigid).chunks(2).zip([168.319, 673.011]) {
+        close(found[0], expected, 1e-6);
+        close(found[1], expected, 1e-6);
+    }
+    let more = "[[unbalance]]\namount = \"50 g mm\"\n[output]\nenergy = true\n[integrator]\nverify = false\n[time]\nduration \
+                = \"0.04 s\"\nsettle = \"0 s\"\n";
+    let recorded = scenario(&format!("{rigid}{more}"))
+        .simulate()
+        .expect("a run");
+    let weight = 10.0 * 9.80665;
+    close(
+        recorded.column("y").expect("a column")[0],
+        -weight * (1.0 / 50e6 + 1.0 / 20e6),
+        1e-9,
+    );
+    close(
+        recorded.column("housing1_y").expect("a column")[0],
+        -weight / 20e6,
+        1e-9,
+    );
+    let energy = recorded.run.energy.as_ref().expect("an audit");
+    assert!(energy.relative_residual < 1e-6, "{energy:?}");
+    // the same halved, on a shaft that bends and has no mass
+    let bearing = |position: &str| {
+        format!(
+            "[[bearing]]\nposition = \"{position}\"\nlinear = {{ stiffness = {{ x = \"25 N/um\", y = \"25 N/um\" }} }}\nhousing \
+             = {{ mass = \"2.5 kg\", stiffness = {{ x = \"10 N/um\", y = \"10 N/um\" }} }}\n"
+        )
+    };
+    let bends = format!(
+        "[shaft]\nmassless = true\n[[shaft.section]]\nlength = \"100 mm\"\nouter_diameter = \"300 mm\"\n[[disc]]\nposition = \"50 \
+         mm\"\nmass = \"10 kg\"\n{}{}[speed]\nconstant = \"3000 rpm\"\n",
+        bearing("0 mm"),
+        bearing("100 mm")
+    );
+    let found = frequencies(&bends);
+    for expected in [168.319, 673.011] {
+        let near = found
+            .iter()
+            .filter(|own| (*own / expected - 1.0).abs() < 5e-3);
+        assert_eq!(near.count(), 2, "{found:?}");
+    }
+}
+
+/// Of `xy` alone the axes are inclined by 45°: ω² = (k ± k_xy)/m.
+#[test]
+fn an_inclined_stiffness_has_principal_axes() {
+    let text = "[shaft]\nmass = \"4 kg\"\n[[bearing]]\nlinear = { stiffness = { x = \"3.5e7 N/m\", y = \"3.5e7 N/m\", xy = \
+                \"-9e6 N/m\" } }\n[speed]\nconstant = \"0 rpm\"\n";
+    for (found, square) in frequencies(text).iter().zip([2.6e7 / 4.0, 4.4e7 / 4.0]) {
+        close(*found, f64::sqrt(square) / TAU, 1e-12);
+    }
+}
+
+/// `m s² + c s + k ∓ i q = 0` with k_xy = q = −k_yx: the forward whirl grows where q > c ω. Its energy comes from the rotation.
+#[test]
+fn a_circulatory_stiffness_drives_a_forward_whirl_and_its_energy_closes() {
+    let text = "[shaft]\nmass = \"2 kg\"\neccentricity = \"2 um\"\n[[bearing]]\nlinear = { stiffness = { x = \"1e6 N/m\", y = \
+                \"1e6 N/m\", xy = \"2e5 N/m\", yx = \"-2e5 N/m\" }, damping = { x = \"100 N s/m\", y = \"100 N s/m\", xy = \"30 \
+                N s/m\", yx = \"-30 N s/m\" } }\n[speed]\nconstant = \"3000 rpm\"\n[output]\nenergy = true\n[integrator]\n\
+                verify = false\n[time]\nduration = \"0.05 s\"\nsettle = \"0 s\"\n";
+    let scene = scenario(text);
+    let modes = Rotor::assemble(&scene.question.rotor)
+        .expect("a rotor")
+        .natural_frequencies();
+    let forward = modes
+        .iter()
+        .find(|mode| mode.whirl == Whirl::Forward)
+        .expect("a mode");
+    let [mass, damping, stiffness] = [
+        Complex::from(2.0),
+        Complex::new(100.0, -30.0),
+        Complex::new(1e6, -2e5),
+    ];
+    let root = (damping * damping - mass * stiffness * 4.0).sqrt();
+    let root = if root.im > 0.0 { root } else { -root };
+    let expected = (root - damping) / (mass * 2.0);
+    close(TAU * forward.damped_frequency, expected.im, 1e-9);
+    close(forward.damping_ratio, -expected.re / expected.norm(), 1e-9);
+    assert!(forward.damping_ratio < -0.01);
+    let run = run(&scene);
+    let energy = run.energy.as_ref().expect("an audit");
+    assert!(
+        energy.works.rotation > 0.1 * energy.works.viscous,
+        "{energy:?}"
+    );
+    assert!(energy.relative_residual < 1e-6, "{energy:?}");
+}
+
+/// Critical speeds by elements of an independent program, springs inclined by 45°: Nelson's rotor of 18 sections.
+#[test]
+fn critical_speeds_on_inclined_springs_are_those_of_other_programs() {
+    let sections = [
+        (1.27, 1.02, 0.0),
+        (3.81, 2.04, 0.0),
+        (2.54, 1.52, 0.0),
+        (1.27, 4.06, 0.0),
+        (1.27, 4.06, 0.0),
+        (0.51, 6.60, 0.0),
+        (0.76, 6.60, 3.04),
+        (1.27, 5.08, 3.56),
+        (0.76, 5.08, 0.0),
+        (3.05, 2.54, 0.0),
+        (2.54, 2.54, 0.0),
+        (3.81, 3.04, 0.0),
+        (3.81, 3.04, 0.0),
+        (2.03, 2.54, 0.0),
+        (1.78, 2.54, 0.0),
+        (1.02, 7.62, 0.0),
+        (3.04, 4.06, 0.0),
+        (1.27, 4.06, 3.04),
+    ];
+    let sections = sections.map(|(length, outer, inner)| {
+        format!(
+            "[[shaft.section]]\nlength = \"{length} cm\"\nouter_diameter = \"{outer} cm\"\ninner_diameter = \"{inner} cm\"\n"
+        )
+    });
+    let bearing = |position: &str| {
+        format!(
+            "[[bearing]]\nposition = \"{position}\"\nlinear = {{ stiffness = {{ x = \"3.503e7 N/m\", y = \"3.503e7 N/m\", xy = \
+             \"-8.756e6 N/m\" }} }}\n"
+        )
+    };
+    let rotor = scenario(&format!(
+        "[shaft]\nmodes = 14\nfreedoms = \"radial\"\nmaterial = {{ youngs_modulus = \"207.8 GPa\", poisson_ratio = 0.3, density = \"7806 \
+         kg/m^3\" }}\n{}[[disc]]\nposition = \"8.89 cm\"\nmass = \"1.401 kg\"\ninertia_transverse = \"0.00136 kg m^2\"\n\
+         inertia_polar = \"0.00203 kg m^2\"\n{}{}[speed]\nconstant = \"10000 rpm\"\n",
+        sections.concat(),
+        bearing("16.51 cm"),
+        bearing("28.7 cm")
+    ));
+    let rpm = TAU / 60.0;
+    let question = CampbellQuestion {
+        rotor: rotor.question.rotor,
+        from: 0.0,
+        to: 95_000.0 * rpm,
+        count: 20,
+        orders: vec![1.0],
+    };
+    let campbell = question.solve().expect("a diagram");
+    let found = campbell.critical_speeds.iter().map(|own| own.speed / rpm);
+    let expected = [13_841.0, 16_374.0, 39_275.0, 47_326.0, 59_131.0, 91_377.0];
+    let found: Vec<_> = found.collect();
+    assert_eq!(found.len(), expected.len(), "{found:?}");
+    for (found, expected) in found.into_iter().zip(expected) {
+        close(found, expected, 1e-4);
+    }
+}
+
+/// A disc of 45 kg, 0.2 and 0.4 kg m², on a shaft of 0.4 g: x and y of the disc at √(k/m), its tilts at
+/// `I_t ω² ∓ I_p Ω ω = k_θ`, and the modes of the shaft itself a thousand to a million times as high.
+#[test]
+fn a_very_light_shaft_leaves_the_modes_of_its_disc_their_digits() {
+    let bearing = |position: &str| {
+        format!(
+            "[[bearing]]\nposition = \"{position}\"\nlinear = {{ stiffness = {{ x = \"1e10 N/m\", y = \"1e10 N/m\" }} }}\n"
+        )
+    };
+    let scene = |inertia: &str| {
+        scenario(&format!(
+            "[shaft]\nfreedoms = \"radial\"\nmaterial = {{ youngs_modulus = \"210 GPa\", density = \"1 kg/m^3\" }}\n\
+             [[shaft.section]]\nlength = \"762 mm\"\nouter_diameter = \"25.4 mm\"\n[[disc]]\nmass = \"45 kg\"\nposition = \
+             \"381 mm\"\n{inertia}{}{}[speed]\nconstant = \"2000 rpm\"\n",
+            bearing("0 mm"),
+            bearing("762 mm")
+        ))
+    };
+    let (length, diameter, young, poisson) = (0.762_f64, 25.4e-3_f64, 210e9, 0.3);
+    let (second, area) = (PI * diameter.powi(4) / 64.0, PI * diameter.powi(2) / 4.0);
+    let shear = 6.0 * (1.0 + poisson) / (7.0 + 6.0 * poisson) * young / (2.0 * (1.0 + poisson));
+    let shear = shear * area;
+    let across = length.powi(3) / (48.0 * young * second) + length / (4.0 * shear) + 0.5e-10;
+    // 17/35 of the shaft moves with its middle
+    let mass = 45.0 + 17.0 / 35.0 * area * length;
+    let bouncing = 1.0 / (across * mass).sqrt();
+    let point = Rotor::assemble(&scene("").question.rotor)
+        .expect("a rotor")
+        .natural_frequencies();
+    for mode in &point[..2] {
+        close(TAU * mode.frequency, bouncing, 1e-5);
+        assert!(mode.damping_ratio.abs() < 1e-6, "{mode:?}");
+    }
+    let definition = scene("inertia_transverse = \"0.2 kg m^2\"\ninertia_polar = \"0.4 kg m^2\"\n");
+    let definition = definition.question.rotor;
+    let found = Rotor::assemble(&definition)
+        .expect("a rotor")
+        .natural_frequencies();
+    let tilting =
+        1.0 / (length / (12.0 * young * second) + 1.0 / (length * shear) + 2e-10 / length.powi(2));
+    let half = 0.5 * 0.4 / 0.2 * 2000.0 * TAU / 60.0;
+    let apart = (half * half + tilting / 0.2).sqrt();
+    for (mode, (expected, whirl)) in found[2..].iter().zip([
+        (apart - half, Whirl::Backward),
+        (apart + half, Whirl::Forward),
+    ]) {
+        close(TAU * mode.frequency, expected, 1e-5);
+        assert_eq!(mode.whirl, whirl);
+    }
+    let question = CampbellQuestion {
+        rotor: definition,
+        from: 0.0,
+        to: 200.0,
+        count: 5,
+        orders: vec![1.0],
+    };
+    let campbell = question.solve().expect("a diagram");
+    let first = &campbell.critical_speeds[0];
+    close(first.speed, bouncing, 1e-5);
+    assert!(
+        first.reduction_error.is_some_and(|error| error < 1e-3),
+        "{first:?}"
+    );
+    // four branches of the disc from end to end
+    for branch in &campbell.branches[..4] {
+        assert!(branch.modes.iter().all(Option::is_some));
     }
 }

@@ -306,6 +306,7 @@ fn all_bearings_of_a_shaft_that_bends_balance_its_inertia() {
         position,
         stiffness: [4e6, 3e6, 2e6, 5e3, 7e3],
         damping: [300.0, 200.0, 100.0, 0.5, 0.4],
+        ..LinearBearing::default()
     };
     definition.linear_bearings = vec![springs(0, 0.02), springs(3, 0.3)];
     let rotor = Rotor::assemble(&definition).expect("a rotor");
@@ -424,7 +425,7 @@ fn laval(density: f64, internal_damping: f64) -> RotorDefinition {
         place,
         position,
         stiffness: [1e12, 1e12, 1e9, 0.0, 0.0],
-        damping: [0.0; 5],
+        ..LinearBearing::default()
     };
     RotorDefinition {
         bearings: Vec::new(),

@@ -39,7 +39,7 @@ pub struct BearingInput {
     #[serde(default)]
     #[schemars(extend("examples" = ["-30 mm"]))]
     pub position: Quantity<Length>,
-    /// Constant stiffness and damping in place of balls; of the other keys only `position` belongs to it.
+    /// Constant stiffness and damping in place of balls; of the other keys only `position` and `housing` belong to it.
     pub linear: Option<LinearInput>,
     /// Makes a set of two bearings of this one, symmetric about the position and `spacing` apart:
     /// "back-to-back", "face-to-face" or "tandem".

@@ -18,7 +18,7 @@ use super::support::LinearInput;
 use super::unbalance::{self, UnbalanceInput};
 use crate::analysis::SpectrumRequest;
 use crate::bearing::catalogue::CatalogueEntry;
-use crate::bearing::{MountedBearing, Oil};
+use crate::bearing::{Housing, MountedBearing, Oil};
 use crate::physics::Race;
 use crate::quasi_static::StaticQuestion;
 use crate::rotor::{
@@ -271,7 +271,7 @@ impl ScenarioInput {
             loads,
             initial,
             bearings,
-            linear_bearings: self.linear_bearings(problems),
+            linear_bearings: self.linear_bearings(freedoms, problems),
             flexible,
             warnings: Vec::new(),
         };
@@ -315,7 +315,11 @@ impl ScenarioInput {
     }
 
     /// Bearings of constant stiffness.
-    fn linear_bearings(&self, problems: &mut Problems<'_>) -> Vec<LinearBearing> {
+    fn linear_bearings(
+        &self,
+        freedoms: Freedoms,
+        problems: &mut Problems<'_>,
+    ) -> Vec<LinearBearing> {
         let mut found = Vec::new();
         for (index, bearing) in self.bearing.iter().enumerate() {
             let Some(linear) = &bearing.linear else {
@@ -326,7 +330,7 @@ impl ScenarioInput {
             // a scenario that was written out, as a study does, names these
             let of_none = bearing.first_ball.si() == 0.0 && bearing.clearance_change.si() == 0.0;
             let has_place = |key: &str| match key {
-                "linear" | "position" => true,
+                "linear" | "position" | "housing" => true,
                 "first_ball" | "clearance_change" => of_none,
                 _ => false,
             };
@@ -337,7 +341,15 @@ impl ScenarioInput {
                 problems.refuse(issue.against(format!("{path}.linear")));
             }
             let place = self.bearing[..index].iter().map(BearingInput::all).sum();
-            found.push(linear.build(place, bearing.position.si()));
+            let housing = problems.inside(&path, |problems| {
+                problems.given("housing", &bearing.housing, |housing, problems| {
+                    problems.take(housing.build(freedoms))
+                })
+            });
+            found.push(LinearBearing {
+                housing: housing.flatten(),
+                ..linear.build(place, bearing.position.si())
+            });
         }
         found
     }
@@ -375,8 +387,9 @@ impl ScenarioInput {
         spectra: &[SpectrumRequest],
         problems: &mut Problems<'_>,
     ) {
-        let housed = |bearing: &MountedBearing| bearing.housing.is_some();
-        if rotor.bearings.iter().skip(MOST_HOUSINGS).any(housed) {
+        let housings = rotor.housings();
+        let beyond = |(bearing, _): &(usize, Housing)| *bearing >= MOST_HOUSINGS;
+        if housings.iter().any(beyond) {
             let message = format!("only the first {MOST_HOUSINGS} bearings can stand in housings");
             let issue = Issue::new("bearing", message);
             problems.refuse(issue.help("write bearings with a housing first"));

@@ -3,9 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::components::{Components, PerFreedom};
 use crate::bearing::Housing;
-use crate::rotor::{Freedoms, LinearBearing};
+use crate::rotor::{FREEDOMS, Freedoms, LinearBearing};
 use crate::scenario::Issue;
 use crate::scenario::quantity::{
     Damping, Mass, Measure, Quantity, Stiffness, TiltDamping, TiltStiffness, si,
@@ -74,16 +73,60 @@ impl HousingInput {
     }
 }
 
-/// Springs and dampers to the ground in place of balls, for comparison with books and other programs. What is left out is
-/// zero.
+/// Springs and dampers in place of balls, to the ground or to the bearing's housing. What is left out is zero.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LinearInput {
-    /// Stiffness, for instance { x = "1e6 N/m", y = "1e6 N/m" }.
+    /// Stiffness, for instance { x = "1e6 N/m", y = "1e6 N/m" }. `xy` is the force along X that a displacement along Y takes,
+    /// `yx` that along Y by one along X; one that is left out is like the other, as of springs whose axes are inclined. A
+    /// film or seal has both with opposite signs, and drives a forward whirl where `xy` is the positive one.
     #[schemars(extend("examples" = [{ "x": "1 N/um", "y": "1 N/um" }]))]
-    pub stiffness: Components<Stiffness, TiltStiffness>,
-    /// Damping, for instance { x = "100 N s/m", y = "100 N s/m" }. Default: none.
-    pub damping: Option<Components<Damping, TiltDamping>>,
+    pub stiffness: Coupled<Stiffness, TiltStiffness>,
+    /// Damping, for instance { x = "100 N s/m", y = "100 N s/m" }, by velocities in the same way. Default: none.
+    pub damping: Option<Coupled<Damping, TiltDamping>>,
+}
+
+/// Values along the axes (`T`) and about them (`R`), and across between x and y.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    bound(
+        serialize = "T: Measure + Clone, R: Measure + Clone",
+        deserialize = "T: Measure + Clone, R: Measure + Clone"
+    )
+)]
+#[schemars(bound = "T: Measure, R: Measure", extend("minProperties" = 1))]
+pub struct Coupled<T, R> {
+    /// Along X, horizontal.
+    pub x: Option<Quantity<T>>,
+    /// Along Y, vertical and upward.
+    pub y: Option<Quantity<T>>,
+    /// Along Z, the shaft.
+    pub z: Option<Quantity<T>>,
+    /// About X.
+    pub tilt_x: Option<Quantity<R>>,
+    /// About Y.
+    pub tilt_y: Option<Quantity<R>>,
+    /// Force along X that a displacement, or velocity, along Y takes.
+    pub xy: Option<Quantity<T>>,
+    /// Force along Y that one along X takes. Default: that of `xy`, springs whose axes are inclined; a film or seal that
+    /// drives a whirl has both with opposite signs.
+    pub yx: Option<Quantity<T>>,
+}
+
+impl<T, R> Coupled<T, R> {
+    /// Values of x, y, z and the tilts, SI.
+    fn direct(&self) -> [f64; FREEDOMS] {
+        let [x, y, z] = [&self.x, &self.y, &self.z].map(|own| si(own).unwrap_or(0.0));
+        let [tilt_x, tilt_y] = [&self.tilt_x, &self.tilt_y].map(|own| si(own).unwrap_or(0.0));
+        [x, y, z, tilt_x, tilt_y]
+    }
+
+    /// Those of xy and yx.
+    fn across(&self) -> [f64; 2] {
+        let [xy, yx] = [&self.xy, &self.yx].map(si);
+        [xy.or(yx), yx.or(xy)].map(Option::unwrap_or_default)
+    }
 }
 
 impl LinearInput {
@@ -94,12 +137,15 @@ impl LinearInput {
 
     /// The bearing at its place among all of them, and its position in m.
     pub fn build(&self, place: usize, position: f64) -> LinearBearing {
-        let damping = self.damping.as_ref().map(Components::values);
+        let damping = self.damping.as_ref();
         LinearBearing {
             place,
             position,
-            stiffness: self.stiffness.values().map(Option::unwrap_or_default),
-            damping: damping.unwrap_or_default().map(Option::unwrap_or_default),
+            stiffness: self.stiffness.direct(),
+            damping: damping.map(Coupled::direct).unwrap_or_default(),
+            cross_stiffness: self.stiffness.across(),
+            cross_damping: damping.map(Coupled::across).unwrap_or_default(),
+            housing: None,
         }
     }
 }

@@ -19,6 +19,9 @@ const SPRINGS: LinearBearing = LinearBearing {
     position: -0.12,
     stiffness: [4e6, 3e6, 2e6, 5e3, 7e3],
     damping: [300.0, 200.0, 100.0, 0.5, 0.4],
+    cross_stiffness: [0.0; 2],
+    cross_damping: [0.0; 2],
+    housing: None,
 };
 
 /// An unbalanced shaft with weight between linear bearings, the first of which comes before the balls of others.
