@@ -34,7 +34,7 @@ pub use crate::report::text::contact_choice_text;
 pub use crate::rotor::{Freedoms, MotionScale, Rotor, StaticProblem};
 pub use crate::scenario::TableFormat;
 pub use crate::scenario::document::written;
-pub use crate::scenario::key::{OpenNumber, frequency, method, speed, time};
+pub use crate::scenario::key::{OpenNumber, frequency, method, speed, time, tolerance};
 pub use crate::scenario::study_file::{StudyFile, load_study, parse_study};
 pub use crate::simulate::passes::BareRun;
 pub use crate::steady::response::{ResponseQuestion, response, response_warnings};

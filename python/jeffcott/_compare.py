@@ -12,6 +12,7 @@ from typing import Any
 
 from ._jeffcott import compare as _compare
 from ._results import Result
+from ._scenario import text_of, whole
 
 Compared = str | os.PathLike[str] | Result
 
@@ -64,6 +65,8 @@ def compare(
             result.write(folder)
             return folder
 
-        paths, single = (path(first), path(second)), dict(columns or {})
+        lines = None if lines is None else whole("lines", lines, 1, 65535)
+        worst = whole("worst", worst, 1, 65535)
+        paths, single = (path(first), path(second)), {text_of(name): pair for name, pair in (columns or {}).items()}
         found, text = _compare(*paths, relative, absolute, single, worst, lines, common)
     return Comparison(json.loads(found), text)

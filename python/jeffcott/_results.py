@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import json
+import tempfile
 from collections.abc import Sequence
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, Self
 
 import numpy as np
 
@@ -59,6 +60,77 @@ class _Source(Protocol):
     def figures(self) -> Sequence[str]: ...
     def figure(self, name: str) -> str | None: ...
     def write(self, folder: os.PathLike[str]) -> list[Path]: ...
+
+
+class _Kept:
+    """All that a source answers, for another process."""
+
+    def __init__(self, source: Any) -> None:
+        if isinstance(source, _Kept):
+            self.__dict__.update(source.__dict__)
+            return
+        self._document, self._text, self._warnings = source.document(), source.text(), source.warnings()
+        self._tables = {name: source.table(name) for name in source.tables()}
+        self._figures = {name: source.figure(name) for name in source.figures()}
+        with tempfile.TemporaryDirectory() as folder:
+            paths = [Path(path) for path in source.write(Path(folder))]
+            self._files = {str(path.relative_to(folder)): path.read_bytes() for path in paths}
+
+    def document(self) -> str:
+        return str(self._document)
+
+    def text(self) -> str:
+        return str(self._text)
+
+    def warnings(self) -> list[str]:
+        return list(self._warnings)
+
+    def tables(self) -> list[str]:
+        return list(self._tables)
+
+    def table(self, name: str) -> Sequence[tuple[str, Any]] | None:
+        return self._tables.get(name)
+
+    def figures(self) -> list[str]:
+        return list(self._figures)
+
+    def figure(self, name: str) -> str | None:
+        return self._figures.get(name)
+
+    def write(self, folder: os.PathLike[str]) -> list[Path]:
+        Path(folder).mkdir(parents=True, exist_ok=True)
+        for name, content in self._files.items():
+            (Path(folder) / name).write_bytes(content)
+        return [Path(folder) / name for name in self._files]
+
+
+class _KeptRun(_Kept):
+    """A run, with all that was observed of its samples."""
+
+    def __init__(self, source: Any, scenario: Scenario) -> None:
+        super().__init__(source)
+        if isinstance(source, _KeptRun):
+            return
+        self._samples, self._error, self._scenario = source.samples(), source.error(), scenario
+        self._columns = {name: source.column(name) for name in source.columns()}
+
+    def samples(self) -> int:
+        return int(self._samples)
+
+    def error(self) -> tuple[float, float, float] | None:
+        return self._error  # type: ignore[no-any-return]
+
+    def columns(self) -> list[str]:
+        return list(self._columns)
+
+    def column(self, name: str) -> Array:
+        if name not in self._columns:
+            raise KeyError(f"no column is called {name!r}; the columns are {', '.join(self._columns)}")
+        return self._columns[name]
+
+    def estimated(self, asked: Any) -> Sequence[tuple[str, Any]]:
+        # the same run again, to the last digit
+        return self._scenario.scene.run(None).estimated(asked)
 
 
 class Result:
@@ -123,6 +195,19 @@ class Result:
         """Writes all files into `folder`, as the command does: whole, or not at all. Returns their paths."""
         return [Path(path) for path in self._source.write(Path(folder))]
 
+    def __copy__(self) -> Self:
+        """Another result from the same source, which never changes."""
+        other = object.__new__(type(self))
+        other.__dict__.update(self.__dict__)
+        return other
+
+    def __deepcopy__(self, memo: object) -> Self:
+        return self.__copy__()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        kept = _Kept(self._source) if hasattr(self._source, "write") and not hasattr(self._source, "path") else self._source
+        return type(self), (kept,)
+
     def __str__(self) -> str:
         return self._source.text()
 
@@ -147,6 +232,9 @@ class Run(Result):
     def __init__(self, source: RunAnswer, scenario: Scenario) -> None:
         super().__init__(source)
         self.scenario = scenario.copy()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Run, (_KeptRun(self._source, self.scenario), self.scenario)
 
     @property
     def error(self) -> Error | None:

@@ -36,11 +36,40 @@ def plain(value: Any) -> Any:
 
 def dumped(tree: Any) -> str:
     """JSON of a tree, a line a value, so that messages show where they belong."""
-    return json.dumps(tree, default=plain, indent=2, ensure_ascii=False)
+    try:
+        return text_of(json.dumps(tree, default=plain, indent=2, ensure_ascii=False))
+    except RecursionError:
+        raise _wrong("", "tables and lists stand too deep in each other", "a scenario has a few levels") from None
+    except ValueError as error:
+        if isinstance(error, ScenarioError) or "Circular" not in str(error):
+            raise
+        raise _wrong("", "a table or list holds itself", "write it out") from None
+
+
+def text_of(value: object, key: str = "") -> str:
+    """A value as text, which has to be Unicode."""
+    text = str(value)
+    try:
+        text.encode()
+    except UnicodeEncodeError as error:
+        found = f"{text[error.start]!r} at character {error.start} is half of a surrogate pair and no text"
+        raise _wrong(key, found, "decode what it comes from as UTF-8") from None
+    return text
+
+
+def whole(name: str, value: Any, least: int, most: int) -> int:
+    """A whole number of a range; raises ValueError in the words of the command."""
+    if isinstance(value, bool) or not hasattr(value, "__index__"):
+        raise ValueError(f"{name}: {value!r} is not a whole number")
+    number = int(value.__index__())
+    if not least <= number <= most:
+        raise ValueError(f"{name}: {number} is not in {least}..={most}")
+    return number
 
 
 def _steps(path: str) -> list[str | int]:
     """`load[0].constant.z` → `load`, 0, `constant`, `z`."""
+    text_of(path)
     if not re.fullmatch(r"[^.\[\]]+(\[\d+\]|\.[^.\[\]]+)*", path):
         raise _wrong(path, "this is no path of a key", 'for instance: "load[0].constant.z"')
     found = re.findall(r"[^.\[\]]+|\[\d+\]", path)
@@ -49,7 +78,8 @@ def _steps(path: str) -> list[str | int]:
 
 def _wrong(path: str, message: str, hint: str) -> ScenarioError:
     problem = {"key": path, "message": message, "help": hint, "line": None, "column": None}
-    return ScenarioError(f"error: {path}: {message}; {hint}", json.dumps([problem]))
+    place = f"{path}: " if path else ""
+    return ScenarioError(f"error: {place}{message}; {hint}", json.dumps([problem]))
 
 
 def _find(tree: Any, path: str) -> Any:
@@ -126,7 +156,7 @@ class Scenario:
             self.scene = self._parsed(dumped(source), "scenario.dict", folder, True)
         elif isinstance(source, str) and ("\n" in source or "=" in source or source.lstrip().startswith("{")):
             is_json = source.lstrip().startswith("{")
-            self.scene = self._parsed(source, f"scenario.{'json' if is_json else 'toml'}", folder, is_json)
+            self.scene = self._parsed(text_of(source), f"scenario.{'json' if is_json else 'toml'}", folder, is_json)
         else:
             self.scene = Scene.load(Path(source))
 
@@ -243,7 +273,8 @@ class Scenario:
 
         `period`: how many periods of the forcing it takes; otherwise one, or those of a stable motion beside it.
         """
-        return results.Steady(self._with_integrator(tolerance, verify).scene.steady(period))
+        asked = self._with_integrator(tolerance, verify)
+        return results.Steady(asked.scene.steady(None if period is None else whole("period", period, 1, 64)))
 
     def response(
         self,
@@ -262,7 +293,8 @@ class Scenario:
         `points` motions a branch, and none of doubled periods where `doubled` is false.
         """
         with told(progress, self.title) as tell:
-            followed = (over, str(start), str(stop))
+            followed = (text_of(over), text_of(start), text_of(stop))
+            period, points = whole("period", period, 1, 64), whole("points", points, 1, 2**32 - 1)
             return results.Response(self.scene.response(followed, period, points, doubled, tell))
 
     def campbell(
@@ -277,8 +309,9 @@ class Scenario:
         """Natural frequencies from `start` to `to`, as "60000 rpm", at `count` speeds, and the critical speeds, where
         they are `orders` times the frequency of the shaft; branches up to `highest_frequency`, as "20 kHz", or one and
         a half times the highest order at the highest speed."""
-        found = self.scene.campbell([start, to], count, list(map(float, orders)), highest_frequency)
-        return results.Campbell(found)
+        ends, speeds = [text_of(start), text_of(to)], whole("count", count, 2, 100_000)
+        highest = None if highest_frequency is None else text_of(highest_frequency)
+        return results.Campbell(self.scene.campbell(ends, speeds, list(map(float, orders)), highest))
 
     def accuracy(
         self,
@@ -292,7 +325,8 @@ class Scenario:
         `longest`."""
         loosest_first = sorted(set(map(float, tolerances)), reverse=True)
         with told(progress, self.title) as tell:
-            return results.Accuracy(self.scene.accuracy(list(methods), loosest_first, longest, tell))
+            named = [text_of(method) for method in methods]
+            return results.Accuracy(self.scene.accuracy(named, loosest_first, text_of(longest), tell))
 
     def sweep(self, axes: Mapping[str, Any], **settings: Any) -> Study:
         """Many runs of this scenario; see `jeffcott.sweep`."""

@@ -17,7 +17,7 @@ import numpy as np
 from ._jeffcott import Scene, Stop, StudyPlan, merge
 from ._progress import Progress, told
 from ._results import Error, Result
-from ._scenario import Scenario, dumped
+from ._scenario import Scenario, dumped, text_of, whole
 from ._table import Table
 
 if TYPE_CHECKING:
@@ -90,6 +90,22 @@ class _Folder:
     def write(self, folder: os.PathLike[str]) -> list[Path]:
         shutil.copytree(self.path, folder, dirs_exist_ok=True)
         return sorted(Path(folder).iterdir())
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        if self._temporary is None:
+            return _Folder, (self.path, None)
+        files = {str(file.relative_to(self.path)): file.read_bytes() for file in self.path.rglob("*") if file.is_file()}
+        return _unpacked, (self.path.name, files)
+
+
+def _unpacked(name: str, files: dict[str, bytes]) -> _Folder:
+    """A folder that goes with its result, in another process."""
+    temporary = tempfile.TemporaryDirectory()
+    folder = Path(temporary.name) / name
+    for file, content in files.items():
+        (folder / file).parent.mkdir(parents=True, exist_ok=True)
+        (folder / file).write_bytes(content)
+    return _Folder(folder, temporary)
 
 
 class Study(Result):
@@ -185,6 +201,8 @@ def _made(
     restart: bool,
     progress: Progress,
 ) -> Study:
+    threads = None if threads is None else whole("threads", threads, 1, 1024)
+    parts = None if parts is None else whole("parts", parts, 1, 2**32 - 1)
     plan = _plan(task)
     with told(progress, plan.title()) as tell:
         if executor is None:
@@ -245,7 +263,7 @@ def sweep(
     `executor` and `parts` are as in `study`.
     """
     listed = [
-        {"key": key, **(values if isinstance(values, Mapping) else {"values": values})} for key, values in axes.items()
+        {"key": text_of(key), **(values if isinstance(values, Mapping) else {"values": values})} for key, values in axes.items()
     ]
     text = dumped({"base": scenario.title, "axis": listed, **settings})
     name = os.path.abspath(scenario.scene.name())

@@ -143,6 +143,13 @@ impl RunAnswer {
         ))
     }
 
+    /// Names of all columns of the samples, known or not.
+    fn columns(&self) -> Vec<String> {
+        Channel::all()
+            .map(|channel| channel.column().to_string())
+            .collect()
+    }
+
     /// All samples of a column by its name in the files; NaN where a value was not observed.
     fn column<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let mut channels = Channel::all();

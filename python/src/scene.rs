@@ -9,7 +9,7 @@ use jeffcott::internals::{
     AccuracyQuestion, CampbellQuestion, Destination, Findings, OpenNumber, ResponseQuestion,
     RunFindings, accuracy_findings, answer_findings, campbell_findings, check_range,
     contact_choice_text, frequency, method, response, response_findings, response_warnings, speed,
-    steady_findings, study_findings, time, written,
+    steady_findings, study_findings, time, tolerance, written,
 };
 use jeffcott::scenario::{self, Format, Scenario};
 use jeffcott::simulate::{Model, Monitor};
@@ -265,6 +265,8 @@ impl Scene {
         let refused = |issue| issue_error(py, &issue);
         let named = methods.iter().map(|name| method(name));
         let named = named.collect::<Result<Vec<_>, _>>().map_err(refused)?;
+        let checked = tolerances.iter().map(|one| tolerance(&one.to_string()));
+        checked.collect::<Result<Vec<_>, _>>().map_err(refused)?;
         let longest = time(&longest).map_err(refused)?;
         let known = scenario::methods();
         let question = AccuracyQuestion {
