@@ -26,7 +26,7 @@ pub(crate) use observation::{BeyondContact, PeakWatch, Spread};
 #[cfg(test)]
 pub(crate) use observation::{ConsumedLife, LifeHistory, LoadZone};
 pub(crate) use part::{Earlier, Part, Standing, StateKeeper, StateSource};
-pub(crate) use passes::{BareRun, reference_settings};
+pub(crate) use passes::{BareRun, Recorded, reference_settings};
 pub use recorders::Maps;
 pub(crate) use run::LAST_BALLS;
 pub use run::{
@@ -45,7 +45,7 @@ use crate::integrate::{SEGMENT, States, System};
 pub use crate::rotor::{BallContacts, NaturalFrequency, RotorError, Sample, Whirl};
 use crate::rotor::{Rotor, check_constraints};
 use observers::Observers;
-use passes::Passes;
+use passes::{Passes, Watch};
 use tables::TableAudit;
 
 /// Samples that are integrated, checked and written at a time.
@@ -93,19 +93,20 @@ pub(crate) fn simulate_part(
     let unconstrained = check_constraints(&model.rotor, &rotor)?;
     let grid = sampling::grid(model, &rotor)?;
     let finer = finer_rotor(model, &rotor)?;
-    let mut passes = Passes::start(
-        model,
-        &rotor,
-        finer.as_ref(),
-        grid,
-        monitor.stop,
-        part.paces,
-    );
+    let scale = match &part.earlier {
+        Some(earlier) => earlier.standing.scale,
+        None => passes::motion_scale(model, &rotor),
+    };
+    let watch = Watch {
+        stop: monitor.stop,
+        paces: part.paces,
+    };
+    let mut passes = Passes::start(model, (&rotor, finer.as_ref()), grid, watch, scale);
     let mut observers = Observers::new(model, &rotor, grid, sink, tables);
     if let Some(earlier) = &part.earlier {
         passes.go_on_from(&earlier.standing)?;
     }
-    replay(&passes, &mut observers, monitor, part)?;
+    replay(&mut passes, &mut observers, monitor, part)?;
     integrate(&mut passes, &mut observers, monitor, part)?;
     let mut warnings = unconstrained;
     warnings.extend(observers.observation.peak_warnings(&rotor)?);
@@ -126,7 +127,7 @@ pub(crate) fn finer_rotor(model: &Model, rotor: &Rotor) -> Result<Option<Rotor>,
 
 /// Shows the observers what an earlier part of the run has integrated.
 fn replay(
-    passes: &Passes<'_>,
+    passes: &mut Passes<'_>,
     observers: &mut Observers<'_>,
     monitor: &mut Monitor<'_>,
     part: &mut Part<'_>,
@@ -139,6 +140,7 @@ fn replay(
             return Err(IntegrateError::Interrupted { time }.into());
         }
         part.replay(replayed, BLOCK, &mut states)?;
+        passes.record(replayed, &states);
         observers.take(passes.rotor, replayed, &states)?;
         replayed += states.len() as u64;
         (monitor.progress)(replayed as f64 / passes.grid.count as f64);
@@ -159,7 +161,13 @@ fn integrate(
         let first = passes.main.done();
         part.stand(passes)?;
         states.clear();
-        let result = passes.main.advance(BLOCK, &mut states);
+        let mut result = passes.main.advance(BLOCK, &mut states);
+        if first == 0 && result.is_ok() && passes.begin_again(&states) {
+            part.stand(passes)?;
+            states.clear();
+            result = passes.main.advance(BLOCK, &mut states);
+        }
+        passes.record(first, &states);
         part.counters = passes.main.counters();
         // an interrupted block has no second pass, which would tell of its own start
         if !matches!(result, Err(IntegrateError::Interrupted { .. })) {
@@ -191,6 +199,8 @@ fn answer(
     });
     let error = measured_error.as_ref();
     warnings.extend(warnings::warnings(model, passes, error, motion.as_ref()));
+    let energy = observers.audit.finish();
+    warnings.extend(energy.as_ref().and_then(EnergyReport::warning));
     let steady = rotor.steady_from(model.settle);
     let speed_changes = steady.is_none();
     let whole = spectrum.as_ref();
@@ -220,7 +230,8 @@ fn answer(
         warnings: model.rotor.warnings_with(warnings),
         measured_error,
         reduction: passes.reduction(),
-        energy: observers.audit.finish(),
+        energy,
+        corrected_scale: passes.corrected_scale(),
         spectrum,
         peaks,
         motion,

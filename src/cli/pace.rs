@@ -103,6 +103,14 @@ impl<'a> PaceWatch<'a> {
             times: [first.0, second.0],
             work,
         };
+        // a run that was begun anew
+        if self
+            .looks
+            .back()
+            .is_some_and(|last| now.times[0] < last.times[0])
+        {
+            self.looks.clear();
+        }
         if self.looks.len() == LOOKS {
             self.looks.pop_front();
         }

@@ -56,6 +56,13 @@ pub fn text(
         counters.steps, counters.rejected, counters.evaluations, run.samples
     );
     out.detail("integration", work);
+    if let Some([assumed, recorded]) = run.corrected_scale {
+        let [assumed, recorded] = [assumed, recorded].map(|size| significant(MICRO * size));
+        let text = format!(
+            "begun anew for a motion of {recorded} µm, as recorded, in place of {assumed} µm"
+        );
+        out.detail("scale", text);
+    }
     if let Some(used) = &run.method_use {
         out.detail("method", method_use_text(used, parted(&run.bearings)));
     }

@@ -11,17 +11,19 @@ use super::{Rotation, Rotor};
 ///     = W_loads + W_unbalance + W_rotation + W_drive
 /// ```
 ///
-/// Where balls have inertia, or films follow a changing speed, the bearings have no potential; there
-/// `W_bearings`, the work of the shaft on them, takes the place of U − U_0, and the difference of
+/// Where balls have inertia, or films follow a changing speed, the ball bearings have no potential; there
+/// `W_bearings`, the work of the shaft on them, takes the place of their part of U − U_0, and the difference of
 /// both is what the rotation exchanges with balls and films.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct EnergyBalance {
     /// T: of the mass and the tilts; of a driven shaft with its rotation.
     pub kinetic: f64,
-    /// U: of contacts, films and springs.
+    /// U: of contacts, films, springs, and what is elastic besides.
     pub stored: f64,
-    /// Whether the work on the bearings is the change of what they store.
+    /// The part of U in all but the ball bearings: in shaft, housings and bearings of constant stiffness.
+    pub elastic: f64,
+    /// Whether the work on the ball bearings is the change of what they store.
     pub conservative: bool,
     /// What went where since t = 0.
     pub works: Works,
@@ -95,21 +97,25 @@ impl Works {
 }
 
 impl EnergyBalance {
-    /// What does not add up since `start`, J: the error of the integration.
-    pub(crate) fn residual(&self, start: &Self) -> f64 {
-        let taken = if self.conservative {
+    /// What all that is elastic has taken up since `start`, J.
+    fn taken(&self, start: &Self) -> f64 {
+        if self.conservative {
             self.stored - start.stored
         } else {
-            self.works.bearings
-        };
-        self.kinetic - start.kinetic + taken - self.works.gained()
+            self.works.bearings + self.elastic - start.elastic
+        }
+    }
+
+    /// What does not add up since `start`, J: the error of the integration.
+    pub(crate) fn residual(&self, start: &Self) -> f64 {
+        self.kinetic - start.kinetic + self.taken(start) - self.works.gained()
     }
 
     /// The largest term of the balance since `start`, J.
     pub(crate) fn largest(&self, start: &Self) -> f64 {
         let works = self.works.values().into_iter();
         works
-            .chain([self.kinetic - start.kinetic, self.stored - start.stored])
+            .chain([self.kinetic - start.kinetic, self.taken(start)])
             .map(f64::abs)
             .fold(self.kinetic.max(start.kinetic), f64::max)
     }
@@ -144,14 +150,14 @@ impl Rotor {
         motion + 0.5 * inertia * speed * speed - speed * dot(&along, velocity)
     }
 
-    /// Energy that bearings and elastic parts store, J.
-    fn stored(&self, position: &[f64], rotation: &Rotation) -> f64 {
-        let mut stored = half_square(&self.stiffness.entries, position);
-        for (bearing, seen) in self.bearings_at(rotation) {
+    /// Energy that the ball bearings store, J.
+    fn stored_in_bearings(&self, position: &[f64], rotation: &Rotation) -> f64 {
+        let bearings = self.bearings_at(rotation);
+        let stored = bearings.map(|(bearing, seen)| {
             let displacement = bearing.displacement(position);
-            stored += bearing.support.stored_energy(&displacement, &seen);
-        }
-        stored
+            bearing.support.stored_energy(&displacement, &seen)
+        });
+        stored.sum()
     }
 
     /// Where the energy is in a state at a time, and what has been done since t = 0.
@@ -161,9 +167,11 @@ impl Rotor {
         let rotation = self.rotation(time, state);
         let steady = self.drive.is_none() && self.speed.is_constant();
         let mut supports = self.supports.iter();
+        let elastic = half_square(&self.stiffness.entries, position);
         EnergyBalance {
             kinetic: self.kinetic(velocity, &rotation),
-            stored: self.stored(position, &rotation),
+            stored: elastic + self.stored_in_bearings(position, &rotation),
+            elastic,
             conservative: supports.all(|support| support.has_potential(steady)),
             works: Works::from_values(&state[self.first_work()..]),
         }

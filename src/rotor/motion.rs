@@ -361,6 +361,13 @@ impl Rotor {
         sum
     }
 
+    /// Whether the shaft turns at one speed, and no load jumps from a time on.
+    pub(crate) fn goes_on_alike(&self, time: f64) -> bool {
+        let mut loads = self.loads.iter();
+        self.steady_from(0.0).is_some()
+            && loads.all(|load| load.kind.next_break(time) == f64::INFINITY)
+    }
+
     /// The first time after `after` at which a load or the acceleration jumps, or a ball passes a kink of a defect, s.
     pub(super) fn next_break_after(&self, after: f64) -> f64 {
         let breaks = self.loads.iter().map(|load| load.kind.next_break(after));

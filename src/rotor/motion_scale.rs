@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use nalgebra::{Complex, DMatrix, DVector};
+use serde::{Deserialize, Serialize};
 
 use super::Rotor;
 use super::motion::AttachedBearing;
@@ -16,11 +17,16 @@ const SMALLEST_ERROR: f64 = 4.0 * f64::EPSILON;
 /// Positions of the cage within one ball spacing at which the varying force is looked at.
 const CAGE_POSITIONS: usize = 8;
 
+/// A length above this many times the motion that was recorded is not the size of the motion.
+const FAR: f64 = 10.0;
+
 /// Length and time that make the states of the integration numbers of order one.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct MotionScale {
     /// Length of the motion, m.
     pub length: f64,
+    /// Least length that a motion is taken for, m: the tolerance of a smaller one would lie below the round-off of a position.
+    pub least: f64,
     /// Length that turns tilts into displacements, m.
     pub arm: f64,
     /// Angular frequency that turns velocities into displacements, rad/s: the highest of speed and
@@ -32,6 +38,12 @@ impl MotionScale {
     /// Length that turns component `axis` of x, y, z, θx, θy into a displacement.
     pub fn lever(&self, axis: usize) -> f64 {
         if axis < 3 { 1.0 } else { self.arm }
+    }
+
+    /// That of a motion of a size in m, where this is far above it.
+    pub(crate) fn corrected(&self, recorded: f64) -> Option<Self> {
+        let length = recorded.max(self.least);
+        (self.length > FAR * length).then_some(Self { length, ..*self })
     }
 }
 
@@ -53,12 +65,13 @@ impl Rotor {
             .chain(self.load_amplitudes(self.highest_speed()))
             .chain(self.passing_amplitudes())
             .chain(self.initial_amplitudes(frequency));
-        let smallest = SMALLEST_ERROR / tolerance * self.groove_centre_distance();
+        let least = SMALLEST_ERROR / tolerance * self.groove_centre_distance();
         let length = amplitudes
             .map(|amplitudes| self.largest(&amplitudes, arm))
-            .fold(smallest, f64::max);
+            .fold(least, f64::max);
         MotionScale {
             length,
+            least,
             arm,
             frequency,
         }

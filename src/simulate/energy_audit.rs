@@ -12,10 +12,13 @@ pub struct EnergyReport {
     /// Kinetic energy at the end less that at the start.
     #[serde(rename = "kinetic_change_J")]
     pub kinetic_change: f64,
-    /// Energy stored in the bearings at the end less that at the start.
+    /// Energy stored in all that is elastic at the end less that at the start.
     #[serde(rename = "stored_change_J")]
     pub stored_change: f64,
-    /// Whether the work on the bearings is the change of what they store.
+    /// The part of that in shaft, housings and bearings of constant stiffness: all but the ball bearings.
+    #[serde(rename = "elastic_change_J")]
+    pub elastic_change: f64,
+    /// Whether the work on the ball bearings is the change of what they store.
     #[serde(rename = "bearings_have_potential")]
     pub conservative: bool,
     /// What was supplied and dissipated.
@@ -26,6 +29,28 @@ pub struct EnergyReport {
     pub largest_residual: f64,
     /// The same relative to the largest term of the balance.
     pub relative_residual: f64,
+    /// Largest energy that was stored at any sample, of whose round-off no residual can be free.
+    #[serde(skip)]
+    stored: f64,
+}
+
+/// A residual above this part of the energy exchanged is worth a warning,
+const EXCHANGED: f64 = 1e-3;
+/// where it is above this part of the energy stored, too: below lies round-off.
+const STORED: f64 = 1e-10;
+
+impl EnergyReport {
+    /// What to say of an account that does not close.
+    pub(super) fn warning(&self) -> Option<String> {
+        let open = self.relative_residual > EXCHANGED;
+        (open && self.largest_residual > STORED * self.stored).then(|| {
+            format!(
+                "the energy does not close: {:.1e} J are missing, {:.1e} of the largest part of the balance; the motion \
+                 is not more exact than that: tighten `tolerance` in [integrator]",
+                self.largest_residual, self.relative_residual
+            )
+        })
+    }
 }
 
 /// Works by who supplies and who dissipates them.
@@ -58,6 +83,7 @@ pub(super) struct EnergyAudit {
     last: EnergyBalance,
     residual: f64,
     largest: f64,
+    stored: f64,
 }
 
 impl EnergyAudit {
@@ -68,6 +94,7 @@ impl EnergyAudit {
         let start = self.first.get_or_insert(*balance);
         self.residual = self.residual.max(balance.residual(start).abs());
         self.largest = self.largest.max(balance.largest(start));
+        self.stored = self.stored.max(balance.stored.abs());
         self.last = *balance;
     }
 
@@ -77,10 +104,12 @@ impl EnergyAudit {
         Some(EnergyReport {
             kinetic_change: last.kinetic - first.kinetic,
             stored_change: last.stored - first.stored,
+            elastic_change: last.elastic - first.elastic,
             conservative: last.conservative,
             works: last.works,
             largest_residual: self.residual,
             relative_residual: self.residual / self.largest.max(f64::MIN_POSITIVE),
+            stored: self.stored,
         })
     }
 }

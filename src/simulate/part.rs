@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::SimulateError;
 use super::passes::Passes;
 use crate::integrate::{Checkpoint, Counters, Pace, States};
+use crate::rotor::MotionScale;
 
 /// Keeps the states of a run, from which another part goes on.
 pub trait StateKeeper {
@@ -31,6 +32,8 @@ pub trait StateSource {
 pub struct Standing {
     /// Time of the next sample, s.
     pub time: f64,
+    /// What the tolerance is relative to.
+    pub scale: MotionScale,
     /// The integration.
     pub main: Checkpoint,
     /// The second pass, where the run has one.
@@ -47,8 +50,6 @@ pub struct ReferenceStanding {
     pub pass: Checkpoint,
     /// Largest difference of a displacement so far, m.
     pub difference: f64,
-    /// Largest distance from the static equilibrium so far, m.
-    pub excursion: f64,
     /// Why the pass cannot go on, where it cannot.
     pub failure: Option<String>,
 }

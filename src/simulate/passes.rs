@@ -5,10 +5,12 @@ use std::sync::atomic::AtomicBool;
 use super::part::{ReferenceStanding, Standing};
 use super::run::{Reduction, ReductionError};
 use super::{BLOCK, MeasuredError, Model, SimulateError, sampling};
+use crate::analysis::Moments;
+use crate::bearing::Vector5;
 use crate::integrate::{
     CheckpointMismatch, Counters, Grid, IntegrateError, Integration, Pace, Settings, States, System,
 };
-use crate::rotor::{MotionScale, Rotor};
+use crate::rotor::{FREEDOMS, MotionScale, Rotor};
 
 /// Factor between the tolerances of the two passes.
 const REFERENCE_FACTOR: f64 = 0.1;
@@ -28,8 +30,28 @@ pub(crate) fn reference_settings(settings: Settings) -> Settings {
     }
 }
 
-/// Sizes of a motion as both passes take them.
-fn motion_scale(model: &Model, rotor: &Rotor) -> MotionScale {
+/// The displacements of a shaft, as far as they were recorded.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Recorded([Moments; FREEDOMS]);
+
+impl Recorded {
+    /// Takes another displacement.
+    pub fn take(&mut self, displacement: &Vector5) {
+        for (moments, value) in self.0.iter_mut().zip(displacement) {
+            moments.take(*value);
+        }
+    }
+
+    /// Largest distance of a displacement from its mean, m; tilts count by their arm.
+    pub fn size(&self, scale: &MotionScale) -> f64 {
+        let axes = self.0.iter().enumerate();
+        axes.map(|(axis, moments)| scale.lever(axis) * moments.peak())
+            .fold(0.0, f64::max)
+    }
+}
+
+/// Sizes of a motion as both passes take them, where it is not known yet.
+pub(super) fn motion_scale(model: &Model, rotor: &Rotor) -> MotionScale {
     rotor.motion_scale(reference_settings(model.integrator).tolerance)
 }
 
@@ -44,15 +66,45 @@ fn pass<'a>(
     Integration::new(rotor, scaling, grid, settings, stop, &state).watched(pace)
 }
 
+/// The right scale, where states up to a grid time show a motion far below the one assumed; none where the rest of
+/// the run need not be like them.
+fn corrected(
+    rotor: &Rotor,
+    scale: &MotionScale,
+    grid: Grid,
+    states: &States,
+) -> Option<MotionScale> {
+    let count = states.len() as u64;
+    if count < grid.count && !rotor.goes_on_alike(grid.time(count)) {
+        return None;
+    }
+    let mut recorded = Recorded::default();
+    for state in states.iter() {
+        recorded.take(&rotor.displacement(state));
+    }
+    scale.corrected(recorded.size(scale))
+}
+
 /// The passes of a run.
 pub(super) struct Passes<'a> {
+    model: &'a Model,
     pub rotor: &'a Rotor,
     pub grid: Grid,
     pub main: Integration<'a>,
     scale: MotionScale,
+    /// The motion after the settle time, where its error is measured.
+    recorded: Recorded,
+    watch: Watch<'a>,
     reference: Option<Reference<'a>>,
     /// The pass with more modes of a shaft that bends.
     finer: Option<Reference<'a>>,
+}
+
+/// Who ends the passes from outside, and who watches each of the first two.
+#[derive(Clone, Copy)]
+pub(super) struct Watch<'a> {
+    pub stop: &'a AtomicBool,
+    pub paces: [Option<&'a Pace>; 2],
 }
 
 /// Another pass, and how far the first is from it.
@@ -66,15 +118,18 @@ struct Reference<'a> {
 }
 
 impl<'a> Passes<'a> {
+    /// Those of a motion of a size.
     pub fn start(
-        model: &Model,
-        rotor: &'a Rotor,
-        finer: Option<&'a Rotor>,
+        model: &'a Model,
+        (rotor, finer): (&'a Rotor, Option<&'a Rotor>),
         grid: Grid,
-        stop: &'a AtomicBool,
-        [pace, reference_pace]: [Option<&'a Pace>; 2],
+        watch: Watch<'a>,
+        scale: MotionScale,
     ) -> Self {
-        let scale = motion_scale(model, rotor);
+        let Watch {
+            stop,
+            paces: [pace, reference_pace],
+        } = watch;
         let second = reference_settings(model.integrator);
         let another = |rotor: &'a Rotor, settings: Settings, pace| {
             let integration = pass(rotor, &scale, grid, settings, (stop, pace));
@@ -84,7 +139,6 @@ impl<'a> Passes<'a> {
                 standing: ReferenceStanding {
                     pass: integration.checkpoint().clone(),
                     difference: 0.0,
-                    excursion: 0.0,
                     failure: None,
                 },
                 tolerance: settings.tolerance,
@@ -94,19 +148,63 @@ impl<'a> Passes<'a> {
         let reference = model.verify.then(|| another(rotor, second, reference_pace));
         let finer = finer.map(|finer| another(finer, model.integrator, None));
         Self {
+            model,
             rotor,
             grid,
             main: pass(rotor, &scale, grid, model.integrator, (stop, pace)),
             scale,
+            recorded: Recorded::default(),
+            watch,
             reference,
             finer,
         }
+    }
+
+    /// Begins anew with the right scale where the states of the first block show a motion far below the one assumed;
+    /// whether it does.
+    pub fn begin_again(&mut self, states: &States) -> bool {
+        let Some(scale) = corrected(self.rotor, &self.scale, self.grid, states) else {
+            return false;
+        };
+        let rotors = (self.rotor, self.finer.as_ref().map(|finer| finer.rotor));
+        *self = Self::start(self.model, rotors, self.grid, self.watch, scale);
+        true
+    }
+
+    /// The size of the motion that the passes were begun anew for, after the one assumed; none where that one was right.
+    pub fn corrected_scale(&self) -> Option<[f64; 2]> {
+        let assumed = motion_scale(self.model, self.rotor).length;
+        (assumed != self.scale.length).then_some([assumed, self.scale.length])
+    }
+
+    /// How many times the recorded motion the scale is, where that is far too much.
+    pub fn overestimate(&self) -> Option<f64> {
+        let corrected = self.scale.corrected(self.recorded.size(&self.scale))?;
+        Some(self.scale.length / corrected.length)
+    }
+
+    /// Takes the states from grid time number `first` on for the motion that errors are relative to.
+    pub fn record(&mut self, first: u64, states: &States) {
+        if self.reference.is_none() {
+            return;
+        }
+        for (index, state) in states.iter().enumerate() {
+            if self.grid.time(first + index as u64) >= self.model.settle {
+                self.recorded.take(&self.rotor.displacement(state));
+            }
+        }
+    }
+
+    /// An error in m relative to the recorded motion.
+    fn relative(&self, error: f64) -> f64 {
+        error / self.recorded.size(&self.scale).max(self.scale.least)
     }
 
     /// What it takes to go on from here another time.
     pub fn standing(&self) -> Standing {
         Standing {
             time: self.grid.time(self.main.done()),
+            scale: self.scale,
             main: self.main.checkpoint().clone(),
             reference: self.reference.as_ref().map(Reference::standing),
             finer: self.finer.as_ref().map(Reference::standing),
@@ -147,16 +245,11 @@ impl<'a> Passes<'a> {
     /// Difference of both passes; none without a second one that came to its end.
     pub fn measured_error(&self) -> Option<MeasuredError> {
         let reference = self.reference.as_ref()?;
-        let ReferenceStanding {
-            difference,
-            excursion,
-            ref failure,
-            ..
-        } = reference.standing;
-        let displacement = difference + self.rotor.displacement_round_off();
-        failure.is_none().then(|| MeasuredError {
+        let found = &reference.standing;
+        let displacement = found.difference + self.rotor.displacement_round_off();
+        found.failure.is_none().then(|| MeasuredError {
             displacement,
-            relative: displacement / excursion.max(self.scale.length),
+            relative: self.relative(displacement),
             reference_tolerance: reference.tolerance,
             counters: reference.integration.counters(),
         })
@@ -168,7 +261,7 @@ impl<'a> Passes<'a> {
             let found = &finer.standing;
             found.failure.is_none().then(|| ReductionError {
                 displacement: found.difference,
-                relative: found.difference / found.excursion.max(self.scale.length),
+                relative: self.relative(found.difference),
                 modes: finer.rotor.bending_modes().unwrap_or_default(),
             })
         };
@@ -209,7 +302,6 @@ impl Reference<'_> {
             Err(interrupted @ IntegrateError::Interrupted { .. }) => return Err(interrupted),
             result => found.failure = result.err().map(|error| error.to_string()),
         }
-        let rest = &rotor.equilibrium().displacement;
         for (state, reference) in states.iter().zip(self.states.iter()) {
             let (own, other) = (
                 rotor.displacement(state),
@@ -217,9 +309,7 @@ impl Reference<'_> {
             );
             for &axis in rotor.freedoms().axes() {
                 let apart = scale.lever(axis) * (own[axis] - other[axis]).abs();
-                let moved = scale.lever(axis) * (other[axis] - rest[axis]).abs();
                 found.difference = found.difference.max(apart);
-                found.excursion = found.excursion.max(moved);
             }
             for (own, other) in rotor.housing_freedoms().zip(self.rotor.housing_freedoms()) {
                 let apart = (state[own] - reference[other]).abs();
@@ -269,8 +359,13 @@ impl<'a> BareRun<'a> {
         let (model, rotor) = (self.model, &self.rotor);
         let grid = sampling::grid(model, rotor)?;
         let scale = motion_scale(model, rotor);
-        let mut integration = pass(rotor, &scale, grid, model.integrator, (stop, pace));
+        let begun = |scale| pass(rotor, scale, grid, model.integrator, (stop, pace));
+        let mut integration = begun(&scale);
         let mut states = States::with_capacity(rotor.states(), BLOCK);
+        integration.advance(BLOCK, &mut states)?;
+        if let Some(scale) = corrected(rotor, &scale, grid, &states) {
+            integration = begun(&scale);
+        }
         while integration.done() < grid.count {
             states.clear();
             integration.advance(BLOCK, &mut states)?;

@@ -51,8 +51,8 @@ pub struct MeasuredError {
     /// Largest difference of a displacement (tilts times their arm), and the round-off of one, m.
     #[serde(rename = "displacement_m")]
     pub displacement: f64,
-    /// The same relative to the motion: the largest excursion from the static equilibrium, or the
-    /// smallest motion that the tolerance resolves above round-off.
+    /// The same relative to the motion recorded after the settle time: the largest distance of a displacement of the
+    /// shaft from its mean, or the smallest motion that the tolerance resolves above round-off.
     pub relative: f64,
     /// Tolerance of the second pass.
     pub reference_tolerance: f64,
@@ -94,7 +94,7 @@ pub struct ReductionError {
     /// Largest difference of a displacement of the observed point (tilts times their arm), m.
     #[serde(rename = "displacement_m")]
     pub displacement: f64,
-    /// The same relative to the largest excursion from the static equilibrium.
+    /// The same relative to the motion, as [`MeasuredError::relative`].
     pub relative: f64,
     /// Modes of the other motion in each plane.
     pub modes: usize,
@@ -129,6 +129,10 @@ pub struct Run {
     /// Which methods did it, where the choice was left open.
     #[serde(skip)]
     pub(crate) method_use: Option<MethodUse>,
+    /// Size of the motion that was assumed before the run and found far too large, and the one that the run was begun anew
+    /// with, m.
+    #[serde(skip)]
+    pub(crate) corrected_scale: Option<[f64; 2]>,
     /// Number of samples written.
     pub samples: u64,
     /// What was observed of each bearing, in the order of the scenario.

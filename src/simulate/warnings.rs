@@ -44,9 +44,13 @@ pub(super) fn warnings(
     warnings.extend(error.filter(|error| error.relative > PROMISE * tolerance).map(|error| {
         format!(
             "the measured error is {:.1e} of the motion, more than {PROMISE} × the tolerance \
-             {tolerance:.0e}: the motion may be irregular or rest on contact changes; trust \
+             {tolerance:.0e}: {}the motion may be irregular or rest on contact changes; trust \
              statistics rather than the single trace{}",
             error.relative,
+            passes.overestimate().map_or_else(String::new, |times| format!(
+                "the motion was taken for {times:.1e} times as large as it is after the settle time: a tolerance \
+                 {times:.0e} times as fine is that of the motion; or "
+            )),
             if method == Method::Verner76 {
                 ""
             } else {

@@ -7,9 +7,9 @@ use super::SteadyError;
 use super::rotor_map::RotorMap;
 use super::samples::sampled;
 use super::search::{Found, returned_from};
-use crate::rotor::Sample;
+use crate::rotor::{MotionScale, Sample};
 use crate::shooting::{Multipliers, ReturnMap, ShootingError, Slopes, multipliers, solve};
-use crate::simulate::{Model, Reduction, ReductionError, finer_rotor};
+use crate::simulate::{Model, Recorded, Reduction, ReductionError, finer_rotor};
 
 /// Distance of the motion from one found again at a tenth of the tolerance, with the round-off that both share.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -18,7 +18,7 @@ pub struct Measured {
     /// Largest difference of a displacement (tilts times their arm), and the round-off of one, m.
     #[serde(rename = "displacement_m")]
     pub displacement: f64,
-    /// The same relative to the largest excursion from the static equilibrium.
+    /// The same relative to the motion: the largest distance of a displacement from its mean.
     pub relative: f64,
     /// Error of every Floquet multiplier, in their order: its distance from that of the motion found again.
     pub multipliers: Vec<f64>,
@@ -40,11 +40,11 @@ pub(super) fn measured(
     let reference = sampled(map, &states, model, false)?;
     map.solver = asked;
     let round_off = map.multiplier_round_off(&found.slopes);
-    let [apart, excursion] = distance(map, sampled_before, &reference);
+    let [apart, size] = distance(map, sampled_before, &reference);
     let displacement = apart + map.rotor.displacement_round_off();
     Ok(Measured {
         displacement,
-        relative: displacement / excursion,
+        relative: displacement / size,
         multipliers: found.multipliers.distances(&multipliers, round_off),
         reference_tolerance: tolerance,
     })
@@ -82,6 +82,10 @@ pub(super) fn reduction(
         return Ok(Some(reduction));
     };
     let mut finer = RotorMap::new(finer, map.periods.clone(), map.solver);
+    finer.rescale(MotionScale {
+        length: map.scale.length,
+        ..finer.scale
+    });
     let guess = map.states(&found.states).into_iter().flat_map(|state| {
         let alike = finer.rotor.state_of(&map.rotor, &state);
         finer.unit.scaled(&alike)
@@ -94,10 +98,10 @@ pub(super) fn reduction(
         Err(error) if error.is_interrupted() => return Err(error),
         Err(_) => None,
         Ok(reference) => {
-            let [displacement, excursion] = distance(map, sampled_before, &reference);
+            let [displacement, size] = distance(map, sampled_before, &reference);
             Some(ReductionError {
                 displacement,
-                relative: displacement / excursion,
+                relative: displacement / size,
                 modes: finer.rotor.bending_modes().unwrap_or_default(),
             })
         }
@@ -105,18 +109,23 @@ pub(super) fn reduction(
     Ok(Some(Reduction { error, ..reduction }))
 }
 
-/// The largest difference of a displacement of two motions, and the largest excursion of the second from the static
-/// equilibrium, m; tilts count by their arm.
+/// The largest difference of a displacement of two motions, and the size of the second, m; tilts count by their arm.
 fn distance(map: &RotorMap<'_>, first: &[Vec<Sample>], second: &[Vec<Sample>]) -> [f64; 2] {
-    let rest = map.rotor.equilibrium().displacement;
-    let (mut apart, mut excursion) = (0.0_f64, map.scale.length);
+    let mut apart = 0.0_f64;
     for (first, second) in first.iter().flatten().zip(second.iter().flatten()) {
         let both = first.displacement.iter().zip(&second.displacement);
-        for (axis, ((first, second), rest)) in both.zip(&rest).enumerate() {
-            let lever = map.scale.lever(axis);
-            apart = apart.max(lever * (first - second).abs());
-            excursion = excursion.max(lever * (second - rest).abs());
+        for (axis, (first, second)) in both.enumerate() {
+            apart = apart.max(map.scale.lever(axis) * (first - second).abs());
         }
     }
-    [apart, excursion]
+    [apart, size(map, second).max(map.scale.least)]
+}
+
+/// Size of a motion by its samples, m.
+pub(super) fn size(map: &RotorMap<'_>, sampled: &[Vec<Sample>]) -> f64 {
+    let mut recorded = Recorded::default();
+    for sample in sampled.iter().flatten() {
+        recorded.take(&sample.displacement);
+    }
+    recorded.size(&map.scale)
 }

@@ -187,10 +187,21 @@ fn answer(
         question.stop,
         question.integrated,
     );
-    let mut map = RotorMap::new(rotor, periods, solver);
-    let (found, single_period) = search(&mut map, question.multiple)?;
-    let trajectories = trajectories(&mut map, &found.states, question.model)?;
-    let sampled = observed(&map, &trajectories);
+    let mut map = RotorMap::new(rotor, periods.clone(), solver);
+    let find = |map: &mut RotorMap<'_>| -> Result<_, SteadyError> {
+        let (found, single_period) = search(map, question.multiple)?;
+        let trajectories = trajectories(map, &found.states, question.model)?;
+        let sampled = observed(map, &trajectories);
+        Ok((found, single_period, trajectories, sampled))
+    };
+    let mut answer = find(&mut map)?;
+    // the tolerance is relative to the motion found, not to the one assumed
+    if let Some(scale) = map.scale.corrected(measured::size(&map, &answer.3)) {
+        map.periods = periods;
+        map.rescale(scale);
+        answer = find(&mut map)?;
+    }
+    let (found, single_period, trajectories, sampled) = answer;
     let measured = match question.model.verify {
         true => Some(measured(&mut map, &found, &sampled, question.model)?),
         false => None,

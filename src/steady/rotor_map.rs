@@ -94,6 +94,12 @@ impl<'a> RotorMap<'a> {
         states.map(|state| self.unit.state(state)).collect()
     }
 
+    /// Takes another size of the motion.
+    pub fn rescale(&mut self, scale: MotionScale) {
+        self.scale = scale;
+        self.unit = self.scaling();
+    }
+
     fn scaling(&self) -> Scaling {
         self.rotor.scaling(&self.scale)
     }

@@ -183,6 +183,7 @@ fn run() -> Run {
             evaluations: 14_000,
         },
         method_use: None,
+        corrected_scale: None,
         samples: 257,
         bearings: vec![history()],
         reduction: None,

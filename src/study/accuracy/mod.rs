@@ -123,12 +123,11 @@ fn unless_stopped<T>(result: Result<T, SimulateError>) -> Result<Result<T, Strin
 /// What errors are relative to.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Scale {
-    /// Of displacements, m: the largest excursion from the static equilibrium, or the size of the
-    /// motion that was estimated where that is larger; tilts count by their arm.
+    /// Of displacements, m: the largest distance of a displacement from its mean after the settle time; tilts count by
+    /// their arm.
     #[serde(rename = "motion_m")]
     pub displacement: f64,
-    /// Of the bearings' force, N: the largest change from that at the static equilibrium, or what the
-    /// estimated motion changes it by; moments count by their arm.
+    /// Of the bearings' force, N: likewise; moments count by their arm.
     #[serde(rename = "force_in_motion_N")]
     pub force: f64,
 }
@@ -136,18 +135,14 @@ pub struct Scale {
 impl Scale {
     fn of(trial: &Trial, rotor: &Rotor, scale: &MotionScale) -> Self {
         let equilibrium = rotor.equilibrium();
-        let rest = [
-            equilibrium.displacement,
-            equilibrium.force.map(|force| -force),
-        ];
-        let [displacement, force] = trial.trace.excursion(&rest);
+        let [displacement, force] = trial.trace.excursion();
         let axes = rotor.freedoms().axes().iter();
         let stiffest = axes
             .map(|&axis| equilibrium.stiffness[(axis, axis)] / scale.lever(axis).powi(2))
             .fold(0.0, f64::max);
         Self {
-            displacement: displacement.max(scale.length),
-            force: force.max(stiffest * scale.length).max(f64::MIN_POSITIVE),
+            displacement: displacement.max(scale.least),
+            force: force.max(stiffest * scale.least).max(f64::MIN_POSITIVE),
         }
     }
 }

@@ -120,14 +120,9 @@ impl Trace {
         })
     }
 
-    /// Largest distance of displacement and force from those at `rest`.
-    pub fn excursion(&self, rest: &Point) -> [f64; 2] {
-        self.largest(|quantity, axis, lever| {
-            let at_rest = rest[quantity][axis];
-            let shifts = self.points.iter();
-            let shifts = shifts.map(|point| lever * (point[quantity][axis] - at_rest).abs());
-            shifts.fold(0.0, f64::max)
-        })
+    /// Largest distance of displacement and force from their means, from the settle time on.
+    pub fn excursion(&self) -> [f64; 2] {
+        self.largest(|quantity, axis, lever| lever * self.moments[quantity][axis].peak())
     }
 
     /// Distance of displacements in m and forces in N from the true trace of the same samples, over the freedoms that

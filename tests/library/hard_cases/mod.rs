@@ -13,6 +13,7 @@ mod film;
 mod impact;
 mod irregular;
 mod peers;
+mod recorded_motion;
 mod refusal;
 mod scales;
 mod speed;

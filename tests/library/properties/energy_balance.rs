@@ -4,6 +4,7 @@ use crate::bearing::{ContactDamping, ContactLaw, MountedBearing, Oil, Preload};
 use crate::physics::RaceControl;
 use crate::rotor::load::{Harmonic, Load, LoadKind, Pace};
 use crate::rotor::{CageMotion, Damping, Freedoms, RotorDefinition, SpeedPoint};
+use crate::scenario::Scenario;
 use crate::simulate::{EnergyReport, Model};
 
 use crate::tests::support::{
@@ -154,4 +155,69 @@ fn energy_closes_in_a_run_up_with_films() {
     let energy = account(definition);
     assert_closes("run-up", &energy);
     assert!(!energy.conservative);
+}
+
+/// Two bearings on a shaft that is rigid or bends, the first of them in a housing or on the ground, a bearing of
+/// constant stiffness beside them or none.
+fn scene((contact, film): (&str, bool), bends: bool, housed: bool, beside: bool) -> String {
+    let shaft = match bends {
+        false => {
+            "mass = \"6 kg\"\ninertia_transverse = \"0.02 kg m^2\"\ninertia_polar = \"0.01 kg m^2\"\n\
+             freedoms = \"all\"\neccentricity = \"4 um\"\ngravity = true"
+        }
+        true => {
+            "gravity = true\nmodes = 1\n[[shaft.section]]\nlength = \"300 mm\"\nouter_diameter = \"40 mm\"\n\
+             [[unbalance]]\namount = \"30 g mm\"\nposition = \"120 mm\""
+        }
+    };
+    let places = if bends { [30, 270] } else { [-90, 90] };
+    let bearing = |place: i32| {
+        format!(
+            "[[bearing]]\ncatalogue = \"6205\"\nposition = \"{place} mm\"\n\
+             oil = {{ viscosity = \"0.04 Pa s\", pressure_viscosity = \"22 1/GPa\" }}\n"
+        )
+    };
+    let housing = match housed {
+        false => "",
+        true => {
+            "[bearing.housing]\nmass = \"2 kg\"\nstiffness = { x = \"300 N/um\", y = \"400 N/um\", z = \"200 N/um\" }\n"
+        }
+    };
+    let linear = match beside {
+        false => "",
+        true => {
+            "[[bearing]]\nposition = \"60 mm\"\nlinear = { stiffness = { x = \"50 N/um\", y = \"80 N/um\", z = \"20 N/um\" } }\n"
+        }
+    };
+    format!(
+        "[shaft]\n{shaft}\n[speed]\nconstant = \"3000 rpm\"\n{}{housing}{}{linear}\
+         [model]\ncontact = \"{contact}\"\nfilm = {film}\n[damping]\nratio = 0.02\n\
+         [[load]]\nconstant = {{ x = \"200 N\", y = \"-300 N\", z = \"400 N\" }}\n\
+         [time]\nduration = \"4 ms\"\n[integrator]\nverify = false\n\
+         [output]\nenergy = true\nspectrum = false\nmotion = false\nsample_rate = \"5 kHz\"\n",
+        bearing(places[0]),
+        bearing(places[1]),
+    )
+}
+
+/// The residual is that of the integration, at most a hundred tolerances, whatever stores energy beside the balls: shaft,
+/// housing, bearing of constant stiffness.
+#[test]
+fn energy_closes_in_every_combination_of_what_stores_it() {
+    let laws = ["linear", "hertz", "jones"].map(|contact| (contact, false));
+    for law in laws.into_iter().chain([("hertz", true), ("jones", true)]) {
+        for bits in 0..8 {
+            let [bends, housed, beside] = [0, 1, 2].map(|bit| bits >> bit & 1 == 1);
+            let scene = scene(law, bends, housed, beside);
+            let words = format!("{law:?}, bends {bends}, housing {housed}, linear {beside}");
+            let scenario =
+                Scenario::from_toml(&scene).unwrap_or_else(|error| panic!("{words}: {error}"));
+            let run = scenario.simulate().expect("a run").run;
+            let energy = run.energy.expect("an account");
+            println!("{words}: {:e}", energy.relative_residual);
+            assert!(energy.relative_residual < 1e-6, "{words}: {energy:?}");
+            let open = run.warnings.iter().find(|text| text.contains("energy"));
+            assert_eq!(open, None, "{words}");
+        }
+    }
 }
