@@ -1,6 +1,6 @@
 //! What is checked of a catalogue line, and of the balls found for it.
 
-use super::search::{BY_ISO, FACTOR_TOLERANCE};
+use super::search::{BY_ISO, FACTOR_TOLERANCE, is_rare_size};
 use super::{Candidate, CatalogueLine, Estimate, EstimateError};
 use crate::bearing::{Geometry, GeometryError};
 
@@ -106,6 +106,11 @@ impl CatalogueLine {
             notes.push(format!(
                 "the filling angle is {angle:.0}°, that of deep-groove bearings {least:.0}° to {largest:.0}°"
             ));
+        }
+        if self.ball_diameter.is_none() && is_rare_size(ball_diameter) {
+            notes.push(
+                "balls of this size are rare, and none of a usual size fit as well".to_owned(),
+            );
         }
         if !is_usual_size(ball_diameter, self.section()) {
             notes.push(format!(

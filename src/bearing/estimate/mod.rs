@@ -93,8 +93,8 @@ pub struct Estimate {
 impl CatalogueLine {
     /// Finds balls, ball diameter, pitch diameter and grooves as far as the line does not give them.
     ///
-    /// The pitch diameter is (d + D_o)/2, ball diameters are steps of 1/32 in with 15/64 and 17/64 in, or of 0.5 mm where
-    /// none of those fits to 3 %. C_0 decides, by the contact pressure of ISO 76 in grooves of 0.52 and 0.53, and f0 where it
+    /// The pitch diameter is (d + D_o)/2, ball diameters are steps of 1/32 in with 15/64 and 17/64 in, or, 1 % off for being
+    /// rare, further steps of 1/64 in to 35/64 in, and of 0.5 mm where none of those fits to 3 %. C_0 decides, by the contact pressure of ISO 76 in grooves of 0.52 and 0.53, and f0 where it
     /// is printed, with its rounding (0.5 of a whole one, else 0.05): C_0 lies within 4 % and f0 within 0.2. C counts
     /// where it is that of [`crate::physics::dynamic_rating`] to 1 %; makers print 0.98 to 1.10 times that, and within these
     /// limits any other C is 1 % off. The least deviation |C0/C0_printed − 1| + |C/C_printed − 1| + |f0 − f0_printed|/f0_printed

@@ -24,6 +24,9 @@ pub(super) const FACTOR_TOLERANCE: f64 = 0.2;
 /// What balls too large or too many or too few for bearings as they are made have on top of their deviation.
 const UNUSUAL: f64 = 0.05;
 
+/// What balls of a rare size have on top of their deviation.
+const RARE: f64 = 0.01;
+
 /// Balls in inches that deviate by more may be metric ones.
 const POOR: f64 = 0.03;
 
@@ -135,26 +138,40 @@ impl CatalogueLine {
             self.contact_angle > 0.0 || is_usual_filling(balls, ball_diameter, pitch),
         ];
         let unusual = unusual.into_iter().filter(|usual| !usual).count() as f64;
+        let rare = if is_rare_size(ball_diameter) {
+            RARE
+        } else {
+            0.0
+        };
         Candidate {
             balls,
             ball_diameter,
             dynamic_rating,
             static_rating,
-            deviation: statical + dynamic + factor + UNUSUAL * unusual,
+            deviation: statical + dynamic + factor + UNUSUAL * unusual + rare,
         }
     }
 }
 
 const INCH: f64 = 0.0254;
 
-/// Diameters that balls are mostly made in, m: steps of 1/32 in to 4 in, and 15/64 and 17/64 in.
+/// Diameters in inches that balls are made in, m: steps of 1/32 in to 4 in, and of 1/64 in from 15/64 to 35/64 in.
 fn inch_sizes() -> impl Iterator<Item = f64> {
-    let steps = (1..=128).map(|step| f64::from(step) / 32.0);
-    let others = [15.0 / 64.0, 17.0 / 64.0];
-    steps.chain(others).map(|inches| inches * INCH)
+    let steps = (1..=128).map(|step| 2 * step);
+    let others = (15..=35).step_by(2);
+    steps
+        .chain(others)
+        .map(|step| f64::from(step) / 64.0 * INCH)
 }
 
 /// Diameters of metric balls, m: steps of half a millimetre.
 fn metric_sizes() -> impl Iterator<Item = f64> {
     (2..=200).map(|half| f64::from(half) / 2e3)
+}
+
+/// Whether balls are neither steps of 1/32 in nor of 15/64 or 17/64 in.
+pub(super) fn is_rare_size(ball_diameter: f64) -> bool {
+    let step = 64.0 * ball_diameter / INCH;
+    let is = |whole: f64| (step - whole).abs() < 0.01;
+    !(is(2.0 * (step / 2.0).round()) || is(15.0) || is(17.0))
 }
