@@ -57,7 +57,7 @@ pub(super) fn unit_of_column(key: &str, column: &str) -> &'static str {
 
 /// The variable as the name of an axis: `load 1, z in N`.
 pub(super) fn axis_name(variable: &Variable) -> String {
-    axis_label(&variable.key, variable.shown_unit)
+    axis_label(&variable.key, &variable.shown_unit)
 }
 
 /// A key in words with a unit: `speed in rad/s`, `radial clearance of bearing 1 in µm`.
@@ -254,7 +254,7 @@ fn text(title: &str, study: &Study, rows: &[StudyRow]) -> Lines {
     let step = rows.len().div_ceil(MOST_ROWS).max(1);
     let cells = rows.iter().step_by(step).map(|row| cells(study, row));
     out.table(header, cells);
-    let (key, unit) = (&study.variable.key, in_unit(study.variable.shown_unit));
+    let (key, unit) = (&study.variable.key, in_unit(&study.variable.shown_unit));
     out.line("varied", format!("{key}{unit}: {} values", rows.len()));
     out
 }

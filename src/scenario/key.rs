@@ -10,7 +10,7 @@ use serde_json::{Map, Number, Value};
 
 use super::node::{Content, Node};
 use super::problems::Problems;
-use super::quantity::{Dimension, Unit};
+use super::quantity::{Dimension, Parsed};
 use super::reader::Range;
 use super::schema::schema;
 use super::{Issue, Scenario, quantity, questions_at, reader, without};
@@ -26,6 +26,8 @@ pub(super) struct Key {
     /// Where its value is, or the values of several keys.
     paths: Vec<String>,
     schema: &'static Value,
+    /// What it measures; of several that it can, what its value in the scenario does. `None` of a plain number.
+    dimension: Option<Dimension>,
 }
 
 /// The path of a key, or the paths of several that change together; `*` stands for every entry of a list.
@@ -88,7 +90,10 @@ fn collect(
     left_out: &[&str],
     keys: &mut Vec<Key>,
 ) {
-    let key = Key::at(path, schema);
+    let mut key = Key::at(path, schema);
+    let written = given.and_then(Value::as_str);
+    let written = written.and_then(|text| quantity::parse(text, &Dimension::of_key(schema)).ok());
+    key.dimension = written.map(|parsed| parsed.dimension).or(key.dimension);
     for (name, property) in schema["properties"].as_object().into_iter().flatten() {
         let inner = join(&key.path, name);
         if !left_out.contains(&inner.as_str()) {
@@ -130,7 +135,7 @@ pub(super) fn find(known: &[Key], paths: &[String], place: &str) -> Result<Key, 
             let all = found.get_or_insert_with(|| Key {
                 path: paths.join(" and "),
                 paths: Vec::new(),
-                schema: key.schema,
+                ..(*key).clone()
             });
             if all.measure() != key.measure() {
                 let message = format!("`{}` and `{path}` cannot have one value", paths[0]);
@@ -171,6 +176,7 @@ impl Key {
             path: path.to_owned(),
             paths: vec![path.to_owned()],
             schema,
+            dimension: Dimension::of_key(schema).first().copied(),
         }
     }
 
@@ -189,26 +195,25 @@ impl Key {
     }
 
     /// What two keys must have in common to have one value.
-    fn measure(&self) -> (&Value, &Value, Vec<&'static str>) {
-        let of = |name: &str| &self.schema[name];
-        (of("type"), of("x-dimension"), self.words())
+    fn measure(&self) -> (&Value, Option<Dimension>, Vec<&'static str>) {
+        (&self.schema["type"], self.dimension, self.words())
     }
 
     /// The value that stands at a path of the file that is read, if this key can have it.
     pub fn read(&self, path: &str, problems: &mut Problems<'_>) -> Option<Value> {
-        let value = reader::value(problems.node(path)?, self.schema, path, problems)?;
-        let own = self.own(value, path);
-        own.map_err(|issue| problems.add(issue)).ok()
+        self.value(problems.node(path)?, path, problems)
     }
 
-    /// The value, unless it is a quantity of another dimension that the key may have, too: such numbers cannot be counted up.
-    fn own(&self, value: Value, name: &str) -> Result<Value, Issue> {
-        let (Some(dimension), None) = (self.dimension(), self.parsed(&value)) else {
-            return Ok(value);
-        };
-        let message = format!("only values of {} vary here, not {value}", dimension.name());
-        let units = dimension.symbols().join(", ");
-        Err(Issue::new(name, message).help(format!("its units: {units}")))
+    fn value(&self, node: &Node, path: &str, problems: &mut Problems<'_>) -> Option<Value> {
+        let value = reader::value(node, self.schema, path, problems)?;
+        match self.dimension {
+            Some(due) if self.parsed(&value).is_none() => {
+                let message = format!("`{}` is a {} here", reader::last(&self.path), due.name());
+                problems.add(Issue::new(path, message).help("as its value in the scenario is"));
+                None
+            }
+            _ => Some(value),
+        }
     }
 
     /// The value that somebody types, without quotes; `name` is what messages call it.
@@ -230,11 +235,9 @@ impl Key {
             content,
         };
         let mut problems = Problems::new(&node, "".as_ref());
-        let value = reader::value(&node, self.schema, name, &mut problems);
+        let value = self.value(&node, name, &mut problems);
         let issue = problems.issues.into_iter().next();
-        let value =
-            value.ok_or_else(|| issue.unwrap_or_else(|| Issue::new(name, "it cannot be read")));
-        self.own(value?, name)
+        value.ok_or_else(|| issue.unwrap_or_else(|| Issue::new(name, "it cannot be read")))
     }
 
     /// The words that it can be; none of a number.
@@ -249,17 +252,12 @@ impl Key {
 
     /// Whether it is a number, with or without a dimension.
     fn is_number(&self) -> bool {
-        self.is_plain() || self.dimension().is_some()
+        self.is_plain() || self.dimension.is_some()
     }
 
     /// Whether it is a whole number.
     pub fn is_whole(&self) -> bool {
         self.schema["type"] == "integer"
-    }
-
-    /// What it measures; `None` for a plain number.
-    fn dimension(&self) -> Option<Dimension> {
-        Dimension::named(self.schema["x-dimension"].as_str()?)
     }
 
     /// Whether it can have a value, SI units.
@@ -268,20 +266,19 @@ impl Key {
     }
 
     /// SI value and unit of a quantity.
-    fn parsed(&self, value: &Value) -> Option<(f64, &'static Unit)> {
-        let parsed = quantity::parse(value.as_str()?, self.dimension()?).ok()?;
-        Some((parsed.si, parsed.unit))
+    fn parsed(&self, value: &Value) -> Option<Parsed> {
+        quantity::parse(value.as_str()?, &[self.dimension?]).ok()
     }
 
     /// The number that a checked value is, in SI units.
     pub fn si(&self, value: &Value) -> f64 {
-        let quantity = self.parsed(value).map(|(si, _)| si);
+        let quantity = self.parsed(value).map(|parsed| parsed.si);
         quantity.or(value.as_f64()).unwrap_or(f64::NAN)
     }
 
     /// The value that this key has for a number in SI units.
     pub fn written(&self, si: f64) -> Value {
-        match self.dimension() {
+        match self.dimension {
             Some(dimension) => format!("{si} {}", dimension.si_symbol()).into(),
             None if self.is_whole() => Value::from(si as i64),
             None => Number::from_f64(si).map_or(Value::Null, Value::Number),
@@ -290,15 +287,16 @@ impl Key {
 
     /// What varies, shown in the unit of `value`.
     pub fn variable(&self, value: &Value) -> Variable {
+        let unit = self.dimension.map_or("", Dimension::si_symbol);
+        let shown = self.parsed(value).map(|parsed| parsed.unit);
         // a scale with another zero has no size of its own
-        let shown = self.parsed(value).map(|(_, unit)| unit);
-        let shown = shown.filter(|unit| unit.si(0.0) == 0.0);
-        let own = self.dimension().map_or("", Dimension::si_symbol);
+        let shown = shown.and_then(|unit| Some((unit.size()?, unit.symbol)));
+        let (shown_size, shown_unit) = shown.unwrap_or((1.0, unit.to_owned()));
         Variable {
             key: self.path.clone(),
-            unit: own,
-            shown_unit: shown.map_or(own, |unit| unit.symbol),
-            shown_size: shown.map_or(1.0, |unit| unit.si(1.0)),
+            unit,
+            shown_unit,
+            shown_size,
         }
     }
 }

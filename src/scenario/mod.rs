@@ -25,6 +25,7 @@ mod schema;
 mod series_file;
 pub(crate) mod study_file;
 mod tolerance_file;
+mod unit;
 mod visible;
 
 use std::path::Path;
@@ -49,7 +50,7 @@ pub use input::TableFormat;
 pub use key::methods;
 pub(crate) use key::{OpenNumber, frequency, method, number, speed, time, tolerance};
 pub use problems::{Issue, ScenarioError};
-pub(crate) use quantity::{si_units, unit_size};
+pub(crate) use quantity::{si_units, written_unit};
 pub use schema::schema;
 use study_file::check_study;
 pub(crate) use study_file::{StudyFile, load_study, study_schema};

@@ -13,7 +13,7 @@ use super::Issue;
 use super::key::join;
 use super::node::{Content, Entry, Node};
 use super::problems::{Problems, nearest};
-use super::quantity::{Dimension, QuantityError, parse};
+use super::quantity::{self, Dimension, QuantityError, names, parse};
 use crate::analysis::Channel;
 
 /// The whole tree as a struct that `schema` describes; its required values may be examples where
@@ -433,56 +433,81 @@ fn readable(number: f64) -> String {
 
 /// What keeps a text from being the quantity that the schema asks for.
 fn check(text: &str, schema: &Value, path: &str) -> Result<(), Issue> {
-    let dimension = schema["x-dimension"].as_str();
-    let Some(dimension) = dimension.and_then(Dimension::named) else {
-        return Ok(());
-    };
-    let (key, text) = (last(path), text.trim());
-    let symbols = dimension.symbols();
-    let other = schema["x-or-dimension"].as_str().and_then(Dimension::named);
-    let units = |dimension: Dimension| {
-        format!(
-            "units of {}: {}",
-            dimension.name(),
-            dimension.symbols().join(", ")
-        )
-    };
-    let units = other.map_or(units(dimension), |other| {
-        format!("{}; {}", units(dimension), units(other))
-    });
-    let refuse = |message: String| Issue::new(path, format!("`{key}`{message}"));
-    let parse_other = |error| other.and_then(|other| parse(text, other).ok()).ok_or(error);
-    let parsed = match parse(text, dimension).or_else(parse_other) {
+    let dimensions = Dimension::of_key(schema);
+    let parsed = match parse(text, &dimensions) {
         Ok(parsed) => parsed,
-        Err(QuantityError::NoUnit) => return Err(needs_unit(schema, path).help(units)),
+        Err(QuantityError::NoUnit) => {
+            return Err(needs_unit(schema, path).help(units_of(&dimensions)));
+        }
         Err(QuantityError::NoNumber) => {
-            let example = as_in(schema);
-            return Err(refuse(format!(" needs a number and a unit, {example}")));
+            let message = format!(
+                "`{}` needs a number and a unit, {}",
+                last(path),
+                as_in(schema)
+            );
+            return Err(Issue::new(path, message));
         }
-        Err(QuantityError::NotFinite) => {
-            return Err(refuse(format!(" must be finite, not `{text}`")));
-        }
-        Err(QuantityError::DecimalComma) => {
-            let remedy = "has a decimal comma; the decimal sign is a point";
-            return Err(refuse(format!(": `{text}` {remedy}")));
-        }
-        Err(QuantityError::UnknownUnit(unit)) => {
-            let near = nearest(&unit, symbols).map(|near| format!("did you mean `{near}`? "));
-            let issue = refuse(format!(": `{unit}` is not a unit of {}", dimension.name()));
-            return Err(issue.help(near.unwrap_or_default() + &units));
-        }
-        Err(QuantityError::WrongDimension(found)) => {
-            let [due, found] = [dimension, found].map(Dimension::with_article);
-            return Err(refuse(format!(" is {due}, but `{text}` is {found}")).help(units));
-        }
+        Err(error) => return Err(no_quantity(error, text.trim(), &dimensions, path)),
     };
     let range = Range::of(schema);
     if range.contains(parsed.si) {
         return Ok(());
     }
     let words = range.words(|limit| parsed.unit.readable(limit));
-    let unit = parsed.unit.symbol;
-    Err(refuse(format!(" must be {words} {unit}, not {text}")))
+    let (key, unit, text) = (last(path), parsed.unit.symbol, text.trim());
+    let message = format!("`{key}` must be {words} {unit}, not {text}");
+    Err(Issue::new(path, message))
+}
+
+/// Why a text with a number and a unit is no quantity of some dimensions.
+pub(super) fn no_quantity(
+    error: QuantityError,
+    text: &str,
+    dimensions: &[Dimension],
+    path: &str,
+) -> Issue {
+    let (key, due) = (last(path), names(dimensions));
+    let refuse = |message: String| Issue::new(path, format!("`{key}`{message}"));
+    let units = || units_of(dimensions);
+    let alike = |unit: &str| {
+        let alike = quantity::alike(unit, dimensions);
+        let alike = (!alike.is_empty()).then(|| quoted(alike.iter().map(String::as_str), " or "));
+        alike.map_or_else(units, |alike| format!("did you mean {alike}? {}", units()))
+    };
+    match error {
+        QuantityError::NoNumber | QuantityError::NoUnit => {
+            refuse(" needs a number and a unit".to_owned()).help(units())
+        }
+        QuantityError::NotFinite => refuse(format!(" must be finite, not `{text}`")),
+        QuantityError::NotOneNumber => {
+            let rule = "the decimal sign is a point, and nothing groups the digits";
+            refuse(format!(": `{text}` does not begin with one number: {rule}"))
+        }
+        QuantityError::UnknownUnit(unit) => {
+            refuse(format!(": `{unit}` is not a unit of {due}")).help(alike(&unit))
+        }
+        QuantityError::Ambiguous(unit, advice) => {
+            refuse(format!(": `{unit}` can mean two units of different size")).help(advice)
+        }
+        QuantityError::WrongDimension(unit, Some(found)) => {
+            let [due, found] = [due.as_str(), found.name()].map(with_article);
+            refuse(format!(" is {due}, but `{text}` is {found}")).help(alike(&unit))
+        }
+        QuantityError::WrongDimension(unit, None) => {
+            let due = with_article(&due);
+            refuse(format!(" is {due}, and `{unit}` measures something else")).help(alike(&unit))
+        }
+    }
+}
+
+fn with_article(name: &str) -> String {
+    let article = if name.starts_with('a') { "an" } else { "a" };
+    format!("{article} {name}")
+}
+
+fn units_of(dimensions: &[Dimension]) -> String {
+    let units = quantity::units(dimensions).join(", ");
+    format!("units of {}, for instance: {units}", names(dimensions))
 }
 
 fn needs_unit(schema: &Value, path: &str) -> Issue {

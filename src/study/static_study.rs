@@ -13,7 +13,7 @@ pub struct Variable {
     /// Its SI unit; empty for a plain number.
     pub unit: &'static str,
     /// The unit that it was written in; empty for a plain number.
-    pub shown_unit: &'static str,
+    pub shown_unit: String,
     /// That unit in SI units.
     pub shown_size: f64,
 }
@@ -64,7 +64,7 @@ pub struct StudyError {
     /// Its value in the unit that it was written in.
     pub shown: f64,
     /// That unit.
-    pub unit: &'static str,
+    pub unit: String,
     /// Why there is no answer.
     pub source: RotorError,
 }
@@ -109,7 +109,7 @@ impl Study {
             self.answer(point).map_err(|source| StudyError {
                 key: self.variable.key.clone(),
                 shown: self.variable.shown(point.value),
-                unit: self.variable.shown_unit,
+                unit: self.variable.shown_unit.clone(),
                 source,
             })
         };

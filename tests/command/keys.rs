@@ -13,11 +13,33 @@ const HEAD: &str = "# Keys
 <!-- Written by tests/command/keys.rs from the schemas: JEFFCOTT_BLESS=1 cargo test --test command keys -->
 
 All keys of a scenario, then all keys of a study, as `jeffcott schema` and `jeffcott schema --study` print them for
-editors. A value with a dimension is a string with its unit, as in `\"5 kg\"`; the [units](#units) stand at the end.
+editors. A value with a dimension is a string with its unit, as in `\"5 kg\"`; [units](#units) are at the end.
 A key in **bold** must be given where its table is.
 ";
 
-/// The units of every dimension that was met.
+/// What is read as a unit.
+const UNITS: &str = "
+## Units
+
+Any product of powers of known units is read where it has the dimension of the key: `N s/m`, `N·s/m`, `kN*s/mm`, `Ns/m`,
+`N s m^-1`, `N s m⁻¹`. What follows a `/` is one factor, or stands in brackets: `um/(m K)`. Known are
+
+- of mass `g`, `t`, `lb`, `oz`; of length `m`, `in`, `ft`, `mil` or `thou`, `micron`; of time `s`, `min`, `h`, `day`
+- of force `N`, `lbf`, `ozf`, `kip`, `kgf` or `kp`, `dyn`; of pressure `Pa`, `bar`, `psi`, `ksi`; of viscosity `P`, `St`
+- of angle `rad`, `deg` or `°`, `arcmin`, `rev` or `r`; of frequency `Hz`, `cpm`; of speed `rpm`, `rps`; of acceleration `gn`
+- of temperature `K`, `degC` or `°C`, `degF`; and `ppm`
+
+with the SI prefixes that are in use: `nm`, `um` or `µm`, `mm`, `cm`, `km`, but no `Mm`, which would be a slip for `mm`. Capitals
+count: `MN` is a million newtons, `mN` a thousandth of one. `g` is the gram; gravity is `gn`, 9.80665 m/s². `oz` and `lb` are masses, `ozf`
+and `lbf` forces. `1/min`, `cpm` and `Hz` as a speed count turns; `1/s` could be turns or radians and is refused there. A unit of
+another dimension, or one that is not known, is refused with units of the key, and with a spelling where capitals alone
+were wrong. The decimal sign is a point. The table has some units of each dimension, its SI unit first.
+
+| dimension | units |
+|---|---|
+";
+
+/// Some units of every dimension that was met.
 type Units = BTreeMap<String, String>;
 
 fn string<'a>(node: &'a Value, key: &str) -> &'a str {
@@ -213,7 +235,7 @@ fn page() -> String {
         table(&schema, &mut page, &mut units);
         nested("", &schema, &mut page, &mut units);
     }
-    page.push_str("\n## Units\n\n| dimension | units |\n|---|---|\n");
+    page.push_str(UNITS);
     for (dimension, names) in units {
         writeln!(page, "| {dimension} | {names} |").expect("a string");
     }

@@ -12,7 +12,7 @@ use super::tables::BETWEEN_WARNINGS;
 use crate::report::ReportError;
 use crate::report::study::{axis_label, unit_of_column};
 use crate::report::terminal::shown_unit;
-use crate::scenario::unit_size;
+use crate::scenario::written_unit;
 
 /// Most rows that are looked at for quantiles and figures: of more, every so many.
 const MOST_ROWS: u64 = 20_000;
@@ -157,7 +157,7 @@ impl Digest {
         let labels = keys.iter().zip(columns).map(|(axis, column)| {
             let key = axis["key"].as_str().unwrap_or_default();
             let si = unit_of_column(key, column);
-            let (unit, factor) = written_unit(axis, si).unwrap_or_else(|| shown_unit(si));
+            let (unit, factor) = unit_of_axis(axis, si).unwrap_or_else(|| shown_unit(si));
             (axis_label(key, &unit), factor)
         });
         let own = |name: &str| name.to_owned();
@@ -327,12 +327,11 @@ impl Digest {
 }
 
 /// The unit that the values of an axis are written in, and how many of it make one of `si`.
-fn written_unit(axis: &Value, si: &str) -> Option<(String, f64)> {
+fn unit_of_axis(axis: &Value, si: &str) -> Option<(String, f64)> {
     let listed = axis["values"].get(0).and_then(Value::as_str);
     let bound = ["from", "mean"].iter().find_map(|key| axis[*key].as_str());
-    let (_, symbol) = listed.or(bound)?.split_once(' ')?;
-    let size = unit_size(si, symbol.trim())?;
-    Some((symbol.trim().replacen("um", "µm", 1), size.recip()))
+    let (symbol, size) = written_unit(listed.or(bound)?, si)?;
+    Some((symbol.replacen("um", "µm", 1), size.recip()))
 }
 
 /// The words of a warning that are no numbers, but for the number of a bearing, bare of punctuation.

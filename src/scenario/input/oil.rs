@@ -8,7 +8,8 @@ use crate::physics::{Contamination, MINERAL_OIL_DENSITY, ViscosityLaw};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{
-    Density, KinematicViscosity, PressureViscosity, Quantity, Temperature, Viscosity, si,
+    Density, Dimension, KinematicViscosity, Or, PressureViscosity, Quantity, Temperature,
+    Viscosity, si,
 };
 
 /// Lubricating oil, or the base oil of a grease, at the temperature of the bearing: by its viscosity there, by its ISO VG class
@@ -17,11 +18,10 @@ use crate::scenario::quantity::{
 #[serde(deny_unknown_fields)]
 #[schemars(extend("x-exactly-one" = ["viscosity", "iso_vg", "viscosity_40"]))]
 pub struct OilInput {
-    /// Viscosity at ambient pressure and the temperature of the bearing: dynamic, for instance "0.04 Pa s", or kinematic, for
-    /// instance "20 mm^2/s".
-    #[schemars(with = "Option<Quantity<Viscosity>>")]
-    #[schemars(extend("x-above" = 0.0, "x-or-dimension" = "kinematic viscosity"))]
-    pub viscosity: Option<WorkingViscosity>,
+    /// Viscosity at ambient pressure and the temperature of the bearing: the dynamic, for instance "0.04 Pa s", or the
+    /// kinematic, for instance "46 mm^2/s", which the density turns into the dynamic.
+    #[schemars(extend("x-above" = 0.0))]
+    pub viscosity: Option<Quantity<Or<Viscosity, KinematicViscosity>>>,
     /// Number of the ISO VG class, for instance 68: the kinematic viscosity at 40 °C in mm²/s; needs `temperature`.
     #[schemars(range(min = 2.0, max = 3200.0), extend("examples" = [68.0]))]
     pub iso_vg: Option<f64>,
@@ -49,27 +49,6 @@ pub struct OilInput {
     pub grease: bool,
     /// How clean it is, by the classes of ISO 281; the modified life L_nm needs it.
     pub contamination: Option<Contamination>,
-}
-
-/// Dynamic or kinematic viscosity.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(untagged)]
-pub enum WorkingViscosity {
-    /// η, Pa s.
-    Dynamic(Quantity<Viscosity>),
-    /// ν, m²/s.
-    Kinematic(Quantity<KinematicViscosity>),
-}
-
-impl WorkingViscosity {
-    /// Kinematic viscosity in m²/s of an oil of a density in kg/m³.
-    fn kinematic(&self, density: f64) -> f64 {
-        match self {
-            // ν = η/ρ
-            Self::Dynamic(viscosity) => viscosity.si() / density,
-            Self::Kinematic(viscosity) => viscosity.si(),
-        }
-    }
 }
 
 impl OilInput {
@@ -128,7 +107,10 @@ impl OilInput {
     fn kinematic(&self) -> f64 {
         let temperature = si(&self.temperature).unwrap_or(40.0);
         match (&self.viscosity, self.iso_vg) {
-            (Some(viscosity), _) => viscosity.kinematic(self.density()),
+            (Some(viscosity), _) if viscosity.dimension == Dimension::KinematicViscosity => {
+                viscosity.si()
+            }
+            (Some(viscosity), _) => viscosity.si() / self.density(),
             (None, Some(grade)) => {
                 let index = self.viscosity_index.unwrap_or(ViscosityLaw::USUAL_INDEX);
                 ViscosityLaw::of_grade(1e-6 * grade, index).at(temperature)
@@ -143,10 +125,12 @@ impl OilInput {
 
     /// The oil of the films.
     pub fn build(&self) -> Oil {
-        let viscosity = match &self.viscosity {
-            Some(WorkingViscosity::Dynamic(viscosity)) => viscosity.si(),
-            _ => self.kinematic() * self.density(),
-        };
+        let viscosity = self
+            .viscosity
+            .as_ref()
+            .filter(|it| it.dimension == Dimension::Viscosity);
+        let viscosity = viscosity.map(Quantity::si);
+        let viscosity = viscosity.unwrap_or_else(|| self.kinematic() * self.density());
         Oil {
             viscosity,
             pressure_viscosity: si(&self.pressure_viscosity).unwrap_or_else(|| wooster(viscosity)),

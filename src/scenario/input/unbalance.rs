@@ -7,6 +7,7 @@ use crate::rotor::{PlaneUnbalance, RotorDefinition};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{self, Angle, Dimension, Length, Quantity, Unbalance};
+use crate::scenario::reader::no_quantity;
 
 /// An unbalance in a plane of the shaft. Several add up: on a rigid shaft to a static unbalance and a couple.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -71,20 +72,19 @@ fn amount(text: &str, rotor: &RotorDefinition) -> Result<f64, Issue> {
         if speed <= 0.0 {
             let message =
                 "a balance quality grade is an unbalance at a speed, and the shaft stands still";
-            return Err(Issue::new(path, message).help("give the unbalance, as in \"20 g mm\""));
+            let issue = Issue::new(path, message).help("give the unbalance, as in \"20 g mm\"");
+            return Err(issue.against_all(["speed.constant", "speed.from", "speed.to"]));
         }
         return Ok(rotor.shaft.mass * 1e-3 * grade / speed);
     }
-    match quantity::parse(text, Dimension::Unbalance) {
+    match quantity::parse(text, &[Dimension::Unbalance]) {
         Ok(parsed) if (0.0..=1e6).contains(&parsed.si) => Ok(parsed.si),
         Ok(_) => Err(Issue::new(path, "`unbalance` must be zero or positive")),
-        Err(_) => {
-            let units = format!(
-                "units of unbalance: {}; or a balance quality grade, as in \"G 6.3\"",
-                Dimension::Unbalance.symbols().join(", ")
-            );
-            let message = "`unbalance` must be a number with its unit, as in \"20 g mm\"";
-            Err(Issue::new(path, message).help(units))
+        Err(error) => {
+            let mut issue = no_quantity(error, text.trim(), &[Dimension::Unbalance], path);
+            let grade = "a balance quality grade is written \"G 6.3\"";
+            issue.help = issue.help.map(|help| format!("{help}; {grade}"));
+            Err(issue)
         }
     }
 }

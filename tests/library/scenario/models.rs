@@ -210,6 +210,11 @@ fn a_bearing_overrides_law_film_and_race_control() {
     assert_eq!(bearing.law, ContactLaw::Jones(RaceControl::Inner));
     let known = bearing.oil.unwrap();
     assert_eq!((known.viscosity, known.pressure_viscosity), (0.04, 22e-9));
+    let kinematic = oil.replace("40 mPa s", "20 mm^2/s");
+    let known = first_bearing("", &format!("{kinematic}{jones}"))
+        .oil
+        .unwrap();
+    assert!((known.viscosity - 17.4e-3).abs() < 1e-12, "with 870 kg/m^3");
 
     let keys = "race_control = \"even\"\nfilm = false\n";
     let bearing = first_bearing(keys, &format!("{oil}{jones}"));
