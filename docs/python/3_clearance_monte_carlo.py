@@ -14,7 +14,7 @@ scenario.update({"time": {"duration": "0.5 s", "settle": "0.3 s"}, "integrator.t
 
 clearance = {"distribution": "uniform", "from": "5 um", "to": "20 um"}
 study = scenario.sweep(
-    {"bearing[0].geometry.diametral_clearance": clearance, "bearing[1].geometry.diametral_clearance": clearance},
+    {"bearing[1].geometry.diametral_clearance": clearance, "bearing[2].geometry.diametral_clearance": clearance},
     sampling="monte_carlo",
     runs=24,
     seed=7,
@@ -30,7 +30,7 @@ print(study)
 # %%
 swing = 1e6 * study["y_peak_to_peak_m"]
 print("y peak to peak:", np.quantile(swing, [0.05, 0.5, 0.95]), "µm")
-mean = study["bearing_0_geometry_diametral_clearance_m"] + study["bearing_1_geometry_diametral_clearance_m"]
+mean = study["bearing_1_geometry_diametral_clearance_m"] + study["bearing_2_geometry_diametral_clearance_m"]
 print("correlation with the clearance of both:", np.corrcoef(mean, swing)[0, 1])
 print(study.runs.to_pandas().describe().T[["mean", "min", "max"]])
 

@@ -34,7 +34,7 @@ scenario = jc.Scenario(
 
 
 def bearing(preload: float, clearance: float) -> dict[str, str]:
-    return {"bearing[0].preload": f"{preload} N", "bearing[0].geometry.diametral_clearance": f"{clearance} um"}
+    return {"bearing[1].preload": f"{preload} N", "bearing[1].geometry.diametral_clearance": f"{clearance} um"}
 
 
 # %% [markdown]

@@ -21,7 +21,7 @@ scenario.update(
 )
 study = scenario.sweep(
     {
-        "bearing[0].preload": ["100 N", "400 N"],
+        "bearing[1].preload": ["100 N", "400 N"],
         "speed.constant": {"from": "200 rad/s", "to": "1600 rad/s", "count": 5},
     },
     keep={"bearing_stiffness": True, "numbers": ["stiffness_x_N_m"]},

@@ -10,7 +10,7 @@ class Problem(NamedTuple):
     """One thing that is wrong with a scenario or a study."""
 
     key: str
-    """Path of the key, as `bearing[0].geometry.balls`; empty for the whole."""
+    """Path of the key, as `bearing[1].geometry.balls`; empty for the whole."""
     message: str
     """What is wrong, and which rule it breaks."""
     hint: str | None

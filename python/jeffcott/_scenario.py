@@ -68,12 +68,15 @@ def whole(name: str, value: Any, least: int, most: int) -> int:
 
 
 def _steps(path: str) -> list[str | int]:
-    """`load[0].constant.z` → `load`, 0, `constant`, `z`."""
+    """`load[1].constant.z` → `load`, 0, `constant`, `z`: the entries of a list are counted from 1."""
     text_of(path)
     if not re.fullmatch(r"[^.\[\]]+(\[\d+\]|\.[^.\[\]]+)*", path):
-        raise _wrong(path, "this is no path of a key", 'for instance: "load[0].constant.z"')
+        raise _wrong(path, "this is no path of a key", 'for instance: "load[1].constant.z"')
     found = re.findall(r"[^.\[\]]+|\[\d+\]", path)
-    return [int(step[1:-1]) if step.startswith("[") else step for step in found]
+    steps = [int(step[1:-1]) - 1 if step.startswith("[") else step for step in found]
+    if -1 in steps:
+        raise _wrong(path, "there is no entry [0]", "the entries of a list are counted from 1")
+    return steps
 
 
 def _wrong(path: str, message: str, hint: str) -> ScenarioError:
@@ -121,13 +124,13 @@ def _put(tree: Any, path: str, value: Any) -> None:
 
 def _table(tree: Any, path: str) -> None:
     if not isinstance(tree, dict):
-        raise _wrong(path, "no table stands on this path", "a list has entries [0], [1] …, a value has no keys")
+        raise _wrong(path, "no table stands on this path", "a list has entries [1], [2] …, a value has no keys")
 
 
 def _entry(tree: Any, index: int, path: str) -> None:
     if not isinstance(tree, list) or index > len(tree):
         have = len(tree) if isinstance(tree, list) else "no"
-        raise _wrong(path, f"there is no entry [{index}]", f"the list has {have} entries; the next one may be set")
+        raise _wrong(path, f"there is no entry [{index + 1}]", f"the list has {have} entries; the next one may be set")
 
 
 class Scenario:
@@ -138,7 +141,7 @@ class Scenario:
 
         >>> s = Scenario("scenarios/steady-7205c.toml")
         >>> s["shaft.mass"] = "6 kg"            # checked at once; None or `del` takes a key away
-        >>> s["load[1]"] = {"harmonic": {"x": "20 N", "frequency": "80 Hz"}}   # a further load
+        >>> s["load[2]"] = {"harmonic": {"x": "20 N", "frequency": "80 Hz"}}   # a further load
         >>> s.update({"speed.constant": "300 rad/s", "time.duration": "1 s"})  # checked together
 
     Raises `ScenarioError`, whose `problems` have key, message, hint and line.
@@ -197,7 +200,7 @@ class Scenario:
         return self.scene.warnings()
 
     def __getitem__(self, path: str) -> Any:
-        """The value of a key by its path, `bearing[0].geometry.balls`; its default where it is not written."""
+        """The value of a key by its path, `bearing[1].geometry.balls`; its default where it is not written."""
         try:
             return _find(self._written(), path)
         except KeyError:

@@ -30,14 +30,14 @@ def test_file_text_and_dict_say_the_same(scenarios: Path) -> None:
 
 def test_keys_are_read_with_their_defaults_and_set_with_their_units(scenarios: Path) -> None:
     scenario = jc.Scenario(scenarios / "steady-7205c.toml")
-    assert scenario["bearing[0].catalogue"] == "7205C"
-    assert scenario["bearing[0].position"] == "0 m"
+    assert scenario["bearing[1].catalogue"] == "7205C"
+    assert scenario["bearing[1].position"] == "0 m"
     assert "damping.stiffness_time" not in scenario
     scenario["shaft.mass"] = "6 kg"
     assert scenario["shaft.mass"] == "6 kg"
-    scenario["load[1]"] = {"constant": {"y": "-50 N"}}
+    scenario["load[2]"] = {"constant": {"y": "-50 N"}}
     assert len(scenario["load"]) == 2
-    del scenario["load[1]"]
+    del scenario["load[2]"]
     assert len(scenario["load"]) == 1
     other = scenario.with_({"damping.ratio": None, "damping.stiffness_time": "10 us"})
     assert "damping.ratio" not in other
@@ -66,7 +66,7 @@ def test_all_problems_come_at_once_with_their_lines() -> None:
     problems = caught.value.problems
     assert [(problem.key, problem.line) for problem in problems] == [
         ("shaft.mass", 3),
-        ("bearing[0].catalogue", 8),
+        ("bearing[1].catalogue", 8),
     ]
     assert isinstance(caught.value, ValueError)
     again = pickle.loads(pickle.dumps(caught.value))
@@ -82,14 +82,14 @@ def test_a_file_that_is_missing() -> None:
 
 def test_a_path_that_leads_nowhere(scenarios: Path) -> None:
     scenario = jc.Scenario(scenarios / "steady-7205c.toml")
-    for path in ("load[3].constant.x", "shaft.mass.x", "title[0]"):
+    for path in ("load[0].constant.z", "load[4].constant.x", "shaft.mass.x", "title[1]"):
         with pytest.raises(jc.ScenarioError) as caught:
             scenario[path] = "1 N"
         assert caught.value.problems[0].key == path
     with pytest.raises(jc.ScenarioError, match="no path"):
-        scenario["load[0]..z"] = "1 N"
+        scenario["load[1]..z"] = "1 N"
     with pytest.raises(KeyError):
-        scenario["load[3]"]
+        scenario["load[4]"]
 
 
 def test_a_scenario_without_time_does_not_run() -> None:
@@ -111,7 +111,7 @@ def test_files_of_a_dict_are_looked_for_in_its_folder(tmp_path: Path) -> None:
     (tmp_path / "force.csv").write_text("t_s,x_N\n0,0\n0.1,10\n")
     tree = jc.Scenario(TEXT).to_dict()
     tree["load"].append({"series": {"file": "force.csv"}})
-    assert jc.Scenario(tree, folder=tmp_path)["load[1].series.file"] == "force.csv"
+    assert jc.Scenario(tree, folder=tmp_path)["load[2].series.file"] == "force.csv"
     with pytest.raises(jc.ScenarioError):
         jc.Scenario(tree)
 

@@ -111,7 +111,7 @@ def test_a_wrong_study_tells_its_problems(tmp_path: Path, scenarios: Path) -> No
     file.write_text(f'base = "{scenarios / "steady-7205c.toml"}"\n[[axis]]\nkey = "shaft.mas"\nvalues = ["5 kg"]\n')
     with pytest.raises(jc.ScenarioError) as caught:
         jc.study(file, out=tmp_path)
-    assert caught.value.problems[0].key == "axis[0].key"
+    assert caught.value.problems[0].key == "axis[1].key"
     assert caught.value.problems[0].line == 3
     with pytest.raises(jc.ScenarioError, match="a scenario, not a study"):
         jc.study(scenarios / "steady-7205c.toml", out=tmp_path)

@@ -42,7 +42,7 @@ pub struct Arguments {
     /// it
     #[arg(long, value_name = "M", value_parser = clap::value_parser!(u32).range(1..=64))]
     period: Option<u32>,
-    /// Number of the scenario to follow the motion along, as "speed.constant" or "load[0].constant.z"
+    /// Number of the scenario to follow the motion along, as "speed.constant" or "load[1].constant.z"
     #[arg(long, value_name = "KEY", requires_all = ["from", "to"])]
     over: Option<String>,
     /// Its first value, as it is written in a scenario

@@ -34,7 +34,7 @@ pub fn study_findings(destination: &Destination<'_>, study: &Study, rows: &[Stud
     }
 }
 
-/// The variable as the name of a column: `load_0_constant_z_N`.
+/// The variable as the name of a column: `load_1_constant_z_N`.
 pub(super) fn column_name(variable: &Variable) -> String {
     key_column(&variable.key, variable.unit)
 }
@@ -64,10 +64,7 @@ pub(super) fn axis_name(variable: &Variable) -> String {
 pub(super) fn axis_label(key: &str, unit: &str) -> String {
     let (table, rest) = key.split_once('.').unwrap_or((key, "constant"));
     let table = match table.trim_end_matches(']').split_once('[') {
-        Some((table, index)) => {
-            let number = index.parse().map_or(1, |index: usize| index + 1);
-            format!("{table} {number}")
-        }
+        Some((table, number)) => format!("{table} {number}"),
         None => table.to_owned(),
     };
     let last = rest.rsplit('.').next().unwrap_or(rest).replace('_', " ");
@@ -396,16 +393,16 @@ fn shown_names(count: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::{axis_label, shown_names, unit_of_column};
+    use super::{axis_label, key_column, shown_names, unit_of_column};
 
     #[test]
     fn an_axis_says_in_words_what_its_key_is() {
         let labels = [
             ("speed.constant", "rad/s", "speed in rad/s"),
-            ("load[0].constant.z", "N", "load 1, z in N"),
+            ("load[1].constant.z", "N", "load 1, z in N"),
             ("shaft.mass", "kg", "mass of shaft in kg"),
             (
-                "bearing[1].geometry.radial_clearance",
+                "bearing[2].geometry.radial_clearance",
                 "µm",
                 "radial clearance of bearing 2 in µm",
             ),
@@ -414,6 +411,8 @@ mod tests {
         for (key, unit, label) in labels {
             assert_eq!(axis_label(key, unit), label);
         }
+        let column = key_column("bearing[2].clearance_change", "m");
+        assert_eq!(column, "bearing_2_clearance_change_m");
         let unit = unit_of_column("speed.constant", "speed_constant_rad_s");
         assert_eq!(unit, "rad/s");
     }

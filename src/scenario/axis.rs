@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::Issue;
-use super::key::{Key, KeyPaths};
+use super::key::{Key, KeyPaths, entry};
 use super::problems::Problems;
 use crate::study::Variable;
 use crate::study::plan::{Axis, Distribution, MOST_RUNS, Shape};
@@ -20,8 +20,8 @@ const REACH: f64 = 8.3;
 #[serde(deny_unknown_fields)]
 #[schemars(extend("x-exactly-one" = ["values", "count", "distribution"]))]
 pub struct AxisInput {
-    /// Path of its key, for instance "speed.constant" or "bearing[0].preload"; "bearing[*].preload", or a list of
-    /// paths, changes several keys together.
+    /// Path of its key, for instance "speed.constant" or, of the first bearing, "bearing[1].preload"; "bearing[*].preload",
+    /// or a list of paths, changes several keys together.
     #[schemars(extend("examples" = ["speed.constant"]))]
     pub key: KeyPaths,
     /// The values, each written as that key is.
@@ -186,7 +186,7 @@ impl AxisReader<'_, '_> {
     }
 
     fn listed(&mut self, count: usize) -> Option<Axis> {
-        let values = (0..count).map(|index| self.number(&format!("values[{index}]")));
+        let values = (0..count).map(|index| self.number(&entry("values", index)));
         let values: Vec<_> = values.collect();
         Some(Axis::Listed(values.into_iter().collect::<Option<_>>()?))
     }

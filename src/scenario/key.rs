@@ -21,7 +21,7 @@ use crate::study::Variable;
 /// A key whose value may be another one than that of the file, or several that change together.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Key {
-    /// Its path as somebody wrote it, for instance `bearing[0].preload` or `bearing[*].preload`.
+    /// Its path as somebody wrote it, for instance `bearing[1].preload` or `bearing[*].preload`.
     pub path: String,
     /// Where its value is, or the values of several keys.
     paths: Vec<String>,
@@ -103,7 +103,7 @@ fn collect(
     }
     let items = given.and_then(Value::as_array).into_iter().flatten();
     for (index, item) in items.enumerate() {
-        let inner = format!("{}[{index}]", key.path);
+        let inner = entry(&key.path, index);
         collect(&schema["items"], Some(item), &inner, left_out, keys);
     }
     if key.is_number() || !key.words().is_empty() {
@@ -120,6 +120,17 @@ pub(super) fn join(table: &str, key: &str) -> String {
     }
 }
 
+/// The path of an entry of a list; people count from 1.
+pub(super) fn entry(list: &str, index: usize) -> String {
+    format!("{list}[{}]", index + 1)
+}
+
+/// The index of a step of a path, `2]` for the second entry of a list; none of another step.
+pub(super) fn index(step: &str) -> Option<usize> {
+    let number: usize = step.strip_suffix(']')?.parse().ok()?;
+    number.checked_sub(1)
+}
+
 /// The key of some paths among those known, or an issue about `place`, where they are given.
 pub(super) fn find(known: &[Key], paths: &[String], place: &str) -> Result<Key, Issue> {
     let mut found: Option<Key> = None;
@@ -129,6 +140,9 @@ pub(super) fn find(known: &[Key], paths: &[String], place: &str) -> Result<Key, 
         if matching.is_empty() {
             let paths = known.iter().map(|key| key.path.as_str());
             let issue = Issue::new(place, format!("the scenario has no number `{path}`"));
+            if path.contains("[0]") {
+                return Err(issue.help("the entries of a list are counted from 1"));
+            }
             return Err(issue.help_nearest(path, paths, "for instance: \"speed.constant\""));
         }
         for key in matching {
@@ -305,9 +319,8 @@ impl Key {
 pub(super) fn set_value(tree: &mut Value, path: &str, value: &Value) {
     let mut place = tree;
     for step in path.split(['.', '[']) {
-        let index = step.strip_suffix(']').and_then(|index| index.parse().ok());
-        place = match index {
-            Some(index) => match place.get_mut::<usize>(index) {
+        place = match index(step) {
+            Some(index) => match place.get_mut(index) {
                 Some(item) => item,
                 None => return,
             },
@@ -456,13 +469,13 @@ mod tests {
     #[test]
     fn a_star_stands_for_every_entry_of_a_list() {
         assert!(matches("bearing[*].preload", "bearing[12].preload"));
-        assert!(matches("load[0].constant.z", "load[0].constant.z"));
+        assert!(matches("load[1].constant.z", "load[1].constant.z"));
         assert!(!matches(
             "bearing[*].preload",
-            "bearing[0].geometry.preload"
+            "bearing[1].geometry.preload"
         ));
-        assert!(!matches("load[*].constant.z", "load[0].constant"));
-        assert!(!matches("bearing.*", "bearing[0]"));
+        assert!(!matches("load[*].constant.z", "load[1].constant"));
+        assert!(!matches("bearing.*", "bearing[1]"));
     }
 
     #[test]
@@ -473,7 +486,7 @@ mod tests {
             let paths: Vec<_> = paths.iter().map(|path| (*path).to_owned()).collect();
             find(&known, &paths, "key")
         };
-        let both = found(&["bearing[*].preload", "load[0].constant.z"]).unwrap();
+        let both = found(&["bearing[*].preload", "load[1].constant.z"]).unwrap();
         assert_eq!(both.paths.len(), 3);
         let mut scenario = given.clone();
         both.set(&mut scenario, &"5 N".into());
@@ -482,10 +495,14 @@ mod tests {
         let refused = found(&["bearing[*].preload", "bearing[*].position"]).unwrap_err();
         assert!(refused.message.contains("cannot have one value"));
         assert!(found(&["bearing[7].preload"]).is_err());
-        let second = found(&["bearing[1].preload"]).unwrap();
-        assert_eq!(both.shared_with(&second), Some("bearing[1].preload"));
+        let zeroth = found(&["bearing[0].preload"]).unwrap_err();
+        assert_eq!(zeroth.help.as_deref(), Some("the entries of a list are counted from 1"));
+        let second = found(&["bearing[2].preload"]).unwrap();
+        assert_eq!(both.shared_with(&second), Some("bearing[2].preload"));
+        second.set(&mut scenario, &"7 N".into());
+        assert_eq!(scenario["bearing"][1]["preload"], "7 N");
         assert_eq!(
-            second.shared_with(&found(&["bearing[0].preload"]).unwrap()),
+            second.shared_with(&found(&["bearing[1].preload"]).unwrap()),
             None
         );
     }

@@ -9,6 +9,7 @@ use serde_json::{Number, Value};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use super::key::index;
 use super::problems::Issue;
 
 /// A value and where it stands.
@@ -117,7 +118,7 @@ impl Content {
 }
 
 impl Node {
-    /// The value of a path such as `bearing[0].geometry.balls`.
+    /// The value of a path such as `bearing[1].geometry.balls`.
     pub fn find(&self, path: &str) -> Option<&Self> {
         path.split(['.', '['])
             .try_fold(self, |node, step| node.child(step))
@@ -150,7 +151,7 @@ impl Node {
                 .iter()
                 .find(|entry| entry.key == step)
                 .map(|entry| &entry.node),
-            Content::List(items) => items.get(step.strip_suffix(']')?.parse::<usize>().ok()?),
+            Content::List(items) => items.get(index(step)?),
             _ => None,
         }
     }

@@ -6,7 +6,7 @@ use std::path::Path;
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 use serde_json::{Value, json};
 
-use super::key::join;
+use super::key::{entry, join};
 use super::node::Node;
 use super::visible;
 
@@ -100,7 +100,7 @@ impl<'a> Problems<'a> {
         mut build: impl FnMut(&I, &mut Self) -> Option<T>,
     ) -> Option<Vec<T>> {
         let build = |(index, input)| {
-            self.inside(format!("{key}[{index}]"), |problems| build(input, problems))
+            self.inside(entry(key, index), |problems| build(input, problems))
         };
         let built: Vec<_> = inputs.iter().enumerate().map(build).collect();
         built.into_iter().collect()
@@ -165,7 +165,7 @@ fn holds(table: &str, path: &str) -> bool {
 #[error("{message}{}", help.as_ref().map_or_else(String::new, |help| format!("; {help}")))]
 #[non_exhaustive]
 pub struct Issue {
-    /// Key path, for instance `bearing[0].geometry.balls`; empty for the file as a whole.
+    /// Key path, for instance `bearing[1].geometry.balls`; empty for the file as a whole.
     pub path: String,
     /// What is wrong and which rule it breaks.
     pub message: String,

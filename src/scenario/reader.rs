@@ -10,7 +10,7 @@ use serde::de::DeserializeOwned;
 use serde_json::{Map, Number, Value};
 
 use super::Issue;
-use super::key::join;
+use super::key::{entry, join};
 use super::node::{Content, Entry, Node};
 use super::problems::{Problems, nearest};
 use super::quantity::{self, Dimension, QuantityError, names, parse};
@@ -167,7 +167,7 @@ impl Reader<'_, '_> {
             return self.refuse(&format!("must have at most {most} entries"));
         }
         let read = |(index, item)| {
-            let path = format!("{}[{index}]", self.path);
+            let path = entry(self.path, index);
             value(item, &self.schema["items"], &path, self.problems)
         };
         let values: Vec<_> = items.iter().enumerate().map(read).collect();

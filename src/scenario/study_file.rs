@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use super::axis::{AxisInput, AxisReader, Scalar};
 use super::document::Document;
-use super::key::{Key, KeyPaths, all_keys, number_keys, set_value};
+use super::key::{Key, KeyPaths, all_keys, entry, number_keys, set_value};
 use super::problems::Problems;
 use super::schema::schema_of;
 use super::{Format, Issue, Scenario, ScenarioError, echo, key, questions, reader, without};
@@ -226,9 +226,9 @@ impl StudyFileInput {
         let mut base = without(&scenario.echo, &["study"]);
         let known = all_keys(&base, &LEFT_OUT);
         for (index, set) in self.set.iter().enumerate() {
-            let found = key::find(&known, set.key.all(), &format!("set[{index}].key"));
+            let found = key::find(&known, set.key.all(), &format!("set[{}].key", index + 1));
             let key = problems.take(found)?;
-            let value = key.read(&format!("set[{index}].value"), problems)?;
+            let value = key.read(&format!("set[{}].value", index + 1), problems)?;
             key.set(&mut base, &value);
         }
         let found = questions(&base, folder).map_err(|issue| {
@@ -249,7 +249,7 @@ impl StudyFileInput {
             if all.iter().all(|column| column.name != *name) {
                 let message = format!("no run of this scene has a number `{name}`");
                 let known: Vec<_> = all.iter().map(|column| column.name.as_str()).collect();
-                let issue = Issue::new(format!("keep.numbers[{index}]"), message);
+                let issue = Issue::new(entry("keep.numbers", index), message);
                 let list = format!("its numbers are {}", known.join(", "));
                 problems.refuse(issue.help_nearest(name, known, &list));
             }
@@ -283,7 +283,7 @@ impl StudyFileInput {
         }
         for (index, axis) in axes.iter().enumerate() {
             if matches!(axis, Axis::Drawn(_)) {
-                let path = format!("axis[{index}].distribution");
+                let path = format!("axis[{}].distribution", index + 1);
                 let issue = Issue::new(path, "a distribution has no values for a grid");
                 let help = "set sampling = \"latin_hypercube\", \"sobol\" or \"monte_carlo\"";
                 problems.refuse(issue.help(help).against("sampling"));
@@ -298,7 +298,7 @@ impl StudyFileInput {
             let shown = runs.map_or_else(|| "more than 1e19".to_owned(), |runs| runs.to_string());
             let message = format!("the axes make {shown} runs: at most {MOST_RUNS:e} in a study");
             let issue = Issue::new("axis", message).help("take fewer values, or draw the runs");
-            let counts = (0..self.axis.len()).map(|index| format!("axis[{index}].count"));
+            let counts = (0..self.axis.len()).map(|index| format!("axis[{}].count", index + 1));
             problems.refuse(issue.against_all(counts));
         }
     }
@@ -326,7 +326,7 @@ impl StudyFileInput {
         for (table, (index, keys)) in all.chain(sets.map(|each| ("set", each))) {
             let mut keys = keys.all().iter();
             if let Some(key) = keys.find(|key| TIMES.contains(&key.as_str())) {
-                let path = format!("{table}[{index}].key");
+                let path = format!("{table}[{}].key", index + 1);
                 let issue = Issue::new(path, format!("`cycles` decides `{key}`"));
                 problems.refuse(issue.help("remove one of them").against("cycles"));
             }

@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::document::Document;
+use super::key::entry;
 use super::schema::schema_of;
 use super::{Format, Issue, ScenarioError, reader};
 
@@ -64,7 +65,7 @@ impl ToleranceFile {
             let mut earlier = input.column[..index].iter();
             if earlier.any(|other| other.name == column.name) {
                 let message = format!("column {:?} has a tolerance already", column.name);
-                let issue = Issue::new(format!("column[{index}].name"), message);
+                let issue = Issue::new(format!("{}.name", entry("column", index)), message);
                 problems.refuse(issue.help("keep one"));
             }
         }
@@ -77,7 +78,7 @@ impl ToleranceFile {
         let mut columns = self.input.column.iter();
         let index = columns.position(|named| named.name == column)?;
         let message = format!("no table has a column {column:?}");
-        let issue = Issue::new(format!("column[{index}].name"), message).help_nearest(
+        let issue = Issue::new(format!("{}.name", entry("column", index)), message).help_nearest(
             column,
             known.iter().map(String::as_str),
             &format!("there are: {}", known.join(", ")),

@@ -8,7 +8,7 @@ use crate::rotor::{RotorError, build_supports};
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Variable {
-    /// Path of its key in the scenario, for instance `load[0].constant.z`.
+    /// Path of its key in the scenario, for instance `load[1].constant.z`.
     pub key: String,
     /// Its SI unit; empty for a plain number.
     pub unit: &'static str,

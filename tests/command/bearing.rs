@@ -24,7 +24,7 @@ fn standing(folder: &TempDir, tables: &str) -> PathBuf {
 
 const THRUST: &str = "[[load]]\nconstant = { z = \"1000 N\" }\n";
 const STUDY: &str =
-    "[study]\nvary = \"load[0].constant.z\"\nvalues = [\"200 N\", \"1 kN\"]\npositions = 16\n";
+    "[study]\nvary = \"load[1].constant.z\"\nvalues = [\"200 N\", \"1 kN\"]\npositions = 16\n";
 
 #[test]
 fn the_answer_fits_the_terminal_and_names_what_is_asked() {
@@ -97,7 +97,7 @@ fn a_study_writes_its_tables_and_figures() {
     let file = standing(&folder, &format!("{THRUST}{STUDY}"));
     let output = bearing(std::slice::from_ref(&file), folder.path(), &[]);
     assert!(output.status.success(), "{}", text(&output.stderr));
-    assert!(text(&output.stdout).contains("load[0].constant.z in N: 2 values"));
+    assert!(text(&output.stdout).contains("load[1].constant.z in N: 2 values"));
     let written = folder.path().join("standing");
     let expected = [
         "around.csv",
@@ -110,7 +110,7 @@ fn a_study_writes_its_tables_and_figures() {
     ];
     assert_eq!(names(&written), expected);
     let study = fs::read_to_string(written.join("study.csv")).unwrap();
-    assert!(study.starts_with("load_0_constant_z_N,x_m,"));
+    assert!(study.starts_with("load_1_constant_z_N,x_m,"));
     assert_eq!(study.lines().count(), 3);
     let around = fs::read_to_string(written.join("around.csv")).unwrap();
     assert_eq!(around.lines().count(), 1 + 2 * 16);

@@ -202,7 +202,7 @@ fn a_pair_that_faces_the_same_way_is_told() {
         &output,
         &[
             "face the same way, +z",
-            "write facing = \"-z\" in `bearing[1]`",
+            "write facing = \"-z\" in `bearing[2]`",
         ],
     );
 }

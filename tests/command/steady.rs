@@ -166,10 +166,10 @@ fn exit_codes_tell_wrong_input_from_a_scene_without_a_steady_motion() {
         ("speed.constant", "100 rad/s", "100 rad/s", "the same value"),
         ("shaft.mass", "1 kg", "-1 kg", "`mass` must be at least"),
         (
-            "bearing[0].clearance_change",
+            "bearing[1].clearance_change",
             "0 um",
             "9 mm",
-            "with bearing[0].clearance_change",
+            "with bearing[1].clearance_change",
         ),
         ("time.duration", "1 s", "2 s", "no number `time.duration`"),
     ] {

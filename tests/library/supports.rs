@@ -245,7 +245,7 @@ fn a_preload_of_all_bearings_the_same_way_is_warned_of() {
         )
     };
     let line = "all 2 bearings face or are preloaded the same way, +z: none holds the shaft against the others, and a preload \
-                of theirs is not borne; write facing = \"-z\" in `bearing[1]`";
+                of theirs is not borne; write facing = \"-z\" in `bearing[2]`";
     assert!(
         warned(&text(""), line),
         "{:?}",

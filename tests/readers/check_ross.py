@@ -44,12 +44,12 @@ loaded = {}
 for bearing, paths in files.items():
     for path in paths:
         element = ross.BearingElement.load(path)
-        lines = [line for line in path.read_text().splitlines() if line.startswith("# bearing_0_preload_N = ")]
+        lines = [line for line in path.read_text().splitlines() if line.startswith("# bearing_1_preload_N = ")]
         preload = float(lines[0].split("=")[1])
         loaded[bearing, preload] = element
         rows = [
             row for row in table
-            if int(row["bearing"]) == bearing and float(runs[row["run"]]["bearing_0_preload_N"]) == preload
+            if int(row["bearing"]) == bearing and float(runs[row["run"]]["bearing_1_preload_N"]) == preload
         ]
         speeds = [float(row["speed_rad_s"]) for row in rows]
         assert speeds == list(element.frequency), path
@@ -80,7 +80,7 @@ for (bearing, preload), first in sorted(loaded.items(), key=lambda entry: entry[
     disk = ross.DiskElement(n=1, m=mass, Id=0.01, Ip=0.004)
     rotor = ross.Rotor(shaft, [disk], [first, second])
     for run in runs.values():
-        if float(run["bearing_0_preload_N"]) != preload:
+        if float(run["bearing_1_preload_N"]) != preload:
             continue
         speed = float(run["speed_constant_rad_s"])
         own = [float(run[f"natural_frequency_{k}_Hz"]) for k in range(1, 6)]

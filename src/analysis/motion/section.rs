@@ -22,7 +22,7 @@ const ON_THE_SPOT: f64 = 1e-9;
 pub enum SectionKind {
     /// Once a revolution of the shaft.
     Revolution,
-    /// Every time a ball of the first bearing passes where ball 0 began.
+    /// Every time a ball of the first bearing passes where its first ball began.
     BallPass,
 }
 

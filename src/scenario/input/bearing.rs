@@ -626,8 +626,8 @@ pub fn warn_where_unheld(bearings: &[MountedBearing], last: usize, problems: &mu
         ),
         count => {
             let turned = match last {
-                0 => "set arrangement = \"back-to-back\" in `bearing[0]`".to_owned(),
-                last => format!("write facing = \"{other}\" in `bearing[{last}]`"),
+                0 => "set arrangement = \"back-to-back\" in `bearing[1]`".to_owned(),
+                last => format!("write facing = \"{other}\" in `bearing[{}]`", last + 1),
             };
             let face = match bearings.iter().all(angular) {
                 true => "angular contact bearings face",

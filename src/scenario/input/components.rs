@@ -145,7 +145,7 @@ impl StaticInput {
                     format!("`{key}` has a load already: give its load or its displacement");
                 let issue = Issue::new(format!("static.displacement.{key}"), message);
                 let issue = issue.help("keep one of them");
-                problems.refuse(issue.against(format!("load[{index}].constant.{key}")));
+                problems.refuse(issue.against(format!("load[{}].constant.{key}", index + 1)));
             }
         }
         given

@@ -109,10 +109,10 @@ pub fn build(
     });
     flexible.discs = discs?;
     for (index, plane) in unbalances.iter().enumerate() {
-        let path = format!("unbalance[{index}].position");
+        let path = format!("unbalance[{}].position", index + 1);
         if problems.node(&path).is_none() {
             let message = "an unbalance of a shaft that bends needs a `position`";
-            let issue = Issue::new(format!("unbalance[{index}]"), message);
+            let issue = Issue::new(format!("unbalance[{}]", index + 1), message);
             problems.refuse(issue.help("it counts from the left end of the shaft"));
         }
         check_position(&flexible, &path, plane.position.si(), problems);

@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::settings::TimeInput;
 use crate::analysis::{Channel, Window};
 use crate::scenario::Issue;
+use crate::scenario::key::entry;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Frequency, Quantity, significant};
 use crate::simulate::{Analyses, MotionAnalysis, Sampling};
@@ -130,7 +131,7 @@ impl Output {
     /// Refuses formats that this build cannot write, and what is asked for twice.
     pub(super) fn check_written(&self, problems: &mut Problems<'_>) {
         for (index, format) in self.formats.iter().enumerate() {
-            let path = format!("output.formats[{index}]");
+            let path = entry("output.formats", index);
             if !format.is_built() {
                 let issue = Issue::new(path, "this `jeffcott` is built without Parquet");
                 let help = "take \"csv\" or \"mat\", or build it with `--features parquet`";
@@ -142,7 +143,7 @@ impl Output {
         let channels = self.channels.as_deref().unwrap_or_default();
         for (index, channel) in channels.iter().enumerate() {
             if channels[..index].contains(channel) {
-                let path = format!("output.channels[{index}]");
+                let path = entry("output.channels", index);
                 problems.refuse(twice(path, channel.name()));
             }
         }

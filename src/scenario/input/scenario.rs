@@ -26,6 +26,7 @@ use crate::rotor::{
     MOST_BEARINGS, MOST_HOUSINGS, RotorDefinition, Shaft,
 };
 use crate::scenario::node::Node;
+use crate::scenario::key::entry;
 use crate::scenario::problems::Problems;
 use crate::scenario::{Issue, catalogue_file};
 use crate::simulate::{Model, MotionAnalysis};
@@ -325,7 +326,7 @@ impl ScenarioInput {
             let Some(linear) = &bearing.linear else {
                 continue;
             };
-            let path = format!("bearing[{index}]");
+            let path = entry("bearing", index);
             let keys = problems.node(&path).map(Node::keys).unwrap_or_default();
             // a scenario that was written out, as a study does, names these
             let of_none = bearing.first_ball.si() == 0.0 && bearing.clearance_change.si() == 0.0;
@@ -363,7 +364,7 @@ impl ScenarioInput {
     ) {
         let mut mounted = bearings.iter();
         for (index, bearing) in self.bearing.iter().enumerate() {
-            let path = format!("bearing[{index}].position");
+            let path = format!("bearing[{}].position", index + 1);
             if bearing.linear.is_some() {
                 check_position(shaft, &path, bearing.position.si(), problems);
             }
@@ -374,7 +375,7 @@ impl ScenarioInput {
         }
         for (index, load) in self.load.iter().enumerate() {
             if let Some(position) = &load.position {
-                let path = format!("load[{index}].position");
+                let path = format!("load[{}].position", index + 1);
                 check_position(shaft, &path, position.si(), problems);
             }
         }
@@ -397,7 +398,7 @@ impl ScenarioInput {
         let shown = self.output.channels.iter().flatten();
         let shown = shown.map(|channel| ("output.channels".to_owned(), channel));
         let analysed = spectra.iter().enumerate().flat_map(|(index, request)| {
-            let path = format!("spectrum[{index}].channels");
+            let path = format!("spectrum[{}].channels", index + 1);
             request.channels.iter().map(move |one| (path.clone(), one))
         });
         for (path, channel) in shown.chain(analysed) {
@@ -461,7 +462,7 @@ impl ScenarioInput {
         let reach = FAR * diameters.fold(last - first, f64::max);
         let load = |(index, load): (usize, &LoadInput)| {
             let position = load.position.as_ref()?.si();
-            Some((format!("the load at `load[{index}].position`"), position))
+            Some((format!("the load at `load[{}].position`", index + 1), position))
         };
         let loads = self.load.iter().enumerate().filter_map(load);
         let centre = std::iter::once(("the centre of mass".to_owned(), 0.0));

@@ -12,6 +12,7 @@ use crate::analysis::{
 };
 use crate::rotor::{FREEDOMS, Freedoms};
 use crate::scenario::Issue;
+use crate::scenario::key::entry;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Frequency, Quantity, Time, si, significant};
 
@@ -97,7 +98,7 @@ pub fn build(
 ) -> Vec<SpectrumRequest> {
     let mut requests: Vec<SpectrumRequest> = Vec::new();
     for (index, input) in spectra.iter().enumerate() {
-        let request = problems.inside(format!("spectrum[{index}]"), |problems| {
+        let request = problems.inside(entry("spectrum", index), |problems| {
             let name = input.name();
             input.check_name(&name, &requests, problems);
             input.request(name, recorded, problems)
@@ -189,7 +190,7 @@ impl SpectrumInput {
                     .collect(),
                 None => {
                     let named: Vec<_> = every_channel().filter(|c| c.name() == word).collect();
-                    let path = format!(".channels[{index}]");
+                    let path = entry(".channels", index);
                     for channel in &named {
                         refuse_held(&path, *channel, freedoms, problems);
                     }

@@ -116,14 +116,14 @@ fn points(profile: &[PointInput]) -> Result<(f64, Vec<SpeedPoint>), Issue> {
     };
     if first.at.si() != 0.0 {
         let message = "the first point of `profile` must stand at 0 s";
-        return Err(Issue::new("speed.profile[0].at", message));
+        return Err(Issue::new("speed.profile[1].at", message));
     }
     for (index, pair) in profile.windows(2).enumerate() {
         let (before, time) = (pair[0].at.si(), pair[1].at.si());
         if time <= before {
             let message = format!("`at` must rise from point to point: {before} s stands before");
-            let issue = Issue::new(format!("speed.profile[{}].at", index + 1), message);
-            return Err(issue.against(format!("speed.profile[{index}].at")));
+            let issue = Issue::new(format!("speed.profile[{}].at", index + 2), message);
+            return Err(issue.against(format!("speed.profile[{}].at", index + 1)));
         }
     }
     let point = |point: &PointInput| SpeedPoint {

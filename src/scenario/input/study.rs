@@ -16,8 +16,8 @@ use crate::study::{Study, StudyPoint};
 #[serde(deny_unknown_fields)]
 #[schemars(extend("x-exactly-one" = ["values", "count"]))]
 pub struct StudyInput {
-    /// Path of the key that takes the values, for instance "load[0].constant.z",
-    /// "speed.constant" or "bearing[0].preload"; "bearing[*].preload", or a list of paths, changes several keys
+    /// Path of the key that takes the values, for instance "load[1].constant.z",
+    /// "speed.constant" or "bearing[1].preload"; "bearing[*].preload", or a list of paths, changes several keys
     /// together.
     #[schemars(extend("examples" = ["speed.constant"]))]
     pub vary: KeyPaths,
@@ -105,7 +105,7 @@ impl StudyInput {
     /// Path of the key that gives a value.
     fn place(&self, index: u64, count: u64) -> String {
         match (&self.values, index) {
-            (Some(_), _) => format!("study.values[{index}]"),
+            (Some(_), _) => format!("study.values[{}]", index + 1),
             (None, 0) => "study.from".to_owned(),
             (None, last) if last + 1 == count => "study.to".to_owned(),
             _ => "study.vary".to_owned(),

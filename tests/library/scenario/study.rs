@@ -20,7 +20,7 @@ fn values(tables: &str) -> Vec<f64> {
 
 #[test]
 fn each_row_is_the_answer_to_the_scenario_with_its_value() {
-    let list = "[study]\nvary = \"load[0].constant.z\"\nvalues = [\"200 N\", \"1 kN\"]\n";
+    let list = "[study]\nvary = \"load[1].constant.z\"\nvalues = [\"200 N\", \"1 kN\"]\n";
     let rows = read("400 N", list).study.unwrap().run().unwrap();
     for (row, thrust) in rows.iter().zip(["200 N", "1 kN"]) {
         let alone = quasi_static(&read(thrust, "").question).unwrap();
@@ -31,7 +31,7 @@ fn each_row_is_the_answer_to_the_scenario_with_its_value() {
 #[test]
 fn evenly_spaced_values_have_the_given_ends() {
     let range =
-        "[study]\nvary = \"load[0].constant.z\"\nfrom = \"0.2 kN\"\nto = \"1 kN\"\ncount = 5\n";
+        "[study]\nvary = \"load[1].constant.z\"\nfrom = \"0.2 kN\"\nto = \"1 kN\"\ncount = 5\n";
     assert_eq!(values(range), [200.0, 400.0, 600.0, 800.0, 1000.0]);
     let down =
         "[study]\nvary = \"speed.constant\"\nfrom = \"60 rpm\"\nto = \"0 rad/s\"\ncount = 2\n";
@@ -42,9 +42,9 @@ fn evenly_spaced_values_have_the_given_ends() {
 fn any_number_varies_also_one_that_is_not_written() {
     for (key, list) in [
         ("shaft.eccentricity", "[\"1 um\", \"10 um\"]"),
-        ("bearing[0].preload", "[\"100 N\"]"),
-        ("bearing[0].geometry.balls", "[10, 12]"),
-        ("bearing[0].geometry.groove_factor_inner", "[0.515, 0.53]"),
+        ("bearing[1].preload", "[\"100 N\"]"),
+        ("bearing[1].geometry.balls", "[10, 12]"),
+        ("bearing[1].geometry.groove_factor_inner", "[0.515, 0.53]"),
         ("static.displacement.x", "[\"1 um\"]"),
     ] {
         let table = format!("[study]\nvary = \"{key}\"\nvalues = {list}\n");
@@ -86,7 +86,7 @@ fn positions_are_even_and_start_on_x() {
 
 #[test]
 fn the_echo_of_a_study_is_the_same_study() {
-    let list = "[study]\nvary = \"bearing[0].preload\"\nvalues = [\"10 N\", \"20 N\"]\n";
+    let list = "[study]\nvary = \"bearing[1].preload\"\nvalues = [\"10 N\", \"20 N\"]\n";
     let original = read("1 kN", list);
     let echo = original.echo.to_string();
     let again = scenario::parse(&echo, "study.json", Format::Json).unwrap();
@@ -95,11 +95,11 @@ fn the_echo_of_a_study_is_the_same_study() {
 
 #[test]
 fn a_value_without_an_answer_is_named() {
-    let list = "[study]\nvary = \"load[0].constant.z\"\nvalues = [\"1 kN\", \"500 MN\"]\n";
+    let list = "[study]\nvary = \"load[1].constant.z\"\nvalues = [\"1 kN\", \"500 MN\"]\n";
     let error = read("1 kN", list).study.unwrap().run().unwrap_err();
     let message = error.to_string();
     assert!(
-        message.starts_with("load[0].constant.z = 500000 kN: no static equilibrium"),
+        message.starts_with("load[1].constant.z = 500000 kN: no static equilibrium"),
         "{message}"
     );
 }
