@@ -39,7 +39,7 @@ first = table["bearing"] == 1
 print(table.to_pandas()[first].iloc[:, :6])
 
 # %% [markdown]
-# And a file a bearing and preload. In ROSS: `ross.BearingElement.load("output/stiffness/ross_bearing_1_1.toml")`.
+# And a file a bearing and preload, for ROSS 3; ROSS 2 calls `frequency` what is `speed` in it. In ROSS: `ross.BearingElement.load("output/stiffness/ross_bearing_1_1.toml")`.
 
 # %%
 files = sorted(study.folder.glob("ross_bearing_*.toml"))

@@ -1,8 +1,8 @@
 """Compares shafts that bend with ROSS: natural frequencies, a run-up, and the time that a simulated second takes.
 
-Part of `.ci/run` where ROSS can be installed, and by hand. Needs ROSS 2:
+Part of `.ci/run` where ROSS can be installed, and by hand. Runs with ROSS 2 and 3:
 
-    pip install ross-rotordynamics 'plotly<7'
+    pip install ross-rotordynamics
     python3 tests/readers/check_flexible.py target/release/jeffcott
 
 Without ROSS it says so and ends well. The mesh is ROSS's in both: its M, K and G go into a file for `[shaft] matrices`.

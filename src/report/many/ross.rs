@@ -30,7 +30,8 @@ struct Table {
 /// Names and contents of the files of a grid, by the table `stiffness.csv`: a file a bearing and a place of
 /// all axes but the speed, numbered where there is more than one.
 ///
-/// Read by `BearingElement.load` of ROSS 2: TOML, frequencies in rad/s, SI units.
+/// Read by `BearingElement.load` of ROSS 3: TOML, speeds of the rotor in rad/s, SI units. ROSS 2 calls them `frequency`, which in
+/// ROSS 3 is the frequency of whirl.
 pub(super) fn ross_files(
     title: &str,
     identity: &Value,
@@ -104,7 +105,8 @@ impl Table {
         let mut text = format!(
             "# jeffcott {}: {title}\n\
              # For ROSS: ross.BearingElement.load(FILE); n is the node, to be set to that of the rotor.\n\
-             # Units: frequency in rad/s, k in N/m, c in N s/m. x and y across the shaft, z along it.\n\
+             # For ROSS 3; ROSS 2 reads it with `frequency` in place of `speed`.\n\
+             # Units: speed in rad/s, k in N/m, c in N s/m. x and y across the shaft, z along it.\n\
              # k: bearing {bearing} at the static equilibrium, tilts left out. c: what damps the shaft, in\n\
              # proportion to the stiffness of its bearings.\n",
             env!("CARGO_PKG_VERSION")
@@ -118,7 +120,7 @@ impl Table {
             "[BearingElement_bearing_{bearing}]\nn = 0\ntag = \"bearing_{bearing}\""
         );
         let speeds: Vec<f64> = self.rows.iter().map(|row| row.0).collect();
-        let _ = writeln!(text, "frequency = {speeds:?}");
+        let _ = writeln!(text, "speed = {speeds:?}");
         for (offset, letter) in [(0, 'k'), (ENTRIES, 'c')] {
             for (place, (entry, _)) in BearingStiffness::ENTRIES.iter().enumerate() {
                 let column = self.rows.iter().map(|row| row.1[offset + place]);
