@@ -496,7 +496,10 @@ mod tests {
         assert!(refused.message.contains("cannot have one value"));
         assert!(found(&["bearing[7].preload"]).is_err());
         let zeroth = found(&["bearing[0].preload"]).unwrap_err();
-        assert_eq!(zeroth.help.as_deref(), Some("the entries of a list are counted from 1"));
+        assert_eq!(
+            zeroth.help.as_deref(),
+            Some("the entries of a list are counted from 1")
+        );
         let second = found(&["bearing[2].preload"]).unwrap();
         assert_eq!(both.shared_with(&second), Some("bearing[2].preload"));
         second.set(&mut scenario, &"7 N".into());

@@ -99,9 +99,8 @@ impl<'a> Problems<'a> {
         inputs: &[I],
         mut build: impl FnMut(&I, &mut Self) -> Option<T>,
     ) -> Option<Vec<T>> {
-        let build = |(index, input)| {
-            self.inside(entry(key, index), |problems| build(input, problems))
-        };
+        let build =
+            |(index, input)| self.inside(entry(key, index), |problems| build(input, problems));
         let built: Vec<_> = inputs.iter().enumerate().map(build).collect();
         built.into_iter().collect()
     }

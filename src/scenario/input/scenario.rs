@@ -25,8 +25,8 @@ use crate::rotor::{
     Disc, Drive, FlexibleShaft, Freedoms, InitialState, LinearBearing, Load, LoadKind,
     MOST_BEARINGS, MOST_HOUSINGS, RotorDefinition, Shaft,
 };
-use crate::scenario::node::Node;
 use crate::scenario::key::entry;
+use crate::scenario::node::Node;
 use crate::scenario::problems::Problems;
 use crate::scenario::{Issue, catalogue_file};
 use crate::simulate::{Model, MotionAnalysis};
@@ -462,7 +462,10 @@ impl ScenarioInput {
         let reach = FAR * diameters.fold(last - first, f64::max);
         let load = |(index, load): (usize, &LoadInput)| {
             let position = load.position.as_ref()?.si();
-            Some((format!("the load at `load[{}].position`", index + 1), position))
+            Some((
+                format!("the load at `load[{}].position`", index + 1),
+                position,
+            ))
         };
         let loads = self.load.iter().enumerate().filter_map(load);
         let centre = std::iter::once(("the centre of mass".to_owned(), 0.0));
