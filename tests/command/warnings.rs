@@ -156,11 +156,11 @@ fn check_refuses_what_no_verb_can_answer() {
 #[test]
 fn a_study_of_many_values_warns_once_of_the_file() {
     let out = TempDir::new().expect("a folder");
-    let study = "[study]\nvary = \"load[0].constant.z\"\nvalues = [\"-100 N\", \"500 N\"]\n";
+    let study = "[study]\nvary = \"load[1].constant.z\"\nvalues = [\"-100 N\", \"500 N\"]\n";
     let file = out.path().join("varied.toml");
     fs::write(&file, fs::read_to_string(warned()).unwrap() + study).expect("a file");
     let [settle, machine] = OF_THE_FILE;
-    let wrong_way = "load[0].constant.z = -100 N: bearing 1: loaded the wrong way";
+    let wrong_way = "load[1].constant.z = -100 N: bearing 1: loaded the wrong way";
     says_alike(
         "bearing",
         &[],
@@ -177,7 +177,7 @@ fn the_runs_of_a_study_have_the_warnings_of_the_base() {
     let base = warned();
     let study = |set: &str| {
         format!(
-            "title = \"s\"\nbase = \"{}\"\n{set}[[axis]]\nkey = \"load[0].constant.z\"\nvalues = [\"900 N\", \"1000 N\"]\n",
+            "title = \"s\"\nbase = \"{}\"\n{set}[[axis]]\nkey = \"load[1].constant.z\"\nvalues = [\"900 N\", \"1000 N\"]\n",
             base.display()
         )
     };

@@ -528,7 +528,7 @@ impl ScenarioInput {
         for (what, _, help) in found.into_iter().filter(|(_, given, _)| *given) {
             let message =
                 format!("the outer ring turns and the shaft stands, but the scene has {what}");
-            let key = format!("bearing[{index}].rotating_ring");
+            let key = format!("bearing[{}].rotating_ring", index + 1);
             problems.refuse(Issue::new(key, message).help(help));
         }
     }

@@ -148,17 +148,17 @@ fn what_nobody_wrote_is_not_complained_of() {
     );
     let found = messages(&text);
     assert_eq!(found.len(), 1, "{found:?}");
-    assert_eq!(found[0].0, "bearing[1].oil.iso_vg");
+    assert_eq!(found[0].0, "bearing[2].oil.iso_vg");
     for (wrong, key) in [
         (
             ["iso_vg = 68", "iso_vg = \"VG 68\""],
-            "bearing[1].oil.iso_vg",
+            "bearing[2].oil.iso_vg",
         ),
-        (["iso_vg = 68", "iso_vgg = 68"], "bearing[1].oil.iso_vgg"),
+        (["iso_vg = 68", "iso_vgg = 68"], "bearing[2].oil.iso_vgg"),
         (["1480 rpm", "1480 U/min"], "speed.constant"),
         (["1480 rpm", "1480"], "speed.constant"),
         (["constant =", "constnt ="], "speed.constnt"),
-        (["70 degC", "70 C"], "bearing[1].oil.temperature"),
+        (["70 degC", "70 C"], "bearing[2].oil.temperature"),
     ] {
         let found = messages(&MACHINE.replace(wrong[0], wrong[1]));
         assert_eq!(found.len(), 1, "{wrong:?}: {found:?}");
