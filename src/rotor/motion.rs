@@ -142,20 +142,22 @@ impl Rotor {
 
     /// Place of all coordinates where some have no mass and follow, else that of the degrees of freedom.
     pub(super) fn place_of_all<'a>(&self, dofs: &'a [f64]) -> Cow<'a, [f64]> {
-        self.of_all(dofs, &self.rest)
+        self.of_all(dofs, Some(&self.rest))
     }
 
     /// Rates likewise.
     pub(super) fn rate_of_all<'a>(&self, rates: &'a [f64]) -> Cow<'a, [f64]> {
-        self.of_all(rates, &vec![0.0; self.rest.len()])
+        self.of_all(rates, None)
     }
 
-    fn of_all<'a>(&self, dofs: &'a [f64], rest: &[f64]) -> Cow<'a, [f64]> {
+    /// Values of all coordinates by those of the degrees of freedom, about `rest` or zero.
+    fn of_all<'a>(&self, dofs: &'a [f64], rest: Option<&[f64]>) -> Cow<'a, [f64]> {
         let followers = &self.structure.followers;
         if followers.is_empty() {
             return Cow::Borrowed(dofs);
         }
-        let moved = dofs.iter().zip(rest).map(|(own, rest)| own - rest);
+        let rest = rest.map_or_else(|| Cow::Owned(vec![0.0; self.rest.len()]), Cow::Borrowed);
+        let moved = dofs.iter().zip(rest.iter()).map(|(own, rest)| own - rest);
         let moved = followers * DVector::from_iterator(dofs.len(), moved);
         let first = rest.len() - followers.nrows();
         let mut all = [dofs, &rest[dofs.len()..]].concat();

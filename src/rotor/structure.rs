@@ -287,9 +287,12 @@ impl Structure {
         }
     }
 
-    /// The same with the degrees of freedom that have no mass behind all others, and how many these are.
+    /// The same with the degrees of freedom of a shaft that bends that have no mass behind all others, and how many these
+    /// are.
     fn with_massless_last(mut self) -> (Self, usize) {
-        let massless = |index: &usize| *index < self.dofs && self.mass[(*index, *index)] == 0.0;
+        let bends = self.bending.is_some();
+        let massless =
+            |index: &usize| bends && *index < self.dofs && self.mass[(*index, *index)] == 0.0;
         let (last, first): (Vec<_>, Vec<_>) = (0..self.coordinates.len()).partition(massless);
         if last.is_empty() {
             return (self, 0);

@@ -30,7 +30,8 @@ pub enum SteadyError {
     /// More than two independent frequencies.
     #[error(
         "the forcing has {} independent frequencies ({}), and motions of more than two are not found \
-         directly: use `jeffcott run`, or leave one out",
+         directly: use `jeffcott run`, leave one out, or set cage = \"rolling\" in [model] where bearings of one kind differ by \
+         the angles of their loaded balls",
         frequencies.len(), hertz(frequencies)
     )]
     Frequencies {

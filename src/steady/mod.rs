@@ -32,7 +32,7 @@ use search::{Found, find, found_from, subharmonic};
 use crate::analysis::Channel;
 use crate::integrate::Counters;
 use crate::keys;
-use crate::rotor::{Rotor, Sample, check_constraints};
+use crate::rotor::{CageMotion, Rotor, Sample, check_constraints};
 use crate::shooting::{Circle, ReturnMap};
 pub use crate::shooting::{Multipliers, SpecialKind, Stability};
 use crate::simulate::{Model, Reduction, StaticState, of_speed};
@@ -161,7 +161,14 @@ pub fn steady(question: &SteadyQuestion<'_>) -> Result<Steady, SteadyError> {
     let model = question.model;
     let mut rotor = Rotor::assemble(&model.rotor)?;
     let unconstrained = check_constraints(&model.rotor, &rotor)?;
-    let periods = Periods::new(&rotor, question.multiple.unwrap_or(1))?;
+    let periods = match Periods::new(&rotor, question.multiple.unwrap_or(1)) {
+        Err(error @ SteadyError::Frequencies { .. })
+            if model.rotor.cage == CageMotion::Operating =>
+        {
+            return with_rolling_cages(question, error);
+        }
+        periods => periods?,
+    };
     if periods.is_torus() && periods.multiple > 1 {
         return Err(SteadyError::NoPeriod {
             frequencies: periods.frequencies(),
@@ -175,6 +182,30 @@ pub fn steady(question: &SteadyQuestion<'_>) -> Result<Steady, SteadyError> {
     let further = unconstrained.into_iter().chain(answer.warnings);
     answer.warnings = model.rotor.warnings_with(further);
     Ok(answer)
+}
+
+/// The motion with cages that roll at the free contact angle, at which bearings of one kind have one ball-pass frequency;
+/// `refusal` where that does not help.
+fn with_rolling_cages(
+    question: &SteadyQuestion<'_>,
+    refusal: SteadyError,
+) -> Result<Steady, SteadyError> {
+    let mut model = question.model.clone();
+    model.rotor.cage = CageMotion::Rolling;
+    let rolling = SteadyQuestion {
+        model: &model,
+        ..*question
+    };
+    let mut steady = match steady(&rolling) {
+        Err(SteadyError::Frequencies { .. }) => return Err(refusal),
+        found => found?,
+    };
+    steady.warnings.push(
+        "the cages of the bearings roll at different angles of their loaded balls, and with them the forcing has more than two \
+         independent frequencies: here they roll at the free contact angle, as with cage = \"rolling\" in [model]"
+            .to_owned(),
+    );
+    Ok(steady)
 }
 
 fn answer(

@@ -489,12 +489,12 @@ fn a_massless_shaft_runs_on_ball_bearings() {
     );
 
     let pushed = Scene::new(&text(
-        "[[load]]\nconstant = { y = \"-10 N\" }\nposition = \"100 mm\"\n",
+        "[[load]]\nharmonic = { amplitude = { y = \"10 N\" }, frequency = \"40 Hz\" }\nposition = \"100 mm\"\n",
     ));
     let output = jeffcott_in(pushed.0.path(), &["run", "shaft.toml", "--out", "out"]);
     assert_eq!(output.status.code(), Some(1), "{}", told(&output));
     assert!(
-        told(&output).contains("at 0.1 m, where the shaft has no mass"),
+        told(&output).contains("of the shaft at 100.0 mm have no mass"),
         "{}",
         told(&output)
     );

@@ -318,25 +318,14 @@ fn bearings_are_written_as_ross_reads_them() {
     for (bearing, place) in (1..=2).flat_map(|bearing| (1..=5).map(move |place| (bearing, place))) {
         let name = format!("ross_bearing_{bearing}_{place}.toml");
         let text = fs::read_to_string(folder.join(&name)).expect("a file of ROSS");
-        assert!(text.contains("frequency in rad/s, k in N/m"), "{text}");
+        assert!(text.contains("speed in rad/s, k in N/m"), "{text}");
         let tables: toml::Table = text.parse().expect("TOML");
         assert_eq!(tables.len(), 1, "{name}");
         let element = tables[&format!("BearingElement_bearing_{bearing}")]
             .as_table()
             .expect("a table");
         let known = [
-            "n",
-            "tag",
-            "frequency",
-            "kxx",
-            "kxy",
-            "kyx",
-            "kyy",
-            "kzz",
-            "cxx",
-            "cxy",
-            "cyx",
-            "cyy",
+            "n", "tag", "speed", "kxx", "kxy", "kyx", "kyy", "kzz", "cxx", "cxy", "cyx", "cyy",
             "czz",
         ];
         let mut keys: Vec<_> = element.keys().map(String::as_str).collect();
@@ -351,10 +340,7 @@ fn bearings_are_written_as_ross_reads_them() {
                 .map(|value| value.as_float().expect("a float"));
             numbers.collect()
         };
-        assert_eq!(
-            list("frequency"),
-            [100.0, 400.0, 700.0, 1000.0, 1300.0, 1600.0]
-        );
+        assert_eq!(list("speed"), [100.0, 400.0, 700.0, 1000.0, 1300.0, 1600.0]);
         let rows = (0..6).map(|speed| 12 * (place - 1) + 2 * speed + bearing - 1);
         let expected: Vec<_> = rows.map(|row| both[row]).collect();
         assert_eq!(list("kxx"), expected, "{name}");

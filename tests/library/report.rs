@@ -160,6 +160,7 @@ fn run() -> Run {
             nominal: pass,
         }],
         natural: vec![natural],
+        unbalanced: true,
         ..Sources::default()
     });
     let Analysis { spectrum, peaks } = recording

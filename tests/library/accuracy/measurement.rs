@@ -118,7 +118,7 @@ fn the_top_rung_has_all_that_the_file_gives() {
     let scene = scene.replace("0.03 s", "0.024 s");
     let accuracy = measure(&read(&scene), &one("dopri5"), &[1e-4]);
     let top = accuracy.ladder.top.unwrap();
-    assert_eq!(top.to_string(), "jones + film, rolling, translational");
+    assert_eq!(top.to_string(), "jones + film, operating, translational");
     let written: Vec<_> = accuracy
         .ladder
         .rows

@@ -133,9 +133,10 @@ fn stated_and_true(text: &str) -> (Run, [f64; 2]) {
 #[track_caller]
 fn assert_stated(text: &str) -> Run {
     let (run, [stated, truth]) = stated_and_true(text);
-    let ratio = stated / truth;
+    // far below the tolerance round-off decides which of the passes is the nearer one
+    let negligible = 0.1 * model(text).integrator.tolerance;
     assert!(
-        (1.0 / 3.0..3.0).contains(&ratio),
+        truth < 3.0 * stated && (stated < 3.0 * truth || stated < negligible),
         "{stated:e} stated, {truth:e} true"
     );
     run

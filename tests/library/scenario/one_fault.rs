@@ -38,7 +38,7 @@ fn leaves(value: &Value, path: &str, found: &mut Vec<String>) {
 fn key_path(pointer: &str) -> String {
     let parts = pointer.split('/').skip(1);
     parts.fold(String::new(), |path, part| match part.parse::<usize>() {
-        Ok(index) => format!("{path}[{index}]"),
+        Ok(index) => format!("{path}[{}]", index + 1),
         Err(_) if path.is_empty() => part.to_owned(),
         Err(_) => format!("{path}.{part}"),
     })
@@ -155,7 +155,7 @@ fn what_nobody_wrote_is_not_complained_of() {
             "bearing[2].oil.iso_vg",
         ),
         (["iso_vg = 68", "iso_vgg = 68"], "bearing[2].oil.iso_vgg"),
-        (["1480 rpm", "1480 U/min"], "speed.constant"),
+        (["1480 rpm", "1480 furlong"], "speed.constant"),
         (["1480 rpm", "1480"], "speed.constant"),
         (["constant =", "constnt ="], "speed.constnt"),
         (["70 degC", "70 C"], "bearing[2].oil.temperature"),
