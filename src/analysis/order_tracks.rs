@@ -89,7 +89,7 @@ impl OrderTracks {
         let channels = 0..self.channels.len();
         let loudest: Vec<f64> = channels.map(|channel| self.loudest(channel)).collect();
         for (order, bias) in self.bias.iter_mut().enumerate() {
-            for channel in 0..self.channels.len() {
+            for (channel, loudest) in loudest.iter().enumerate() {
                 let points = self.points.iter();
                 let found: Vec<_> = points
                     .map(|point| complex(&point.tracks[channel][order]))
@@ -105,7 +105,7 @@ impl OrderTracks {
                         largest = (track.amplitude, second[index].norm() / track.amplitude);
                     }
                 }
-                if largest.0 > LOUD * loudest[channel] {
+                if largest.0 > LOUD * loudest {
                     *bias = bias.max(largest.1);
                 }
             }

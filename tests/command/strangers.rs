@@ -119,7 +119,7 @@ fn what_commands_a_terminal_is_shown() {
     let files = [".toml", "-wrong.toml"].map(|end| format!("{name}{end}"));
     let wrong = loaded_7205c("", "").replace("duration", "\u{7f}dura\u{1b}[2Jtion");
     let column = format!("t_s,x{name}\n0,1\n1,2\n");
-    let own = format!("designation,\u{1b}[2J\u{202e}\n1,2\n");
+    let own = "designation,\u{1b}[2J\u{202e}\n1,2\n";
     let folder = folder_with(&[
         (&files[0], &loaded_7205c("", "")),
         (&files[1], &wrong),
