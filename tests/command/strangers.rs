@@ -125,7 +125,7 @@ fn what_commands_a_terminal_is_shown() {
         (&files[1], &wrong),
         ("a.csv", &column),
         ("b.csv", TRACE),
-        ("own.csv", &own),
+        ("own.csv", own),
     ]);
     let all: [&[&str]; 7] = [
         &["check", &files[0], &files[1]],
