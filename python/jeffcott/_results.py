@@ -126,7 +126,8 @@ class _KeptRun(_Kept):
     def column(self, name: str) -> Array:
         if name not in self._columns:
             raise KeyError(f"no column is called {name!r}; the columns are {', '.join(self._columns)}")
-        return self._columns[name]
+        column: Array = self._columns[name]
+        return column
 
     def estimated(self, asked: Any) -> Sequence[tuple[str, Any]]:
         # the same run again, to the last digit

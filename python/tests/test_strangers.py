@@ -42,10 +42,10 @@ def test_points_periods_threads_and_parts(scenarios: Path, tmp_path: Path) -> No
 
 def test_text_that_is_none_and_what_is_too_deep(scenarios: Path) -> None:
     scenario = short(scenarios)
-    half = "\\ud800"
+    half = "\ud800"
     asked = [
         lambda: jc.Scenario({"title": half}),
-        lambda: jc.Scenario(f"title = '{half}'\\n"),
+        lambda: jc.Scenario(f"title = '{half}'\n"),
         lambda: scenario.with_({"title": half}),
         lambda: scenario.with_({half: "1 N"}),
         lambda: scenario.campbell(half),
@@ -72,7 +72,9 @@ def test_text_that_is_none_and_what_is_too_deep(scenarios: Path) -> None:
 def assert_same(first: jc.Result, second: jc.Result) -> None:
     assert type(first) is type(second)
     assert first.summary == second.summary
-    assert first.warnings == second.warnings and first.error == second.error and str(first) == str(second)
+    assert first.warnings == second.warnings and repr(first.error) == repr(second.error)
+    # a copy of a study has its files in a folder of its own
+    assert str(first).rsplit(";", 1)[0] == str(second).rsplit(";", 1)[0]
     assert first.tables == second.tables and first.figures == second.figures
     for name in first.tables:
         for column, values in first.table(name).items():
