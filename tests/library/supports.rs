@@ -236,6 +236,29 @@ fn undamped_is_warned_of_where_a_mode_is_undamped() {
     assert!(!warned(WITHOUT_Z, "does not decay"));
 }
 
+/// Bearings of constant stiffness span the shaft as ball bearings do.
+#[test]
+fn far_positions_are_judged_by_all_bearings() {
+    let text = |position: &str| {
+        let bearing = |position: &str| {
+            format!(
+                "[[bearing]]\nposition = \"{position}\"\nlinear = {{ stiffness = {{ x = \"1e7 N/m\", y = \"1e7 N/m\" }} }}\n"
+            )
+        };
+        format!(
+            "[shaft]\nmass = \"5 kg\"\nfreedoms = \"lateral\"\ninertia_transverse = \"0.1 kg m^2\"\n\
+             inertia_polar = \"0.05 kg m^2\"\n{}{}[speed]\nconstant = \"1500 rpm\"\n[time]\nduration = \"0.4 s\"\n",
+            bearing(position),
+            bearing("100 mm"),
+        )
+    };
+    assert!(!warned(&text("-100 mm"), "outside the bearings"));
+    assert!(warned(
+        &text("99 mm"),
+        "stands 99.0 mm outside the bearings, which span 1.0 mm"
+    ));
+}
+
 /// Two 6308 that are pressed the same way move off by 140.6 µm until nothing presses.
 #[test]
 fn a_preload_of_all_bearings_the_same_way_is_warned_of() {

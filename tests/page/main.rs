@@ -32,6 +32,7 @@ fn shown(name: &str, file: &Path, more: &[&str]) -> (Output, Shown) {
     let stem = file.file_stem().expect("a stem");
     let page = match name {
         "run" | "study" => "report.html".to_owned(),
+        "steady" if more.contains(&"--over") => "response.html".to_owned(),
         // with a [study] bearing answers as study.json
         other => format!("{other}.html"),
     };

@@ -454,7 +454,10 @@ impl ScenarioInput {
 
     /// Warns where the centre of mass or a load stands far outside the bearings: most often a unit mistaken.
     fn warn_of_far_positions(&self, bearings: &[MountedBearing], problems: &mut Problems<'_>) {
+        let linear = self.bearing.iter().filter(|own| own.linear.is_some());
+        let linear = linear.map(|own| own.position.si());
         let positions = bearings.iter().map(|bearing| bearing.position);
+        let positions = positions.chain(linear);
         let first = positions.clone().fold(f64::INFINITY, f64::min);
         let last = positions.fold(f64::NEG_INFINITY, f64::max);
         let diameters = bearings.iter();
@@ -471,7 +474,7 @@ impl ScenarioInput {
         let centre = std::iter::once(("the centre of mass".to_owned(), 0.0));
         for (what, position) in centre.chain(loads) {
             let outside = (first - position).max(position - last);
-            if outside > reach {
+            if outside > reach && reach > 0.0 {
                 problems.warn(format!(
                     "{what} stands {:.1} mm outside the bearings, which span {:.1} mm: look at the units of \
                      the positions",
@@ -482,7 +485,6 @@ impl ScenarioInput {
         }
     }
 
-    /// Refuses a race control that no bearing's law knows.
     /// Refuses what turns with a shaft that stands while the outer rings of its bearings turn.
     fn check_standing_shaft(&self, rotor: &RotorDefinition, problems: &mut Problems<'_>) {
         let balls = || {
@@ -533,6 +535,7 @@ impl ScenarioInput {
         }
     }
 
+    /// Refuses a race control that no bearing's law knows.
     fn check_race_control(&self, problems: &mut Problems<'_>) {
         let mut contacts = self.bearing.iter().map(|each| each.contact(&self.model));
         let control = self.model.race_control;
