@@ -187,7 +187,9 @@ fn every_verb_has_a_page_without_complaints() {
 /// Opened at both widths a page complains of nothing and needs no scrolling sideways.
 fn looks_well(shown: &Shown, name: &Path) {
     let frames = shown.page.with_file_name("frames.html");
-    fs::write(&frames, FRAMES).expect("a written file");
+    let page = shown.page.file_name().and_then(|name| name.to_str());
+    let text = FRAMES.replace("report.html", page.expect("a name"));
+    fs::write(&frames, text).expect("a written file");
     let Some((document, told)) = shown.opened(&frames, &[]) else {
         eprintln!("skipped: no Chromium is installed");
         return;
