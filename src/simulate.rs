@@ -4,7 +4,6 @@ mod energy_audit;
 mod model;
 mod observation;
 mod observers;
-mod part;
 pub(crate) mod passes;
 mod recorders;
 mod run;
@@ -16,8 +15,6 @@ mod tables;
 mod warnings;
 mod watch;
 
-use std::sync::atomic::Ordering;
-
 pub use energy_audit::EnergyReport;
 pub use model::Model;
 pub(crate) use model::{Analyses, MotionAnalysis, Sampling};
@@ -25,7 +22,6 @@ pub use observation::{BearingHistory, Event, EventCount, EventKind};
 pub(crate) use observation::{BeyondContact, PeakWatch, Spread};
 #[cfg(test)]
 pub(crate) use observation::{ConsumedLife, LifeHistory, LoadZone};
-pub(crate) use part::{Earlier, Part, Standing, StateKeeper, StateSource};
 pub(crate) use passes::{BareRun, Recorded, reference_settings};
 pub use recorders::Maps;
 pub(crate) use run::LAST_BALLS;
@@ -41,7 +37,7 @@ pub(crate) use warnings::{of_speed, speed_warnings};
 pub use watch::{Monitor, SimulateError, TraceSink};
 
 pub use crate::integrate::{Counters, IntegrateError};
-use crate::integrate::{SEGMENT, States, System};
+use crate::integrate::{Pace, SEGMENT, States, System};
 pub use crate::rotor::{BallContacts, NaturalFrequency, RotorError, Sample, Whirl};
 use crate::rotor::{Rotor, check_constraints};
 use observers::Observers;
@@ -60,7 +56,7 @@ pub fn simulate(
     sink: &mut dyn TraceSink,
     monitor: &mut Monitor<'_>,
 ) -> Result<Run, SimulateError> {
-    simulate_part(model, sink, monitor, &mut Part::default())
+    simulate_watched(model, sink, monitor, [None; 2])
 }
 
 /// Modes in each plane of the reduction that measures the error of one with so many: twice as many, and at least four
@@ -69,17 +65,15 @@ pub(crate) fn finer_modes(modes: usize) -> usize {
     modes + modes.max(4)
 }
 
-/// As [`simulate`], but from where an earlier part of the run stopped, and up to where this one is
-/// to stop; the sink takes all samples from the first on.
+/// As [`simulate`]; the two passes note in `paces` how they get on.
 ///
 /// # Errors
-/// [`SimulateError`], and among them [`SimulateError::Stopped`] at the end of the part;
-/// `part.standing` then says what it takes to go on.
-pub(crate) fn simulate_part(
+/// [`SimulateError`] as there.
+pub(crate) fn simulate_watched(
     model: &Model,
     sink: &mut dyn TraceSink,
     monitor: &mut Monitor<'_>,
-    part: &mut Part<'_>,
+    paces: [Option<&Pace>; 2],
 ) -> Result<Run, SimulateError> {
     let mut rotor = Rotor::assemble(&model.rotor)?;
     let tables = TableAudit::new(if model.table {
@@ -93,21 +87,14 @@ pub(crate) fn simulate_part(
     let unconstrained = check_constraints(&model.rotor, &rotor)?;
     let grid = sampling::grid(model, &rotor)?;
     let finer = finer_rotor(model, &rotor)?;
-    let scale = match &part.earlier {
-        Some(earlier) => earlier.standing.scale,
-        None => passes::motion_scale(model, &rotor),
-    };
+    let scale = passes::motion_scale(model, &rotor);
     let watch = Watch {
         stop: monitor.stop,
-        paces: part.paces,
+        paces,
     };
     let mut passes = Passes::start(model, (&rotor, finer.as_ref()), grid, watch, scale);
     let mut observers = Observers::new(model, &rotor, grid, sink, tables);
-    if let Some(earlier) = &part.earlier {
-        passes.go_on_from(&earlier.standing)?;
-    }
-    replay(&mut passes, &mut observers, monitor, part)?;
-    integrate(&mut passes, &mut observers, monitor, part)?;
+    integrate(&mut passes, &mut observers, monitor)?;
     let mut warnings = unconstrained;
     warnings.extend(observers.observation.peak_warnings(&rotor)?);
     Ok(answer(model, &passes, observers, warnings))
@@ -125,57 +112,29 @@ pub(crate) fn finer_rotor(model: &Model, rotor: &Rotor) -> Result<Option<Rotor>,
     Ok(Some(finer))
 }
 
-/// Shows the observers what an earlier part of the run has integrated.
-fn replay(
-    passes: &mut Passes<'_>,
-    observers: &mut Observers<'_>,
-    monitor: &mut Monitor<'_>,
-    part: &mut Part<'_>,
-) -> Result<(), SimulateError> {
-    let mut states = States::new(passes.rotor.states());
-    let mut replayed = 0;
-    while replayed < passes.main.done() {
-        if monitor.stop.load(Ordering::Relaxed) {
-            let time = passes.grid.time(replayed);
-            return Err(IntegrateError::Interrupted { time }.into());
-        }
-        part.replay(replayed, BLOCK, &mut states)?;
-        passes.record(replayed, &states);
-        observers.take(passes.rotor, replayed, &states)?;
-        replayed += states.len() as u64;
-        (monitor.progress)(replayed as f64 / passes.grid.count as f64);
-    }
-    Ok(())
-}
-
-/// Integrates block by block to the end of the run or of its part.
+/// Integrates block by block to the end of the run.
 fn integrate(
     passes: &mut Passes<'_>,
     observers: &mut Observers<'_>,
     monitor: &mut Monitor<'_>,
-    part: &mut Part<'_>,
 ) -> Result<(), SimulateError> {
     let grid = passes.grid;
     let mut states = States::with_capacity(passes.rotor.states(), BLOCK);
     while passes.main.done() < grid.count {
         let first = passes.main.done();
-        part.stand(passes)?;
         states.clear();
         let mut result = passes.main.advance(BLOCK, &mut states);
         if first == 0 && result.is_ok() && passes.begin_again(&states) {
-            part.stand(passes)?;
             states.clear();
             result = passes.main.advance(BLOCK, &mut states);
         }
         passes.record(first, &states);
-        part.counters = passes.main.counters();
         // an interrupted block has no second pass, which would tell of its own start
         if !matches!(result, Err(IntegrateError::Interrupted { .. })) {
             passes.compare(&states)?;
         }
         observers.take(passes.rotor, first, &states)?;
         result?;
-        part.keep(&states)?;
         (monitor.progress)(passes.main.done() as f64 / grid.count as f64);
     }
     Ok(())

@@ -15,7 +15,7 @@ mod estimate;
 mod jobs;
 mod new;
 mod pace;
-mod parts;
+mod removed;
 mod report;
 mod run;
 mod steady;
@@ -124,6 +124,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     } = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
         Err(usage) => {
+            let usage = removed::with_way_left(usage);
             // A closed terminal is no reason to fail: the exit code already tells.
             let _ = usage.print();
             return if usage.use_stderr() {

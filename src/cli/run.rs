@@ -7,14 +7,11 @@ use std::time::Instant;
 use super::demand::check_memory;
 use super::jobs::{Answer, Failure, Files, Job};
 use super::pace::PaceWatch;
-use super::parts::{self, Kept, Parts};
 use super::written::Written;
 use super::{Outcome, terminal};
 use crate::integrate::{IntegrateError, Pace};
-use crate::report::{self, RestartReader, RunReport, RunSummary};
-use crate::simulate::{
-    Earlier, Model, Monitor, Part, Run, RunSize, SimulateError, StateKeeper, simulate_part,
-};
+use crate::report::{self, KeptFiles, RunReport, RunSummary};
+use crate::simulate::{Model, Monitor, Run, RunSize, SimulateError, simulate_watched};
 use crate::study::campbell::along_run_up;
 
 /// Runs scenarios and writes their traces, spectra and figures.
@@ -31,8 +28,7 @@ use crate::study::campbell::along_run_up;
                   drive.csv where there is a drive. A run\n\
                   that cannot go on leaves trace.until-failure.csv and failure.json instead.\n\
                   With --format the tables have other formats.\n\n\
-                  Exit code: 0 all runs are done, or stopped as asked, 1 a run failed or was\n\
-                  interrupted, 2 a file is wrong."
+                  Exit code: 0 all runs are done, 1 a run failed or was interrupted, 2 a file is wrong."
 )]
 pub struct Arguments {
     #[command(flatten)]
@@ -45,22 +41,6 @@ pub struct Arguments {
     open: bool,
     #[command(flatten)]
     written: Written,
-    #[command(flatten)]
-    parts: Parts,
-}
-
-impl Arguments {
-    /// What goes on with a stopped run.
-    fn resume_command(&self, job: &Job) -> String {
-        let out = match self.files.out.to_str() {
-            Some("output") => String::new(),
-            _ => format!(" --out {}", self.files.out.display()),
-        };
-        let verify = if self.no_verify { " --no-verify" } else { "" };
-        let written = &self.written;
-        let file = job.file.display();
-        format!("jeffcott run {file}{out}{verify}{written} --resume")
-    }
 }
 
 /// Checks all files, then runs them in turn.
@@ -74,68 +54,55 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
         }
         arguments.written.check(&model.rotor)?;
         arguments.written.apply(&mut job.scenario);
-        let restart = arguments.parts.restart(job, &model)?;
-        Ok((model, restart))
+        Ok(model)
     };
-    arguments.files.answer(prepare, |job, (model, restart)| {
+    arguments.files.answer(prepare, |job, model| {
         if terminal::stop().load(Ordering::Relaxed) {
             return Err("interrupted before it began".into());
         }
-        run_motion(job, &model, restart, arguments)
+        run_motion(job, &model, arguments.open)
     })
 }
 
-/// Runs a checked scenario, from where an earlier part ended if there is one.
-fn run_motion(
-    job: &Job,
-    model: &Model,
-    mut restart: Option<RestartReader>,
-    arguments: &Arguments,
-) -> Result<Answer, Failure> {
+/// Runs a checked scenario; `opens` shows its page.
+fn run_motion(job: &Job, model: &Model, opens: bool) -> Result<Answer, Failure> {
     let started = Instant::now();
     let mut report = RunReport::of(&job.scenario, model, &job.folder)?;
     tell_of_thinning(job, model);
-    let (asked, resumed) = (&arguments.parts, restart.is_some());
-    let mut keeper = asked.keeper(&report, job, model)?;
     let paces = [Pace::default(), Pace::default()];
-    let mut part = Part {
-        paces: paces.each_ref().map(Some),
-        earlier: restart.as_mut().map(|restart| Earlier {
-            standing: restart.standing.clone(),
-            states: restart,
-        }),
-        stop_at: asked.stop_at(),
-        keeper: keeper.as_mut().map(|keeper| keeper as &mut dyn StateKeeper),
-        ..Part::default()
-    };
     let mut monitor = Monitor {
         stop: terminal::stop(),
         progress: &mut |_| {},
     };
     let mut watch = PaceWatch::new(job, model, &paces);
+    let watched = paces.each_ref().map(Some);
     let result = terminal::watched(
         move || watch.look(),
-        || simulate_part(model, &mut report, &mut monitor, &mut part),
+        || simulate_watched(model, &mut report, &mut monitor, watched),
     );
-    let (standing, counters) = (part.standing, part.counters);
-    let resume = arguments.resume_command(job);
     match result {
-        Ok(run) => Ok(finish(job, model, report, run, arguments.open)?.timed(started)),
-        Err(SimulateError::Stopped { time }) => {
-            let kept = Kept::of(keeper, standing)?;
-            let title = &job.scenario.title;
-            Ok(parts::stopped(title, time, kept.as_ref(), &resume))
-        }
+        Ok(run) => Ok(finish(job, model, report, run, opens)?.timed(started)),
         Err(SimulateError::Integrate(error @ IntegrateError::Interrupted { .. })) => {
-            let kept = Kept::of(keeper, standing)?;
-            Err(parts::interrupted(&error, kept.as_ref(), resumed, &resume).into())
+            Err(format!("{error}; nothing was written").into())
         }
         Err(SimulateError::Integrate(error)) => {
+            let [(_, counters), _] = paces.each_ref().map(Pace::now);
             let kept = report.fail(&error, counters)?;
-            Err(parts::failed(&error, &kept).into())
+            Err(failed(&error, &kept).into())
         }
         Err(other) => Err(other.into()),
     }
+}
+
+/// What is said of a run that cannot go on.
+fn failed(error: &IntegrateError, kept: &KeptFiles) -> String {
+    let files = kept.files.iter().map(|file| file.display().to_string());
+    let files = files.collect::<Vec<_>>().join(" and ");
+    let beside = match kept.beside_earlier {
+        true => "; the other results there are those of an earlier run",
+        false => "",
+    };
+    format!("{error}\n  kept {files}{beside}")
 }
 
 /// Says where the tables leave samples out though nobody asked for it.

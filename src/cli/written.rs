@@ -1,6 +1,5 @@
 //! What of a run is written: asked for on the command line instead of in the scenario.
 
-use std::fmt;
 use std::num::NonZeroU64;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -73,24 +72,5 @@ impl Written {
             echo["channels"] = json!(channels);
             output.channels = Some(channels);
         }
-    }
-}
-
-impl fmt::Display for Written {
-    /// The options as they are typed, each with a blank before it.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let list = |words: Vec<&str>| words.join(",");
-        if !self.formats.is_empty() {
-            let formats = self.formats.iter().map(|format| format.extension());
-            write!(f, " --format {}", list(formats.collect()))?;
-        }
-        if let Some(every) = self.every {
-            write!(f, " --every {every}")?;
-        }
-        if !self.channels.is_empty() {
-            let channels = self.channels.iter().map(|channel| channel.name());
-            write!(f, " --channels {}", list(channels.collect()))?;
-        }
-        Ok(())
     }
 }

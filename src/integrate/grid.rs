@@ -72,10 +72,4 @@ impl States {
     pub fn as_slice(&self) -> &[f64] {
         &self.values
     }
-
-    /// All numbers, state by state, of so many states: of those to come all components are zero.
-    pub fn resized(&mut self, states: usize) -> &mut [f64] {
-        self.values.resize(self.width * states, 0.0);
-        &mut self.values
-    }
 }

@@ -2,8 +2,6 @@
 
 use std::sync::atomic::AtomicBool;
 
-use serde::{Deserialize, Serialize};
-
 use super::problem::Problem;
 use super::stepper::{Start, Stepper};
 use super::stiffness::{is_check_due, stiffness};
@@ -15,44 +13,8 @@ use super::{
 /// Steps between two checks for stiffness: the implicit method's trial then costs a few per cent of them.
 const CHECK_EVERY: u64 = 2000;
 
-/// Samples of a segment: at the end of each the method begins afresh, so that one that goes on from there is the same
-/// by construction.
+/// Samples of a segment, at the end of which the method begins afresh.
 pub const SEGMENT: u64 = 4096;
-
-/// State of an integration at the end of a segment of its grid: another integration of the same system, scaling,
-/// grid and settings goes on from it to the very same states.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Checkpoint {
-    /// Number of the grid time.
-    pub next: u64,
-    /// Scaled state there.
-    pub scaled: Vec<f64>,
-    /// Size of the step to go on with, s.
-    pub step: f64,
-    /// Work done so far.
-    pub counters: Counters,
-    /// Stiffness, where it was seen.
-    pub stiffness: Option<Stiffness>,
-    /// Which method carried the run, where the choice is left open.
-    pub method_use: Option<MethodUse>,
-}
-
-/// A checkpoint of another integration.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "a checkpoint of {states} states at grid time {next} belongs to another integration: this one \
-     has {expected} states and {count} grid times"
-)]
-pub struct CheckpointMismatch {
-    /// States of the checkpoint.
-    pub states: usize,
-    /// Number of its grid time.
-    pub next: u64,
-    /// States of the integration.
-    pub expected: usize,
-    /// Grid times of the integration.
-    pub count: u64,
-}
 
 /// An integration under way: it knows its state at a grid time and how to go on.
 pub struct Integration<'a> {
@@ -62,8 +24,7 @@ pub struct Integration<'a> {
     state: Vec<f64>,
     next: u64,
     stepper: Stepper,
-    /// The latest end of a segment, and stiffness where it was seen since.
-    checkpoint: Checkpoint,
+    stiffness: Option<Stiffness>,
 }
 
 impl<'a> Integration<'a> {
@@ -96,14 +57,7 @@ impl<'a> Integration<'a> {
         };
         Self {
             stepper: Stepper::new(method_use, &problem, &start),
-            checkpoint: Checkpoint {
-                next: 0,
-                scaled: problem.scaling.scaled(state),
-                step: 0.0,
-                counters: Counters::default(),
-                stiffness: None,
-                method_use,
-            },
+            stiffness: None,
             problem,
             grid,
             state: state.to_vec(),
@@ -118,57 +72,16 @@ impl<'a> Integration<'a> {
         self
     }
 
-    /// What it takes to go on another time from the latest end of a segment.
-    pub fn checkpoint(&self) -> &Checkpoint {
-        &self.checkpoint
-    }
-
-    /// Goes on from the checkpoint of another integration of the same system, scaling, grid and settings; the states
-    /// that follow are the same, bit by bit.
-    ///
-    /// # Errors
-    /// [`CheckpointMismatch`] where it cannot be one of the same system and grid.
-    pub fn go_on_from(&mut self, checkpoint: &Checkpoint) -> Result<(), CheckpointMismatch> {
-        let (states, expected) = (checkpoint.scaled.len(), self.state.len());
-        if states != expected || checkpoint.next > self.grid.count {
-            return Err(CheckpointMismatch {
-                states,
-                next: checkpoint.next,
-                expected,
-                count: self.grid.count,
-            });
-        }
-        self.checkpoint = checkpoint.clone();
-        self.next = checkpoint.next;
-        if self.next > 0 {
-            self.begin_afresh();
-        }
-        Ok(())
-    }
-
-    /// Lets the method begin afresh at the checkpoint.
-    fn begin_afresh(&mut self) {
-        let checkpoint = &self.checkpoint;
-        let start = Start {
-            time: self.grid.time(checkpoint.next),
-            deviation: self.problem.scaling.deviation(&checkpoint.scaled),
-            step: checkpoint.step,
-            counters: checkpoint.counters,
-        };
-        self.stepper = Stepper::new(checkpoint.method_use, &self.problem, &start);
-    }
-
-    /// Ends a segment in the present state.
+    /// Ends a segment in the present state: the method begins afresh there.
     fn end_segment(&mut self) {
-        self.checkpoint = Checkpoint {
-            next: self.next,
-            scaled: self.problem.scaling.scaled(&self.state),
+        let scaling = &self.problem.scaling;
+        let start = Start {
+            time: self.grid.time(self.next),
+            deviation: scaling.deviation(&scaling.scaled(&self.state)),
             step: self.stepper.method().step_size(),
             counters: self.counters(),
-            stiffness: self.checkpoint.stiffness,
-            method_use: self.method_use(),
         };
-        self.begin_afresh();
+        self.stepper = Stepper::new(self.method_use(), &self.problem, &start);
     }
 
     /// Work done so far.
@@ -180,7 +93,7 @@ impl<'a> Integration<'a> {
     /// below what accuracy asks for. [`Integration::advance`] checks for it at its end, once in some
     /// thousand steps: where there are fewer, they are no burden.
     pub fn stiffness(&self) -> Option<Stiffness> {
-        self.checkpoint.stiffness
+        self.stiffness
     }
 
     /// Which method carried the run, where the choice was left open.
@@ -215,8 +128,8 @@ impl<'a> Integration<'a> {
         let due = self.counters().steps / CHECK_EVERY != checks_before;
         // steps that are longer than the distance of the samples are no burden
         let is_short = self.stepper.method().step_size() < self.grid.interval;
-        if due && self.checkpoint.stiffness.is_none() && is_short {
-            self.checkpoint.stiffness = self.find_stiffness();
+        if due && self.stiffness.is_none() && is_short {
+            self.stiffness = self.find_stiffness();
         }
         Ok(())
     }
@@ -231,7 +144,11 @@ impl<'a> Integration<'a> {
         };
         let stiffness = if is_due { self.find_stiffness() } else { None };
         let ending = |found: Stiffness| found.ending(&self.problem, self.counters().steps);
-        stiffness.and_then(ending).map_or(result, Err)
+        let result = stiffness.and_then(ending).map_or(result, Err);
+        if let (Err(_), Some(pace)) = (&result, self.problem.pace) {
+            pace.note(self.stepper.method().time(), &self.counters());
+        }
+        result
     }
 
     /// Finds the state at the next grid time.

@@ -22,7 +22,7 @@ mod variation;
 
 pub use error::IntegrateError;
 pub use grid::{Grid, States};
-pub use integration::{Checkpoint, CheckpointMismatch, Integration, SEGMENT};
+pub use integration::{Integration, SEGMENT};
 pub use settings::{Counters, Method, Pace, Settings};
 pub use stepper::{ChangeReason, MethodUse};
 pub use stiffness::Stiffness;

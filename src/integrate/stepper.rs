@@ -5,8 +5,6 @@
 //! elsewhere the exponential method. And one way back: a run of the exponential method that crosses them again and
 //! again goes on with `verner76`, and so does one in which that method can take no step.
 
-use serde::{Deserialize, Serialize};
-
 use super::explicit::ExplicitStepper;
 use super::exponential::ExponentialStepper;
 use super::library::LibraryStepper;
@@ -164,7 +162,7 @@ impl Stepper {
 }
 
 /// Which method carried a run under [`Method::Auto`], and why.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MethodUse {
     /// The method of the first step.
     pub first: Method,
@@ -173,7 +171,7 @@ pub struct MethodUse {
 }
 
 /// Why a run went over from the exponential method to `verner76`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ChangeReason {
     /// The motion crossed surfaces at which the derivative is not smooth again and again.
     Crossings,

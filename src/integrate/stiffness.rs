@@ -1,7 +1,5 @@
 //! Whether stability, rather than accuracy, holds the steps of an explicit method.
 
-use serde::{Deserialize, Serialize};
-
 use std::sync::atomic::AtomicBool;
 
 use nalgebra::DMatrix;
@@ -27,7 +25,7 @@ const SWEEPS: usize = 1000;
 static GOES_ON: AtomicBool = AtomicBool::new(false);
 
 /// An explicit method whose steps stability holds far below what accuracy asks for.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stiffness {
     /// Where this was seen, s.
     pub time: f64,

@@ -59,7 +59,6 @@ impl FileSet {
             "report.html",
         ],
         spent: &[
-            "restart.bin",
             "failure.json",
             "trace.until-failure.csv",
             "trace.until-failure.parquet",

@@ -18,7 +18,6 @@ mod motion;
 mod page;
 pub(crate) mod recorded;
 pub(crate) mod response;
-mod restart;
 mod run_report;
 pub(crate) mod run_tables;
 mod run_up;
@@ -48,7 +47,6 @@ pub(crate) use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole}
 #[cfg(test)]
 pub(crate) use histories::Histories;
 pub(crate) use response::response_findings;
-pub(crate) use restart::{RestartError, RestartReader, RestartWriter, RunIdentity, restart_path};
 
 pub use run_report::RunReport;
 pub(crate) use run_report::{KeptFiles, RunSummary};

@@ -25,10 +25,7 @@ use super::spectra::{
 };
 use super::table::{Table, TableFiles};
 use super::text::{method_use_json, parted};
-use super::{
-    FileSet, PartialFile, ReportError, RestartWriter, RunFolder, RunIdentity, campbell, document,
-    spectrum_figure,
-};
+use super::{FileSet, PartialFile, ReportError, RunFolder, campbell, document, spectrum_figure};
 use crate::analysis::Channel;
 use crate::integrate::{Counters, IntegrateError};
 use crate::rotor::{BallContacts, Sample};
@@ -118,17 +115,6 @@ impl RunReport {
     /// The same with natural frequencies over the speed.
     pub(crate) fn with_campbell(self, campbell: Option<Campbell>) -> Self {
         Self { campbell, ..self }
-    }
-
-    /// Starts the file that keeps what it takes to go on.
-    ///
-    /// # Errors
-    /// [`ReportError::File`] where it cannot be created.
-    pub(crate) fn keep_states(
-        &self,
-        identity: &RunIdentity<'_>,
-    ) -> Result<RestartWriter, ReportError> {
-        RestartWriter::create(&self.folder, identity)
     }
 
     /// Writes what is known of a run that cannot go on, after some work: `failure.json` and the trace up to there.

@@ -3,7 +3,6 @@
 use std::f64::consts::TAU;
 
 use nalgebra::{Complex, DMatrix, DVector};
-use serde::{Deserialize, Serialize};
 
 use super::Rotor;
 use super::motion::AttachedBearing;
@@ -21,7 +20,7 @@ const CAGE_POSITIONS: usize = 8;
 const FAR: f64 = 10.0;
 
 /// Length and time that make the states of the integration numbers of order one.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MotionScale {
     /// Length of the motion, m.
     pub length: f64,

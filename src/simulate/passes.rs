@@ -2,13 +2,12 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::part::{ReferenceStanding, Standing};
 use super::run::{Reduction, ReductionError};
 use super::{BLOCK, MeasuredError, Model, SimulateError, sampling};
 use crate::analysis::Moments;
 use crate::bearing::Vector5;
 use crate::integrate::{
-    CheckpointMismatch, Counters, Grid, IntegrateError, Integration, Pace, Settings, States, System,
+    Counters, Grid, IntegrateError, Integration, Pace, Settings, States, System,
 };
 use crate::rotor::{FREEDOMS, MotionScale, Rotor};
 
@@ -112,8 +111,10 @@ struct Reference<'a> {
     rotor: &'a Rotor,
     integration: Integration<'a>,
     states: States,
-    /// How far it is from the first, up to the latest block.
-    standing: ReferenceStanding,
+    /// Largest difference of a displacement from the first so far, m.
+    difference: f64,
+    /// Why it cannot go on, where it cannot.
+    failure: Option<String>,
     tolerance: f64,
 }
 
@@ -136,11 +137,8 @@ impl<'a> Passes<'a> {
             Reference {
                 rotor,
                 states: States::new(rotor.states()),
-                standing: ReferenceStanding {
-                    pass: integration.checkpoint().clone(),
-                    difference: 0.0,
-                    failure: None,
-                },
+                difference: 0.0,
+                failure: None,
                 tolerance: settings.tolerance,
                 integration,
             }
@@ -200,34 +198,6 @@ impl<'a> Passes<'a> {
         error / self.recorded.size(&self.scale).max(self.scale.least)
     }
 
-    /// What it takes to go on from here another time.
-    pub fn standing(&self) -> Standing {
-        Standing {
-            time: self.grid.time(self.main.done()),
-            scale: self.scale,
-            main: self.main.checkpoint().clone(),
-            reference: self.reference.as_ref().map(Reference::standing),
-            finer: self.finer.as_ref().map(Reference::standing),
-        }
-    }
-
-    /// Goes on from where the passes of an earlier part stood.
-    pub fn go_on_from(&mut self, standing: &Standing) -> Result<(), SimulateError> {
-        self.main.go_on_from(&standing.main)?;
-        let others = [
-            (&mut self.reference, &standing.reference),
-            (&mut self.finer, &standing.finer),
-        ];
-        for other in others {
-            match other {
-                (Some(other), Some(standing)) => other.go_on_from(standing)?,
-                (None, None) => {}
-                _ => return Err(SimulateError::NoSecondPass),
-            }
-        }
-        Ok(())
-    }
-
     /// Goes on with the other passes over as many samples as the first has states in a block, and compares them.
     ///
     /// # Errors
@@ -239,15 +209,14 @@ impl<'a> Passes<'a> {
 
     /// Why the error is not known, where it was to be measured.
     pub fn failure(&self) -> Option<&str> {
-        self.reference.as_ref()?.standing.failure.as_deref()
+        self.reference.as_ref()?.failure.as_deref()
     }
 
     /// Difference of both passes; none without a second one that came to its end.
     pub fn measured_error(&self) -> Option<MeasuredError> {
         let reference = self.reference.as_ref()?;
-        let found = &reference.standing;
-        let displacement = found.difference + self.rotor.displacement_round_off();
-        found.failure.is_none().then(|| MeasuredError {
+        let displacement = reference.difference + self.rotor.displacement_round_off();
+        reference.failure.is_none().then(|| MeasuredError {
             displacement,
             relative: self.relative(displacement),
             reference_tolerance: reference.tolerance,
@@ -258,10 +227,9 @@ impl<'a> Passes<'a> {
     /// What is kept of a shaft that bends, and the difference of the pass with more modes.
     pub fn reduction(&self) -> Option<Reduction> {
         let measured = |finer: &Reference<'_>| {
-            let found = &finer.standing;
-            found.failure.is_none().then(|| ReductionError {
-                displacement: found.difference,
-                relative: self.relative(found.difference),
+            finer.failure.is_none().then(|| ReductionError {
+                displacement: finer.difference,
+                relative: self.relative(finer.difference),
                 modes: finer.rotor.bending_modes().unwrap_or_default(),
             })
         };
@@ -274,18 +242,6 @@ impl<'a> Passes<'a> {
 }
 
 impl Reference<'_> {
-    fn standing(&self) -> ReferenceStanding {
-        ReferenceStanding {
-            pass: self.integration.checkpoint().clone(),
-            ..self.standing.clone()
-        }
-    }
-
-    fn go_on_from(&mut self, standing: &ReferenceStanding) -> Result<(), CheckpointMismatch> {
-        self.standing = standing.clone();
-        self.integration.go_on_from(&standing.pass)
-    }
-
     /// A pass that cannot go on leaves the error of the run unknown.
     fn compare(
         &mut self,
@@ -293,14 +249,13 @@ impl Reference<'_> {
         rotor: &Rotor,
         scale: &MotionScale,
     ) -> Result<(), IntegrateError> {
-        let found = &mut self.standing;
-        if found.failure.is_some() {
+        if self.failure.is_some() {
             return Ok(());
         }
         self.states.clear();
         match self.integration.advance(states.len(), &mut self.states) {
             Err(interrupted @ IntegrateError::Interrupted { .. }) => return Err(interrupted),
-            result => found.failure = result.err().map(|error| error.to_string()),
+            result => self.failure = result.err().map(|error| error.to_string()),
         }
         for (state, reference) in states.iter().zip(self.states.iter()) {
             let (own, other) = (
@@ -309,11 +264,11 @@ impl Reference<'_> {
             );
             for &axis in rotor.freedoms().axes() {
                 let apart = scale.lever(axis) * (own[axis] - other[axis]).abs();
-                found.difference = found.difference.max(apart);
+                self.difference = self.difference.max(apart);
             }
             for (own, other) in rotor.housing_freedoms().zip(self.rotor.housing_freedoms()) {
                 let apart = (state[own] - reference[other]).abs();
-                found.difference = found.difference.max(apart);
+                self.difference = self.difference.max(apart);
             }
         }
         Ok(())

@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use super::{BeyondContact, Event};
-use crate::integrate::{CheckpointMismatch, IntegrateError};
+use crate::integrate::IntegrateError;
 use crate::rotor::{BallContacts, RotorError, Sample, UnconstrainedError};
 
 /// Takes the samples of a run one by one, in the order of time.
@@ -76,24 +76,6 @@ pub enum SimulateError {
     /// The sink refused a sample.
     #[error("the trace cannot be written: {0}")]
     Sink(#[from] std::io::Error),
-    /// The part of the run ends here, as asked for.
-    #[error("stopped at t = {time:.6e} s")]
-    Stopped {
-        /// Time of the next sample, s.
-        time: f64,
-    },
-    /// What was kept of an earlier part is not of this run.
-    #[error(transparent)]
-    Mismatch(#[from] CheckpointMismatch),
-    /// One of the two parts has a second pass and the other has none.
-    #[error("the earlier part belongs to another run: only one of the two measures its error")]
-    NoSecondPass,
-    /// The states of an earlier part cannot be read.
-    #[error("the states of the earlier part cannot be read: {0}")]
-    Replay(#[source] std::io::Error),
-    /// The states for a part that follows cannot be kept.
-    #[error("the states cannot be kept: {0}")]
-    Keep(#[source] std::io::Error),
     /// No uniform grid of angle exists for a shaft that does not turn.
     #[error("the shaft does not turn: give samples per second instead of samples per revolution")]
     NoRevolution,

@@ -62,7 +62,7 @@ fn every_shell_completes_every_verb_and_option() {
         for word in verbs() {
             assert!(script.contains(&word), "{shell}: {word}");
         }
-        for word in ["stop-at", "channels"] {
+        for word in ["no-verify", "channels"] {
             assert!(script.contains(word), "{shell}: {word}");
         }
         // the library completes values in these
@@ -92,7 +92,7 @@ fn the_manual_has_a_page_of_the_command_and_of_every_verb() {
     assert_eq!(names(&folder.path().join("man1")), expected);
     let page = fs::read_to_string(folder.path().join("man1/jeffcott-run.1")).unwrap();
     assert!(
-        page.contains("\\-\\-stop\\-at") && page.contains("jeffcott run"),
+        page.contains("\\-\\-no\\-verify") && page.contains("jeffcott run"),
         "{page}"
     );
     fs::write(folder.path().join("file"), "").unwrap();

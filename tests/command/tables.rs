@@ -199,41 +199,6 @@ fn tables_of_another_format_do_not_outlive_a_run() {
     assert_eq!(hidden.count(), 0);
 }
 
-#[test]
-fn a_resumed_run_writes_what_is_asked_for_when_it_goes_on() {
-    let folder = scene("");
-    let written = ["--every", "3", "--channels", "x", "--format", "csv,mat"];
-    run(&folder, &written);
-    let names = ["trace.csv", "trace.mat", "spectrum.csv", "summary.json"];
-    let whole = names.map(|name| fs::read(result(&folder, name)).unwrap());
-    run(&folder, &["--stop-at", "0.05 s"]);
-    run(&folder, &[&written[..], &["--resume"]].concat());
-    for (name, whole) in names.iter().zip(whole) {
-        assert!(fs::read(result(&folder, name)).unwrap() == whole, "{name}");
-    }
-}
-
-#[test]
-fn the_command_that_goes_on_repeats_what_is_written() {
-    let folder = scene("");
-    let arguments = [
-        "run",
-        "scene.toml",
-        "--stop-at",
-        "0.05 s",
-        "--every",
-        "3",
-        "--channels",
-        "x",
-    ];
-    let output = jeffcott(&folder, &arguments);
-    let message = told(&output);
-    assert!(
-        message.contains("--every 3 --channels x --resume"),
-        "{message}"
-    );
-}
-
 #[cfg(not(feature = "parquet"))]
 #[test]
 fn a_build_without_parquet_says_so() {

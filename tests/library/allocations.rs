@@ -8,19 +8,17 @@ use std::alloc::{GlobalAlloc, Layout, System as SystemAllocator};
 use std::cell::Cell;
 use std::fs::File;
 use std::io;
-use std::sync::atomic::AtomicBool;
 
 use crate::analysis::Channel;
 use crate::bearing::{BallLoads, BearingRotation};
 use crate::integrate::{Method, System};
-use crate::report::{RunIdentity, RunReport, TraceCsv};
+use crate::report::TraceCsv;
 use crate::rotor::load::{
     ChainDrive, Column, Interpolation, Noise, NoiseBand, RandomShocks, Series, ShockStatistics,
     Sprocket,
 };
 use crate::rotor::{Damping, Freedoms, Load, LoadKind, Rotor, RotorDefinition, Sample, SpeedPoint};
-use crate::scenario::Output;
-use crate::simulate::{EventKind, Model, Monitor, Part, TraceSink, simulate_part};
+use crate::simulate::{EventKind, Model, TraceSink};
 
 use crate::tests::support::{
     back_to_back_pair, bearing, literature_bearing, model, mounted, ring, rotor, settings, shaft,
@@ -295,41 +293,6 @@ fn memory_is_flat_in_the_duration_when_the_trace_is_written() {
         peak
     };
     let (short, long) = (peak(4096), peak(40_960));
-    println!("peak {short} and {long} bytes");
-    assert!(
-        long as f64 <= 1.2 * short as f64,
-        "{short} then {long} bytes"
-    );
-}
-
-#[test]
-fn memory_is_flat_in_the_duration_when_the_states_are_kept() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let peak = |samples: u32| {
-        let (scenario, model) = (serde_json::Value::Null, unbalanced(samples, 1e-8));
-        let mut output = Output::default();
-        [output.trace, output.events, output.figures, output.report] = [false; 4];
-        let report = RunReport::open(folder.path(), output, &model, "", scenario.clone());
-        let identity = RunIdentity {
-            scenario: &scenario,
-            model: &model,
-        };
-        let keeper = report.and_then(|report| report.keep_states(&identity));
-        let mut keeper = keeper.expect("a restart file");
-        let mut monitor = Monitor {
-            stop: &AtomicBool::new(false),
-            progress: &mut |_| {},
-        };
-        let (_, peak) = measured(|| {
-            let mut part = Part {
-                keeper: Some(&mut keeper),
-                ..Part::default()
-            };
-            simulate_part(&model, &mut Nowhere, &mut monitor, &mut part).expect("it runs");
-        });
-        peak
-    };
-    let (short, long) = (peak(8192), peak(81_920));
     println!("peak {short} and {long} bytes");
     assert!(
         long as f64 <= 1.2 * short as f64,

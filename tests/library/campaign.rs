@@ -1,4 +1,4 @@
-//! Files with anything in them: scenarios, studies, load series, restart files and journals, changed at random from
+//! Files with anything in them: scenarios, studies, load series and journals, changed at random from
 //! good ones, are taken or refused in words, without a panic and in time.
 //!
 //! Each test takes a few seconds. `JEFFCOTT_MUTANTS=20000 cargo test --lib campaign` changes each kind of file so often,
@@ -16,12 +16,10 @@ use std::time::Duration;
 
 use tempfile::TempDir;
 
+use crate::report::Checksum;
 use crate::report::many::{Making, StudyReport, StudyRuns};
-use crate::report::{Checksum, RestartReader, RunIdentity, RunReport};
-use crate::scenario::{self, Format, Scenario, ScenarioError};
-use crate::simulate::{
-    Model, Monitor, Part, RunSize, StateKeeper, StateSource, simulate, simulate_part,
-};
+use crate::scenario::{self, Format, ScenarioError};
+use crate::simulate::{Model, Monitor, RunSize, simulate};
 use crate::study::many::Shard;
 
 /// Longest time that one file may take.
@@ -443,95 +441,6 @@ fn changed_load_series_are_taken_or_refused() {
             assert_told(&error);
         }
     });
-}
-
-/// A run that was stopped half way, and its restart file.
-fn stopped(folder: &Path) -> (Scenario, Vec<u8>) {
-    let text = fs::read_to_string(scenarios().join("steady-7205c.toml")).expect("a scenario");
-    let text = text.replace(
-        "samples_per_revolution = 128",
-        "samples_per_revolution = 512",
-    );
-    let scenario = scenario::parse(&text, "scene.toml", Format::Toml).expect("it is good");
-    let model = scenario.model.as_ref().expect("it moves");
-    let mut report = RunReport::of(&scenario, model, folder).expect("a folder");
-    let identity = RunIdentity {
-        scenario: &scenario.echo,
-        model,
-    };
-    let mut keeper = report.keep_states(&identity).expect("a file");
-    let stop = AtomicBool::new(false);
-    let mut monitor = Monitor {
-        stop: &stop,
-        progress: &mut |_| {},
-    };
-    let mut part = Part {
-        stop_at: 0.1,
-        keeper: Some(&mut keeper as &mut dyn StateKeeper),
-        ..Part::default()
-    };
-    simulate_part(model, &mut report, &mut monitor, &mut part).expect_err("it stops");
-    let standing = part.standing.take().expect("it stands somewhere");
-    let path = keeper.finish(&standing).expect("it is written");
-    let bytes = fs::read(path).expect("it can be read");
-    (scenario, bytes)
-}
-
-#[test]
-fn changed_restart_files_are_taken_or_refused() {
-    let folder = TempDir::new().expect("a folder");
-    let (scenario, bytes) = stopped(folder.path());
-    let model = scenario.model.as_ref().expect("it moves");
-    let identity = RunIdentity {
-        scenario: &scenario.echo,
-        model,
-    };
-    let path = folder.path().join("restart.bin");
-    // states are many and alike: few of them, and the tail behind them
-    let tail = u64::from_le_bytes(
-        bytes[bytes.len() - 16..bytes.len() - 8]
-            .try_into()
-            .expect("eight bytes"),
-    );
-    let text = bytes.len() - 16 - tail as usize..bytes.len() - 16;
-    let make = |chance: &mut Chance| changed_bytes(&bytes, text.clone(), |end| end - 16, chance);
-    let show = |bytes: &Vec<u8>| format!("a restart file of {} bytes", bytes.len());
-    campaign(mutants(), make, show, |bytes, _| {
-        fs::write(&path, bytes).expect("a written file");
-        match RestartReader::open(&path, &identity) {
-            Err(error) => assert!(!error.to_string().trim().is_empty()),
-            Ok(mut reader) => {
-                let states = reader.standing.main.scaled.len();
-                let _ = reader.fill(&mut vec![0.0; states]);
-                go_on(model, reader);
-            }
-        }
-    });
-}
-
-/// A file that is taken is gone on from, or refused there.
-fn go_on(model: &Model, mut reader: RestartReader) {
-    let standing = reader.standing.clone();
-    let stop = AtomicBool::new(false);
-    let mut monitor = Monitor {
-        stop: &stop,
-        progress: &mut |_| {},
-    };
-    let mut part = Part {
-        stop_at: standing.time,
-        earlier: Some(crate::simulate::Earlier {
-            standing,
-            states: &mut reader,
-        }),
-        ..Part::default()
-    };
-    let model = Model {
-        verify: false,
-        ..model.clone()
-    };
-    if let Err(error) = simulate_part(&model, &mut Nobody, &mut monitor, &mut part) {
-        assert!(!error.to_string().trim().is_empty());
-    }
 }
 
 #[test]

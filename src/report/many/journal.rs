@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
+use super::identity::first_difference;
 use crate::report::checksum::Checksum;
 use crate::report::{FileAction, ReportError};
 
@@ -300,7 +301,7 @@ impl Entries {
             let [there, here] = [self.head.first, first].map(|chain| chain.to_string());
             (there != here).then(|| ["first chain".to_owned(), there, here])
         };
-        let found = crate::report::restart::difference(&self.head.identity, identity);
+        let found = first_difference(&self.head.identity, identity);
         match found.or_else(other) {
             None => Ok(()),
             Some([key, there, here]) => Err(JournalError::Other {

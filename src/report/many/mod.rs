@@ -2,6 +2,7 @@
 
 mod digest;
 mod figures;
+mod identity;
 mod journal;
 mod make;
 mod page;

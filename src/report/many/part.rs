@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+use super::identity::first_difference;
 use super::tables::Table;
 use crate::report::{FileAction, ReportError};
 use crate::scenario::open_regular;
@@ -154,7 +155,7 @@ fn difference(a: &PartSeal, b: &PartSeal) -> Option<String> {
     if a.jeffcott != b.jeffcott {
         return Some(format!("versions {} and {}", a.jeffcott, b.jeffcott));
     }
-    let [key, there, here] = crate::report::restart::difference(&a.identity, &b.identity)?;
+    let [key, there, here] = first_difference(&a.identity, &b.identity)?;
     Some(format!("`{key}` is {there} in one and {here} in the other"))
 }
 

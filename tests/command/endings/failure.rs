@@ -79,13 +79,21 @@ fn a_failure_replaces_the_failure_before_it() {
     assert_eq!(left, ["failure.json"]);
 }
 
+/// Long enough to be interrupted.
+#[cfg(unix)]
 #[test]
-fn a_resumed_run_that_fails_leaves_its_restart_file() {
+fn an_interrupt_says_that_nothing_was_written() {
+    let scene = Scene::new(&finely_sampled("steady-7205c").replace("\"0.5 s\"", "\"6 s\""));
+    let said = scene.interrupt(&[], ".trace.csv.partial", 1);
+    said.says(1, "interrupted at t = ");
+    said.says(1, "nothing was written");
+    assert!(scene.results().is_empty());
+}
+
+#[test]
+fn what_made_a_run_in_parts_is_answered_with_the_way_that_is_left() {
     let scene = Scene::new(&limited(2000));
-    scene.run(&["--stop-at", "0.1 s"]).done();
-    let restart = scene.results()["restart.bin"].clone();
-    scene.run(&["--resume"]).says(1, "2000 steps are used up");
-    let left = scene.results();
-    assert!(left["restart.bin"] == restart);
-    assert_eq!(left.len(), 3, "{:?}", left.keys());
+    for gone in ["--stop-at=0.1 s", "--restartable", "--resume"] {
+        scene.run(&[gone]).says(2, "tip: a run is made in one go");
+    }
 }

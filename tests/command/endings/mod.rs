@@ -1,6 +1,4 @@
-//! How a run ends early, what it keeps, and how it goes on.
+//! How a run ends early, and what it keeps.
 
 mod failure;
-mod parts;
-mod restart_file;
 mod scene;

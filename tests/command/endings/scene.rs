@@ -9,7 +9,7 @@ use tempfile::TempDir;
 
 use crate::support::{self, files, interrupt, jeffcott, shipped_text, wait_for};
 
-/// A shipped scenario with four times the samples, so that it has a few segments between which it can stop.
+/// A shipped scenario with four times the samples.
 pub fn finely_sampled(name: &str) -> String {
     let text = shipped_text(name);
     let key = "samples_per_revolution = ";
@@ -29,7 +29,6 @@ pub struct Scene {
 #[derive(Debug)]
 pub struct Said {
     pub code: Option<i32>,
-    pub stdout: String,
     pub stderr: String,
 }
 
@@ -112,7 +111,6 @@ impl Scene {
 fn said(output: &Output) -> Said {
     Said {
         code: output.status.code(),
-        stdout: support::text(&output.stdout),
         stderr: support::text(&output.stderr),
     }
 }

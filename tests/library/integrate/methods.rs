@@ -3,8 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use crate::integrate::{
-    Checkpoint, Counters, Grid, IntegrateError, Integration, Method, SEGMENT, Scaling, Settings,
-    States, System,
+    Counters, Grid, IntegrateError, Integration, Method, Scaling, Settings, States, System,
 };
 use nalgebra::DMatrix;
 
@@ -476,88 +475,6 @@ fn a_set_flag_interrupts() {
         );
         assert!(states.len() < 100);
     }
-}
-
-/// Over two segments and a part of a third.
-const SEGMENTS: Grid = Grid {
-    interval: 0.002,
-    count: 10_001,
-};
-
-#[test]
-fn an_integration_goes_on_from_the_end_of_a_segment_to_the_same_bits() {
-    let stop = AtomicBool::new(false);
-    let segment = usize::try_from(SEGMENT).unwrap();
-    for method in METHODS {
-        let new = || {
-            let (scaling, settings) = (Scaling::identity(2), settings(method, 1e-9));
-            Integration::new(&SOUND, scaling, SEGMENTS, settings, &stop, &[1.0, 0.0])
-        };
-        let (mut whole, mut states) = (new(), States::new(2));
-        let mut checkpoints = Vec::new();
-        while whole.done() < SEGMENTS.count {
-            checkpoints.push(whole.checkpoint().clone());
-            whole
-                .advance(segment, &mut states)
-                .expect("a smooth problem");
-        }
-        let ends: Vec<u64> = checkpoints
-            .iter()
-            .map(|checkpoint| checkpoint.next)
-            .collect();
-        assert_eq!(ends, [0, SEGMENT, 2 * SEGMENT], "{method:?}");
-        for checkpoint in &checkpoints[1..] {
-            let (mut later, mut others) = (new(), States::new(2));
-            later.go_on_from(checkpoint).expect("the same system");
-            while later.done() < SEGMENTS.count {
-                later
-                    .advance(segment, &mut others)
-                    .expect("a smooth problem");
-            }
-            let before = 2 * checkpoint.next as usize;
-            assert!(
-                others.as_slice() == &states.as_slice()[before..],
-                "{method:?}"
-            );
-            assert_eq!(later.counters(), whole.counters(), "{method:?}");
-            assert_eq!(later.method_use(), whole.method_use(), "{method:?}");
-        }
-        for (index, state) in states.iter().enumerate() {
-            let error = (state[0] - SEGMENTS.time(index as u64).cos()).abs();
-            assert!(error < 2e-8, "{method:?}, {index}: {error:e}");
-        }
-    }
-}
-
-#[test]
-fn a_checkpoint_of_another_system_or_grid_is_refused() {
-    let stop = AtomicBool::new(false);
-    let (scaling, settings) = (Scaling::identity(2), settings(Method::Dop853, 1e-8));
-    let mut integration = Integration::new(
-        &SOUND,
-        scaling,
-        TWENTY_SECONDS,
-        settings,
-        &stop,
-        &[1.0, 0.0],
-    );
-    let good = integration.checkpoint().clone();
-    let wider = Checkpoint {
-        scaled: vec![0.0; 6],
-        ..good.clone()
-    };
-    let longer = Checkpoint {
-        next: 2002,
-        ..good.clone()
-    };
-    for (checkpoint, states, next) in [(wider, 6, 0), (longer, 2, 2002)] {
-        let mismatch = integration
-            .go_on_from(&checkpoint)
-            .expect_err("another integration");
-        assert_eq!((mismatch.states, mismatch.next), (states, next));
-        assert_eq!((mismatch.expected, mismatch.count), (2, 2001));
-    }
-    assert_eq!(*integration.checkpoint(), good);
 }
 
 /// y″ = −y + p(t), p a push that begins at once at t = π/10 and ends at t = 1: known piece by piece.
