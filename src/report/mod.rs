@@ -50,7 +50,6 @@ pub(crate) use response::response_findings;
 
 pub use run_report::RunReport;
 pub(crate) use run_report::{KeptFiles, RunSummary};
-pub(crate) use run_tables::EVENT_COLUMNS;
 #[cfg(test)]
 pub(crate) use run_tables::{
     TraceCsv, ball_columns, ball_row, event_columns, event_row, trace_columns,

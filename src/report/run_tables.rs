@@ -152,17 +152,13 @@ pub fn ball_row(sample: &Sample, contacts: &BallContacts) -> Vec<f64> {
         .collect()
 }
 
-/// Columns of `events.csv`, in their order.
-pub const EVENT_COLUMNS: [&str; 4] = ["t_s", "event", "bearing", "ball"];
-
 /// Columns of a table of events; what happens to a bearing as a whole has no ball.
 pub fn event_columns() -> Vec<Column> {
-    let [time, event, bearing, ball] = EVENT_COLUMNS;
     vec![
-        Column::number(time),
-        Column::words(event, EventKind::ALL.map(EventKind::name)),
-        Column::count(bearing),
-        Column::count(ball),
+        Column::number("t_s"),
+        Column::words("event", EventKind::ALL.map(EventKind::name)),
+        Column::count("bearing"),
+        Column::count("ball"),
     ]
 }
 

@@ -179,7 +179,7 @@ fn what_cannot_be_compared_says_why() {
     unusable(
         &[folder.path(), folder.path()],
         &[],
-        "holds a table to compare (trace.csv, spectrum.csv, events.csv)",
+        "holds a table to compare (trace.csv, spectrum.csv)",
     );
     for (content, expected) in [
         ("", "no rows"),
@@ -311,55 +311,6 @@ fn what_ends_early_is_not_taken_for_thinned() {
     let (code, text) = result(&command(&[&a, &b], &["--common"]));
     assert_eq!(code, 1, "{text}");
     assert!(text.contains("10 rows against 4"), "{text}");
-}
-
-const EVENTS: &str = "t_s,event,bearing,ball\n0.1,contact_lost,1,1\n0.2,contact_lost,1,2\n\
-                      0.3,contact_regained,1,1\n0.4,contact_lost,1,1\n0.5,preload_lost,2,\n";
-
-#[test]
-fn events_are_compared_with_those_of_the_same_ball() {
-    // two balls that change places in the file within the tolerance
-    let swapped = EVENTS.replace(
-        "0.1,contact_lost,1,1\n0.2,contact_lost,1,2\n",
-        "0.1999999,contact_lost,1,2\n0.2,contact_lost,1,1\n",
-    );
-    let comparison = compared(EVENTS, &swapped, 1e-6);
-    let lost = &comparison.tables[0].columns[0];
-    assert_eq!((lost.name.as_str(), lost.failures), ("contact_lost", 1));
-    let worst = lost.worst().unwrap();
-    assert_eq!((worst.first, worst.second), (0.1, 0.2));
-    assert!(compared(EVENTS, EVENTS, 0.0).agrees());
-    let none = "t_s,event,bearing,ball\n";
-    assert!(compared(none, none, 0.0).agrees());
-}
-
-#[test]
-fn an_event_without_partner_is_named_and_shifts_no_other() {
-    let missing = EVENTS.replace("0.1,contact_lost,1,1\n", "");
-    for (first, second) in [(EVENTS, missing.as_str()), (missing.as_str(), EVENTS)] {
-        let comparison = compared(first, second, 1e-6);
-        assert!(!comparison.agrees());
-        assert!(
-            comparison.tables[0]
-                .columns
-                .iter()
-                .all(|column| column.agrees())
-        );
-        let message = flat(&comparison.to_string());
-        assert!(
-            message.contains("the earliest at t_s = 0.1 (bearing 1, ball 1)"),
-            "{message}"
-        );
-    }
-}
-
-#[test]
-fn a_kind_of_event_has_a_tolerance_of_its_own() {
-    let moved = EVENTS.replace("0.5,preload", "0.52,preload");
-    let (_folder, a, b) = files(EVENTS, &moved);
-    assert_eq!(result(&command(&[&a, &b], &[])).0, 1);
-    let own = ["--column", "preload_lost=0,0.03"];
-    assert_eq!(result(&command(&[&a, &b], &own)).0, 0);
 }
 
 /// A spectrum of lines on an axis with a step.

@@ -82,8 +82,7 @@ fn furthest(comparison: &Comparison) -> Vec<(&TableComparison, &ColumnComparison
         }
     };
     let tables = comparison.tables.iter();
-    let numeric = tables.filter(|table| !table.known.iter().any(|name| name == "event"));
-    let columns = numeric.flat_map(|table| table.columns.iter().map(move |column| (table, column)));
+    let columns = tables.flat_map(|table| table.columns.iter().map(move |column| (table, column)));
     let mut shares: Vec<_> = columns
         .filter(|(table, column)| table.known.first() != Some(&column.name))
         .filter_map(|found| Some((share(found.1.worst()?), found)))

@@ -1,4 +1,4 @@
-//! Whether two results say the same: tables (trace, spectrum or events) or whole run folders.
+//! Whether two results say the same: tables (trace or spectrum) or whole run folders.
 //!
 //! Columns are matched by name and rows by number. Two values a, b of a column agree where
 //!
@@ -17,8 +17,7 @@
 //! Where the amplitude is within its allowance of zero, the phase says nothing and is not compared.
 //!
 //! Of a trace that was thinned while it was written, every row is compared with the one of the same
-//! time. Spectra can be compared by their lines instead of row by row; events are compared with the
-//! events of the same kind at the same ball.
+//! time. Spectra can be compared by their lines instead of row by row.
 //!
 //! ```no_run
 //! use jeffcott::report::compare::{Rules, Tolerance, Tolerances, compare};
@@ -31,7 +30,6 @@
 
 mod assertion;
 mod error;
-mod events;
 mod figure;
 mod lines;
 mod result;
@@ -46,7 +44,6 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use self::events::{compare_events, is_events};
 use self::lines::{compare_lines, is_spectrum};
 use self::rows::compare_rows;
 use self::table::Table;
@@ -59,11 +56,11 @@ pub use result::{ColumnComparison, Comparison, Difference, TableComparison, Wors
 pub use rules::{Rules, Tolerance, Tolerances};
 
 /// Tables of a run folder.
-const TABLES: [&str; 3] = ["trace.csv", "spectrum.csv", "events.csv"];
+const TABLES: [&str; 2] = ["trace.csv", "spectrum.csv"];
 /// Those that are compared by lines.
 const SPECTRA: [&str; 1] = ["spectrum.csv"];
 
-/// Compares two CSV files, or `trace.csv`, `spectrum.csv` and `events.csv` of two run folders.
+/// Compares two CSV files, or `trace.csv` and `spectrum.csv` of two run folders.
 ///
 /// # Errors
 /// [`CompareError`] where there is nothing to compare; that results differ is no error.
@@ -78,7 +75,8 @@ pub fn compare(first: &Path, second: &Path, rules: &Rules) -> Result<Comparison,
         (true, true) => return compare_folders(first, second, rules),
         (false, false) => {
             let name = first.display().to_string();
-            let table = compare_files(name, [first, second], rules)?;
+            let tables = [Table::open(first)?, Table::open(second)?];
+            let table = compare_tables(name, &tables, rules)?;
             return Comparison::new(vec![table], Vec::new(), rules);
         }
         (true, false) => (first, second),
@@ -90,20 +88,7 @@ pub fn compare(first: &Path, second: &Path, rules: &Rules) -> Result<Comparison,
     })
 }
 
-/// Compares two files of whatever they hold; `name` is what the result calls them.
-fn compare_files(
-    name: String,
-    paths: [&Path; 2],
-    rules: &Rules,
-) -> Result<TableComparison, CompareError> {
-    if paths.iter().all(|path| is_events(path)) {
-        return compare_events(name, paths, rules);
-    }
-    let tables = [Table::open(paths[0])?, Table::open(paths[1])?];
-    compare_tables(name, &tables, rules)
-}
-
-/// Compares two tables of numbers, by lines where that is asked for.
+/// Compares two tables, by lines where that is asked for; `name` is what the result calls them.
 fn compare_tables(
     name: String,
     tables: &[Table; 2],
@@ -153,7 +138,10 @@ fn compare_folders(first: &Path, second: &Path, rules: &Rules) -> Result<Compari
     for name in names {
         let (left, right) = (first.join(name), second.join(name));
         match (left.exists(), right.exists()) {
-            (true, true) => tables.push(compare_files((*name).to_owned(), [&left, &right], rules)?),
+            (true, true) => {
+                let both = [Table::open(&left)?, Table::open(&right)?];
+                tables.push(compare_tables((*name).to_owned(), &both, rules)?);
+            }
             (true, false) => partial.push(only(&left)),
             (false, true) => partial.push(only(&right)),
             (false, false) => {}

@@ -154,7 +154,7 @@ impl TableComparison {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct ColumnComparison {
-    /// Name of the column; of events, their kind.
+    /// Name of the column.
     pub name: String,
     /// The worst places, the worst first; none where nothing was compared, as with phases of nothing.
     pub places: Vec<Worst>,
@@ -171,7 +171,7 @@ pub struct ColumnComparison {
 /// allowed.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Worst {
-    /// Row, from 1, the header not counted; of events and lines, their number.
+    /// Row, from 1, the header not counted; of lines, their number.
     pub row: u64,
     /// Value of the first table's first column there: time in s or frequency in Hz.
     pub at: f64,

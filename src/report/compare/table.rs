@@ -104,7 +104,7 @@ impl Table {
 }
 
 /// Reads the rows of a CSV file.
-pub(super) fn reader(path: &Path) -> Result<csv::Reader<File>, CompareError> {
+fn reader(path: &Path) -> Result<csv::Reader<File>, CompareError> {
     let file = open_regular(path, LARGEST).map_err(|source| CompareError::Read {
         path: path.to_owned(),
         source,
@@ -114,7 +114,7 @@ pub(super) fn reader(path: &Path) -> Result<csv::Reader<File>, CompareError> {
 }
 
 /// The number at a place of a row; an empty cell is a value that is missing.
-pub(super) fn number(
+fn number(
     path: &Path,
     record: &csv::StringRecord,
     place: usize,
@@ -133,7 +133,7 @@ pub(super) fn number(
 }
 
 /// A failure to read is told apart from a file that is not CSV.
-pub(super) fn bad_csv(path: &Path, source: csv::Error) -> CompareError {
+fn bad_csv(path: &Path, source: csv::Error) -> CompareError {
     let path = path.to_owned();
     if !source.is_io_error() {
         return CompareError::Csv { path, source };
