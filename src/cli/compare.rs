@@ -6,16 +6,17 @@ use std::path::PathBuf;
 
 use serde_json::json;
 
+use super::jobs::document;
 use super::{Outcome, terminal};
 use crate::report::compare::{
-    CompareError, Comparison, Rules, Tolerance, Tolerances, compare, write_comparison,
+    CompareError, Comparison, Rules, Tolerance, Tolerances, compare, write_figure, write_page,
 };
 use crate::scenario::ToleranceFile;
 
 /// Relative tolerance where none is given.
 const RELATIVE: f64 = 1e-6;
 
-/// Compares two traces or spectra, or all tables of two run folders.
+/// Compares traces or spectra, or all tables of run folders: each further result with the first.
 ///
 /// Columns are matched by name, rows by number. Values agree where
 /// |a − b| ≤ absolute + relative · max|column|. Phases are compared modulo 2π, and only where the
@@ -26,16 +27,13 @@ const RELATIVE: f64 = 1e-6;
 #[command(
     after_help = "Example:\n  jeffcott compare output/old output/new --relative 1e-4 --column \
                   force_z_N=1e-3,0.5\n  jeffcott compare old/spectrum.csv new/spectrum.csv --lines \
-                  --worst 3 --figure difference.svg\n\nExit code: 0 equal within tolerance, 1 different, 2 not \
-                  comparable."
+                  --worst 3 --figure difference.svg\n  jeffcott compare output/a output/b output/c --report \
+                  all.html\n\nExit code: 0 equal within tolerance, 1 different, 2 not comparable."
 )]
 pub struct Arguments {
-    /// First CSV file or run folder
-    #[arg(value_name = "A")]
-    first: PathBuf,
-    /// Second CSV file or run folder
-    #[arg(value_name = "B")]
-    second: PathBuf,
+    /// CSV files or run folders, two and more
+    #[arg(required = true, num_args = 2.., value_names = ["A", "B"])]
+    results: Vec<PathBuf>,
     /// Allowed difference as part of the largest magnitude in the column [default: 1e-6]
     #[arg(long, value_name = "R", allow_negative_numbers = true)]
     relative: Option<f64>,
@@ -60,13 +58,14 @@ pub struct Arguments {
     /// Leave out what only one of them has: files, columns, samples of a trace that was thinned
     #[arg(long)]
     common: bool,
-    /// Draw the columns that are furthest apart, both curves and their difference
+    /// Draw the columns of two results that are furthest apart, both curves and their difference
     #[arg(long, value_name = "FILE.svg")]
     figure: Option<PathBuf>,
-    /// Write a page that shows the result in a browser
+    /// Write a page that any browser shows: key numbers of runs side by side, their traces and spectra over each other, and
+    /// where they differ
     #[arg(long, value_name = "FILE.html")]
     report: Option<PathBuf>,
-    /// Print the result as JSON
+    /// Print the result as JSON: an object, or an array for more than two
     #[arg(long)]
     json: bool,
 }
@@ -88,7 +87,7 @@ fn column(text: &str) -> Result<(String, Tolerance), Box<dyn Error + Send + Sync
 
 /// Compares and prints the worst places of every column.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
-    match comparison(arguments) {
+    match comparisons(arguments) {
         Err(message) => {
             terminal::tell(&message);
             if arguments.json {
@@ -98,9 +97,9 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
             }
             Ok(Outcome::WrongInput)
         }
-        Ok(comparison) => {
-            show(&comparison, arguments.json)?;
-            Ok(match comparison.agrees() {
+        Ok(comparisons) => {
+            show(&comparisons, arguments)?;
+            Ok(match comparisons.iter().all(Comparison::agrees) {
                 true => Outcome::Done,
                 false => Outcome::Failed,
             })
@@ -108,8 +107,8 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     }
 }
 
-/// The comparison, or why nothing is compared.
-fn comparison(arguments: &Arguments) -> Result<Comparison, String> {
+/// The comparisons with the first result, or why nothing is compared.
+fn comparisons(arguments: &Arguments) -> Result<Vec<Comparison>, String> {
     let file = arguments.tolerances.as_deref().map(ToleranceFile::load);
     let file = file.transpose();
     let file = file.map_err(|error| error.render(false))?;
@@ -119,14 +118,30 @@ fn comparison(arguments: &Arguments) -> Result<Comparison, String> {
         common: arguments.common,
         lines: arguments.lines.map(usize::from),
     };
-    let (first, second) = (&arguments.first, &arguments.second);
-    let comparison =
-        compare(first, second, &rules).map_err(|error| placed(&error, file.as_ref()))?;
-    let (figure, page) = (&arguments.figure, &arguments.report);
-    let files = [figure, page].map(Option::as_deref);
-    let written = write_comparison(&comparison, [first, second], files);
-    written.map_err(|error| message(&error))?;
-    Ok(comparison)
+    let results = &arguments.results;
+    let others = results[1..].iter();
+    let comparisons = others.map(|other| compare(&results[0], other, &rules));
+    let comparisons: Result<Vec<_>, _> = comparisons.collect();
+    let comparisons = comparisons.map_err(|error| placed(&error, file.as_ref()))?;
+    write_files(arguments, &comparisons)?;
+    Ok(comparisons)
+}
+
+/// Writes figure and page, where they are asked for.
+fn write_files(arguments: &Arguments, comparisons: &[Comparison]) -> Result<(), String> {
+    let results = &arguments.results;
+    if let Some(file) = &arguments.figure {
+        let ([first, second], [comparison]) = (&results[..], comparisons) else {
+            return Err(
+                "error: --figure draws two results; --report shows more on a page\n".into(),
+            );
+        };
+        write_figure(comparison, [first, second], file).map_err(|error| message(&error))?;
+    }
+    if let Some(file) = &arguments.report {
+        write_page(results, comparisons, file).map_err(|error| message(&error))?;
+    }
+    Ok(())
 }
 
 /// What the file says, unless the command line says otherwise.
@@ -160,15 +175,32 @@ fn placed(error: &CompareError, file: Option<&ToleranceFile>) -> String {
 }
 
 /// Prints the result; a reader that goes away early does not change the verdict.
-fn show(comparison: &Comparison, json: bool) -> io::Result<()> {
-    let printed = match json {
-        true => terminal::print(&format!("{:#}\n", comparison.to_json())),
-        false => terminal::summarise(&format!("{comparison}\n")),
+fn show(comparisons: &[Comparison], arguments: &Arguments) -> io::Result<()> {
+    let printed = match arguments.json {
+        true => {
+            let documents = comparisons.iter().map(Comparison::to_json).collect();
+            terminal::print(&document(comparisons.len(), documents))
+        }
+        false => terminal::summarise(&text(comparisons, &arguments.results)),
     };
     match printed {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         printed => printed,
     }
+}
+
+/// What is told of the comparisons, behind the names of what was compared where there are several.
+fn text(comparisons: &[Comparison], results: &[PathBuf]) -> String {
+    let pairs = comparisons.iter().zip(&results[1..]);
+    let texts = pairs.map(|(comparison, other)| match comparisons {
+        [_] => format!("{comparison}\n"),
+        _ => format!(
+            "{} and {}\n{comparison}\n",
+            results[0].display(),
+            other.display()
+        ),
+    });
+    texts.collect::<Vec<_>>().join("\n")
 }
 
 /// The error and all its causes in one line.

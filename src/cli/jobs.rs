@@ -277,8 +277,8 @@ impl Answer {
     }
 }
 
-/// The JSON of `count` jobs: an object for one, an array for several.
-fn document(count: usize, mut results: Vec<Value>) -> String {
+/// The JSON of `count` answers: an object for one, an array for several.
+pub fn document(count: usize, mut results: Vec<Value>) -> String {
     let document = match (count, results.pop()) {
         (1, Some(result)) => result,
         (_, last) => results.into_iter().chain(last).collect(),

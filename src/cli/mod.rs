@@ -16,7 +16,6 @@ mod jobs;
 mod new;
 mod pace;
 mod removed;
-mod report;
 mod run;
 mod steady;
 mod study;
@@ -64,7 +63,6 @@ enum Verb {
     Accuracy(accuracy::Arguments),
     Check(check::Arguments),
     Compare(compare::Arguments),
-    Report(report::Arguments),
     Catalogue(catalogue::Arguments),
     Estimate(estimate::Arguments),
     Schema(describe::Schema),
@@ -150,7 +148,6 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Accuracy(arguments) => accuracy::run(&arguments),
         Verb::Check(arguments) => check::run(&arguments),
         Verb::Compare(arguments) => compare::run(&arguments),
-        Verb::Report(arguments) => report::run(&arguments),
         Verb::Catalogue(arguments) => catalogue::run(&arguments),
         Verb::Estimate(arguments) => estimate::run(&arguments),
         Verb::Schema(arguments) => describe::schema(&arguments),

@@ -4,7 +4,11 @@ use clap::error::{ContextKind, ContextValue, Error};
 
 const RUN_AGAIN: &str = "a run is made in one go: run it again, or with a shorter `duration`; studies go on where they ended";
 
-const REMOVED: [(&str, &str); 3] = [
+const REMOVED: [(&str, &str); 4] = [
+    (
+        "report",
+        "`jeffcott compare A B ... --report FILE.html` puts two and more runs on one page",
+    ),
     ("--stop-at", RUN_AGAIN),
     ("--restartable", RUN_AGAIN),
     ("--resume", RUN_AGAIN),

@@ -23,7 +23,6 @@ pub(crate) mod run_tables;
 mod run_up;
 pub(crate) mod scene;
 mod shaft_shapes;
-pub(crate) mod side_by_side;
 mod spectra;
 pub(crate) mod statics;
 pub(crate) mod steady;

@@ -33,11 +33,6 @@ fn command(arguments: &[&Path], options: &[&str]) -> Output {
     command.output().unwrap()
 }
 
-/// A message without the breaks that fit it to a terminal.
-fn flat(message: &str) -> String {
-    message.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
 /// Exit code and both streams.
 fn result(output: &Output) -> (i32, String) {
     let text = [output.stdout.as_slice(), output.stderr.as_slice()].concat();
@@ -209,6 +204,35 @@ fn folders_are_compared_table_by_table() {
     assert_eq!(code, 1);
     assert!(text.contains("only one run has"), "{text}");
     assert!(text.contains("spectrum.csv"), "{text}");
+}
+
+#[test]
+fn further_results_are_compared_with_the_first() {
+    let (folder, a, b) = files(TRACE, &TRACE.replace("2e-6", "3e-6"));
+    let page = folder.path().join("page.html");
+    let options = ["--report", page.to_str().unwrap()];
+    let (code, text) = result(&command(&[&a, &a, &b], &options));
+    assert_eq!(code, 1, "{text}");
+    let equal = text.find("equal within tolerance").unwrap();
+    assert!(
+        text[equal..].contains("different: most of all x_m"),
+        "{text}"
+    );
+    assert!(fs::read_to_string(page).unwrap().contains("</html>"));
+    assert_eq!(result(&command(&[&a, &a, &a], &[])).0, 0);
+    let output = command(&[&a, &b, &a], &["--json"]);
+    let value: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(
+        [0, 1].map(|other| value[other]["agrees"] == true),
+        [false, true]
+    );
+    let refused = result(&command(&[&a, &b, &a], &["--figure", "figure.svg"]));
+    assert_eq!(refused.0, 2);
+    assert!(
+        refused.1.contains("--figure draws two results"),
+        "{}",
+        refused.1
+    );
 }
 
 #[test]

@@ -46,11 +46,7 @@ fn folders_of_no_whole_run_are_not_compared() {
         ("b/trace.csv", TRACE),
         ("b/summary.json", "{}"),
     ]);
-    for verb in [
-        &["compare", "a", "b"],
-        &["report", "a", "b"],
-        &["compare", "b", "b"],
-    ] {
+    for verb in [&["compare", "a", "b"], &["compare", "b", "b"]] {
         refused(&says(folder.path(), verb), "no summary.json of a whole run");
     }
     for run in ["a", "b"] {
@@ -86,12 +82,11 @@ fn what_never_ends_is_not_read() {
             }
         }
         let [csv, toml] = ["csv", "toml"].map(|end| format!("{name}.{end}"));
-        let all: [&[&str]; 8] = [
+        let all: [&[&str]; 7] = [
             &["compare", "t.csv", &csv],
             &["compare", &csv, &csv],
             &["compare", "t.csv", "t.csv", "--tolerances", &toml],
             &["compare", "run", "run"],
-            &["report", "run"],
             &["check", &toml],
             &["check", "series.toml"],
             &["check", "own.toml"],

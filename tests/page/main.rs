@@ -415,14 +415,18 @@ fn runs_stand_side_by_side_on_one_page() {
     let page = folder.path().join("report.html");
     let folders = ["steady-7205c", "linear-7205c"].map(|name| folder.path().join(name));
     let mut command = support::jeffcott();
-    command.arg("report").args(&folders).arg("--out").arg(&page);
-    done(command.output().expect("it starts"));
+    command
+        .arg("compare")
+        .args(&folders)
+        .arg("--report")
+        .arg(&page);
+    let output = command.output().expect("it starts");
+    assert_eq!(output.status.code(), Some(1), "they differ");
     let shown = Shown { folder, page };
     if let Some(document) = document(&shown) {
-        assert_eq!(document.matches("data-figure=").count(), 2);
-        assert_eq!(document.matches("aria-pressed=\"true\"").count(), 4);
+        assert_eq!(document.matches("data-figure=").count(), 3);
     }
-    looks_well(&shown, Path::new("report"));
+    looks_well(&shown, Path::new("compare"));
 }
 
 /// Opened from disk, the page shows the numbers of the summary, every curve and the named lines.

@@ -40,14 +40,6 @@ pub enum CompareError {
         /// The folder.
         folder: PathBuf,
     },
-    /// A folder holds nothing of a run to show.
-    #[error(
-        "{} has neither trace.csv nor spectrum.csv: give folders that `jeffcott run` has written", folder.display()
-    )]
-    NoRun {
-        /// The folder.
-        folder: PathBuf,
-    },
     /// Two columns have the same name.
     #[error("{} has two columns named {column:?}", path.display())]
     Duplicate {

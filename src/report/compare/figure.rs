@@ -3,12 +3,9 @@
 use std::f64::consts::{PI, TAU};
 use std::path::{Path, PathBuf};
 
-use serde_json::Value;
-
 use super::table::Table;
 use super::{ColumnComparison, CompareError, Comparison, TableComparison, Worst};
 use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct, ends};
-use crate::report::page::AnswerPage;
 use crate::report::{FigureFormat, write_whole};
 
 /// Most columns that are shown.
@@ -20,41 +17,27 @@ const SMALLEST: f64 = 1e-7;
 /// Places closer than this part of them are one.
 const SAME_PLACE: f64 = 1e-9;
 
-/// Writes into files, where they are named, the figure of a comparison, and a page with it and the worst places;
-/// `compared` is what was compared.
+/// Writes the figure of two results that were compared.
 ///
 /// # Errors
-/// [`CompareError`] where a table cannot be read again, or figure or page not be drawn or written.
-pub fn write_comparison(
+/// [`CompareError`] where a table cannot be read again, or the figure not be drawn or written.
+pub(crate) fn write_figure(
     comparison: &Comparison,
     compared: [&Path; 2],
-    [figure_file, page_file]: [Option<&Path>; 2],
+    file: &Path,
 ) -> Result<(), CompareError> {
-    if figure_file.or(page_file).is_none() {
-        return Ok(());
-    }
-    let figure = figure(comparison, compared)?;
-    if let Some(file) = figure_file {
-        write_whole(file, &figure.bytes(FigureFormat::of(file))?)?;
-    }
-    if let Some(file) = page_file {
-        let lines = comparison.lines();
-        let page = AnswerPage {
-            title: &figure.title,
-            sealed: "the tables that were compared",
-            parts: lines.parts(),
-            figures: std::slice::from_ref(&figure),
-            tables: &[],
-            document: &Value::Null,
-        };
-        page.write_alone(file)?;
-    }
+    let figure = difference_figure("comparison", comparison, compared)?;
+    write_whole(file, &figure.bytes(FigureFormat::of(file))?)?;
     Ok(())
 }
 
 /// The columns that are furthest apart: to the left both curves, to the right their difference, with the places of the
 /// comparison marked. Amplitudes of spectra stand in dB of the largest.
-fn figure(comparison: &Comparison, [first, second]: [&Path; 2]) -> Result<Figure, CompareError> {
+pub(super) fn difference_figure(
+    name: &str,
+    comparison: &Comparison,
+    [first, second]: [&Path; 2],
+) -> Result<Figure, CompareError> {
     let mut panels = Vec::new();
     for (table, column) in furthest(comparison) {
         let inside = |path: &Path| -> PathBuf {
@@ -68,7 +51,7 @@ fn figure(comparison: &Comparison, [first, second]: [&Path; 2]) -> Result<Figure
         panels.extend(both_panels(&tables, column));
     }
     let title = format!("{} and {}", first.display(), second.display());
-    let figure = Figure::new("comparison", &title, 2, panels);
+    let figure = Figure::new(name, &title, 2, panels);
     Ok(figure.with_names(Name::each(["a", "b", "b − a"])))
 }
 

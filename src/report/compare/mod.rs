@@ -32,10 +32,11 @@ mod assertion;
 mod error;
 mod figure;
 mod lines;
+mod page;
 mod result;
 mod rows;
 mod rules;
-pub(super) mod table;
+mod table;
 mod text;
 
 use std::fs;
@@ -51,7 +52,8 @@ use crate::scenario::open_regular;
 
 pub use assertion::{ComparedSpectrum, spectra_close};
 pub use error::CompareError;
-pub(crate) use figure::write_comparison;
+pub(crate) use figure::write_figure;
+pub(crate) use page::write_page;
 pub use result::{ColumnComparison, Comparison, Difference, TableComparison, Worst};
 pub use rules::{Rules, Tolerance, Tolerances};
 
@@ -112,7 +114,7 @@ const LARGEST: u64 = 256 << 20;
 ///
 /// # Errors
 /// [`CompareError::Unsealed`] where there is none in the folder.
-pub(super) fn sealed(folder: &Path) -> Result<Value, CompareError> {
+fn sealed(folder: &Path) -> Result<Value, CompareError> {
     let file = open_regular(&folder.join("summary.json"), LARGEST).ok();
     let summary: Option<Value> =
         file.and_then(|file| serde_json::from_reader(BufReader::new(file)).ok());

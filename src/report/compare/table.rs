@@ -13,7 +13,7 @@ use crate::scenario::open_regular;
 const LARGEST: u64 = 4 << 30;
 
 /// A table with a header and numbers below, at least one row.
-pub(in crate::report) struct Table {
+pub(super) struct Table {
     /// Its file, or what messages call it.
     pub path: PathBuf,
     /// Names of the columns.

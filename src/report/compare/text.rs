@@ -32,9 +32,8 @@ impl Comparison {
         text
     }
 
-    /// The same as [`Display`](fmt::Display) tells, the verdict first, as a page shows it.
-    pub(super) fn lines(&self) -> Lines {
-        let mut lines = Lines::default();
+    /// Tells what [`Display`](fmt::Display) does, the verdict first, as a page shows it.
+    pub(super) fn tell(&self, lines: &mut Lines) {
         lines.line("result", self.verdict());
         let differences = |lines: &mut Lines, all: &[Difference]| {
             all.iter().for_each(|difference| lines.put(difference));
@@ -45,12 +44,11 @@ impl Comparison {
                 let (header, rows) = worst_places(table);
                 lines.table(header, rows);
             }
-            differences(&mut lines, &table.differences);
-            differences(&mut lines, &table.left_out);
+            differences(lines, &table.differences);
+            differences(lines, &table.left_out);
         }
-        differences(&mut lines, &self.differences);
-        differences(&mut lines, &self.left_out);
-        lines
+        differences(lines, &self.differences);
+        differences(lines, &self.left_out);
     }
 
     /// Whether one of the results has files, columns or samples that the other has not.

@@ -1,15 +1,17 @@
-//! Several runs on one page: key numbers side by side, traces and spectra over each other.
+//! The page of results that were compared: of runs also their key numbers side by side, their traces and spectra over
+//! each other.
 
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use super::compare::table::Table;
-use super::compare::{CompareError, sealed};
-use super::envelope::Decimator;
-use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct, ends};
-use super::page::AnswerPage;
-use super::terminal::{Lines, MICRO, MILLI, digits, or_dash};
+use super::figure::difference_figure;
+use super::table::Table;
+use super::{CompareError, Comparison, sealed};
+use crate::report::envelope::Decimator;
+use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct, ends};
+use crate::report::page::AnswerPage;
+use crate::report::terminal::{Lines, MICRO, MILLI, digits, or_dash};
 
 /// Height of a plot, px.
 const HEIGHT: u32 = 190;
@@ -46,48 +48,63 @@ impl Folder {
             let file = path.join(name);
             file.exists().then(|| Table::open(&file)).transpose()
         };
-        let [trace, spectrum] = [table("trace.csv")?, table("spectrum.csv")?];
-        if trace.is_none() && spectrum.is_none() {
-            let folder = path.to_owned();
-            return Err(CompareError::NoRun { folder });
-        }
         let name = path.file_name().unwrap_or(path.as_os_str());
         Ok(Self {
             name: name.to_string_lossy().into_owned(),
-            trace,
-            spectrum,
+            trace: table("trace.csv")?,
+            spectrum: table("spectrum.csv")?,
             summary: sealed(path)?,
         })
     }
 }
 
-/// Writes the page of some run folders.
+/// Writes the page of results of which each further one was compared with the first.
 ///
 /// # Errors
-/// [`CompareError`] where a folder holds no run, a table cannot be read or the page not be written.
-pub(crate) fn write_side_by_side(folders: &[PathBuf], file: &Path) -> Result<(), CompareError> {
+/// [`CompareError`] where a table cannot be read again or the page not be written.
+pub(crate) fn write_page(
+    compared: &[PathBuf],
+    comparisons: &[Comparison],
+    file: &Path,
+) -> Result<(), CompareError> {
+    let (mut lines, mut figures) = (Lines::default(), Vec::new());
+    if compared.iter().all(|path| path.is_dir()) {
+        figures.extend(show_runs(compared, &mut lines)?);
+    }
+    for (number, (comparison, other)) in (1..).zip(comparisons.iter().zip(&compared[1..])) {
+        let name = format!("comparison_{number}");
+        let figure = difference_figure(&name, comparison, [&compared[0], other])?;
+        lines.put(&figure.title);
+        comparison.tell(&mut lines);
+        figures.push(figure);
+    }
+    let names = compared.iter().map(|path| path.display().to_string());
+    let page = AnswerPage {
+        title: &names.collect::<Vec<_>>().join(" and "),
+        sealed: "the tables that were compared",
+        parts: lines.parts(),
+        figures: &figures,
+        tables: &[],
+        document: &Value::Null,
+    };
+    Ok(page.write_alone(file)?)
+}
+
+/// Tells the key numbers of runs; returns the figures of their traces and spectra.
+fn show_runs(folders: &[PathBuf], lines: &mut Lines) -> Result<Vec<Figure>, CompareError> {
     let runs = folders.iter().map(|folder| Folder::open(folder));
     let runs = runs.collect::<Result<Vec<_>, _>>()?;
     let names = names(&runs, folders);
+    tell_key_numbers(&runs, &names, lines);
     let figures = [
         figure("traces", "time in s", &runs, &TRACES, |run| &run.trace),
         figure("spectra", "frequency in Hz", &runs, &SPECTRA, |run| {
             &run.spectrum
         }),
     ];
+    let names = || Name::each(names.iter().map(String::as_str));
     let figures = figures.into_iter().flatten();
-    let figures =
-        figures.map(|figure| figure.with_names(Name::each(names.iter().map(String::as_str))));
-    let lines = key_numbers(&runs, &names);
-    let page = AnswerPage {
-        title: &names.join(", "),
-        sealed: "the folders of the runs",
-        parts: lines.parts(),
-        figures: &figures.collect::<Vec<_>>(),
-        tables: &[],
-        document: &Value::Null,
-    };
-    Ok(page.write_alone(file)?)
+    Ok(figures.map(|figure| figure.with_names(names())).collect())
 }
 
 /// What the runs are called: their folders, with all of the path where two are called alike.
@@ -118,8 +135,7 @@ const KEY_NUMBERS: [(&str, &str); 4] = [
 ];
 
 /// A row a run.
-fn key_numbers(runs: &[Folder], names: &[String]) -> Lines {
-    let mut out = Lines::default();
+fn tell_key_numbers(runs: &[Folder], names: &[String], out: &mut Lines) {
     let velocities = AXES.map(|axis| format!("velocity {axis}\nmm/s RMS"));
     let header = ["run", "kind of motion"];
     let header = header
@@ -144,7 +160,6 @@ fn key_numbers(runs: &[Folder], names: &[String]) -> Lines {
         let title = run.summary["title"].as_str().unwrap_or_default();
         out.line(name, title);
     }
-    out
 }
 
 /// A panel a column that any of the runs has, a curve a run; none where no run has such a table.
