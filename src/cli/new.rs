@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 use std::fs::File;
-use std::io::{self, BufRead, ErrorKind, IsTerminal, Write};
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
@@ -13,8 +13,7 @@ use crate::scenario::{self, Format, Issue, STDIN, Scenario, ScenarioError};
 
 /// Writes a commented scenario of a shaft on one bearing or two, ready to run and to be changed.
 ///
-/// What no option gives is asked for on a terminal; elsewhere, and for an empty answer, the default is taken. Two deep
-/// groove bearings stand as they are, two angular contact bearings back to back with a light preload.
+/// Two deep groove bearings stand as they are, two angular contact bearings back to back with a light preload.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:\n  jeffcott new shaft.toml\n  \
                   jeffcott new fan.toml --mass \"8 kg\" --speed \"1500 rpm\" --bearing 6205 --span \"150 mm\" \\\n    \
@@ -25,55 +24,34 @@ pub struct Arguments {
     /// File to write, .toml, which must not be there yet; "-" prints the scenario
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// Mass of all that moves with the shaft [default: 5 kg]
-    #[arg(long, value_name = "MASS")]
-    mass: Option<String>,
-    /// Speed [default: 3000 rpm]
-    #[arg(long, value_name = "SPEED")]
-    speed: Option<String>,
-    /// Bearing of the catalogue [default: 6205]
-    #[arg(long, value_name = "NAME")]
-    bearing: Option<String>,
-    /// Distance of the two bearings; "0 mm" is a single one [default: 100 mm]
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
-    span: Option<String>,
-    /// Radial load beside the weight, downwards [default: 0 N]
-    #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
-    radial: Option<String>,
+    /// Mass of all that moves with the shaft
+    #[arg(long, value_name = "MASS", default_value = "5 kg")]
+    mass: String,
+    /// Speed
+    #[arg(long, value_name = "SPEED", default_value = "3000 rpm")]
+    speed: String,
+    /// Bearing, as `jeffcott catalogue` lists it
+    #[arg(long, value_name = "NAME", default_value = "6205")]
+    bearing: String,
+    /// Distance of the two bearings; "0 mm" is a single one
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        default_value = "100 mm",
+        allow_hyphen_values = true
+    )]
+    span: String,
+    /// Radial load beside the weight, downwards
+    #[arg(
+        long,
+        value_name = "FORCE",
+        default_value = "0 N",
+        allow_hyphen_values = true
+    )]
+    radial: String,
     /// Axial load, along +Z [default: 0 N; 200 N of a single bearing]
     #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
     axial: Option<String>,
-}
-
-/// The answer to a question as it is written and as a number in SI units: what an option gives, or else what
-/// somebody on a terminal says, or else the default. `check` makes the number.
-fn answer(
-    given: &Option<String>,
-    question: &str,
-    default: &str,
-    check: impl Fn(&str) -> Result<f64, Issue>,
-) -> Result<(String, f64), Issue> {
-    let checked = |text: &str| Ok((text.trim().to_owned(), check(text.trim())?));
-    if let Some(text) = given {
-        return checked(text);
-    }
-    if !(io::stdin().is_terminal() && io::stderr().is_terminal()) {
-        return checked(default);
-    }
-    loop {
-        terminal::tell(&format!("{question} [{default}]: "));
-        let mut line = String::new();
-        let count = io::stdin().lock().read_line(&mut line);
-        let text = match (count, line.trim()) {
-            (Ok(0) | Err(_), _) => return Err(Issue::new("", "no answer")),
-            (_, "") => default,
-            (_, text) => text,
-        };
-        match checked(text) {
-            Ok(answer) => return Ok(answer),
-            Err(issue) => terminal::tell(&format!("{issue}\n")),
-        }
-    }
 }
 
 /// A distance, m; zero or positive.
@@ -83,40 +61,26 @@ fn distance(text: &str) -> Result<f64, Issue> {
     (span >= 0.0).then_some(span).ok_or_else(refused)
 }
 
-/// Refuses a bearing that no scenario can name; it has no number.
-fn check_bearing(name: &str) -> Result<f64, Issue> {
-    let scenario = format!(
-        "shaft = {{ mass = \"1 kg\", freedoms = \"radial\" }}\nspeed = {{ constant = \"0 rpm\" }}\n\
-         bearing = [{{ catalogue = {} }}]\n",
-        quoted(name)
-    );
-    let checked = scenario::parse(&scenario, "the scenario", Format::Toml);
-    let issue = checked
-        .err()
-        .and_then(|error| error.issues.into_iter().next());
-    issue.map_or(Ok(0.0), Err)
-}
-
 /// A text as TOML has it.
 fn quoted(text: &str) -> String {
     Value::from(text).to_string()
 }
 
-/// What was answered, as it is written.
-struct Answers {
+/// What the options say, each as it is written and, where it is needed, as a number.
+struct Choice<'a> {
     title: String,
-    mass: String,
+    mass: &'a str,
     /// Also in rad/s.
-    speed: (String, f64),
-    bearing: String,
+    speed: (&'a str, f64),
+    bearing: &'a str,
     /// Distance of two bearings, m; zero of one.
     span: f64,
     /// Also in N.
-    radial: (String, f64),
-    axial: (String, f64),
+    radial: (&'a str, f64),
+    axial: (&'a str, f64),
 }
 
-/// Asks, writes the scenario and says what comes next.
+/// Writes the scenario and says what comes next.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let file = &arguments.file;
     let name = file.display();
@@ -128,11 +92,11 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     if !is_printed && file.exists() {
         return refuse(THERE);
     }
-    let answers = match Answers::of(arguments) {
-        Ok(answers) => answers,
+    let choice = match Choice::new(arguments) {
+        Ok(choice) => choice,
         Err(issue) => return refuse(&issue.to_string()),
     };
-    let (text, scenario) = match answers.scenario() {
+    let (text, scenario) = match choice.scenario() {
         Ok(written) => written,
         Err(error) => {
             terminal::tell_problems(&error);
@@ -169,36 +133,26 @@ const TEMPLATE: &str = include_str!("new.toml");
 /// Why nothing is written over.
 const THERE: &str = "it is there already, and stays as it is: give another name";
 
-impl Answers {
-    fn of(arguments: &Arguments) -> Result<Self, Issue> {
-        let number = |key, name| move |text: &str| scenario::number(text, key, name);
-        let text = "Mass of all that moves with the shaft";
-        let key = number("shaft.mass", "mass");
-        let (mass, _) = answer(&arguments.mass, text, "5 kg", key)?;
-        let key = number("speed.constant", "speed");
-        let speed = answer(&arguments.speed, "Speed", "3000 rpm", key)?;
-        let text = "Bearing, as `jeffcott catalogue` lists it";
-        let (bearing, _) = answer(&arguments.bearing, text, "6205", check_bearing)?;
-        let text = "Distance of two such bearings; 0 mm for one alone";
-        let (_, span) = answer(&arguments.span, text, "100 mm", distance)?;
-        let text = "Radial load beside the weight, downwards";
-        let key = number("load[].constant.y", "radial");
-        let radial = answer(&arguments.radial, text, "0 N", key)?;
-        let default = if span == 0.0 { "200 N" } else { "0 N" };
-        let key = number("load[].constant.z", "axial");
-        let axial = answer(&arguments.axial, "Axial load", default, key)?;
+impl<'a> Choice<'a> {
+    fn new(arguments: &'a Arguments) -> Result<Self, Issue> {
+        let both = |text: &'a str, key: &str, name: &str| {
+            Ok((text.trim(), scenario::number(text.trim(), key, name)?))
+        };
+        let span = distance(&arguments.span)?;
+        let single = if span == 0.0 { "200 N" } else { "0 N" };
+        let axial = arguments.axial.as_deref().unwrap_or(single);
         let stem = arguments.file.file_stem().unwrap_or_default().to_str();
         Ok(Self {
             title: stem
                 .filter(|stem| *stem != STDIN)
                 .unwrap_or("shaft")
                 .to_owned(),
-            mass,
-            speed,
-            bearing,
+            mass: &arguments.mass,
+            speed: both(&arguments.speed, "speed.constant", "speed")?,
+            bearing: &arguments.bearing,
             span,
-            radial,
-            axial,
+            radial: both(&arguments.radial, "load[].constant.y", "radial")?,
+            axial: both(axial, "load[].constant.z", "axial")?,
         })
     }
 
@@ -241,7 +195,7 @@ impl Answers {
         };
         let values = [
             ("title", quoted(&self.title)),
-            ("mass", quoted(&self.mass)),
+            ("mass", quoted(self.mass)),
             ("eccentricity", format!("{eccentricity:.3}")),
             ("grade", grade),
             ("speed", quoted(speed)),
@@ -264,7 +218,7 @@ impl Answers {
             let position = rounded(position);
             format!(
                 "[[bearing]]\ncatalogue = {}\nposition = \"{position} mm\"\n{more}",
-                quoted(&self.bearing)
+                quoted(self.bearing)
             )
         };
         let span = rounded(1e3 * self.span);
