@@ -19,7 +19,7 @@ use crate::scenario::{self, Issue, Loaded, ScenarioError};
 /// Checks scenario and study files without running them; shows all that is wrong, and what a run takes. A scenario whose
 /// shaft cannot be built, or has no equilibrium, is wrong as well.
 ///
-/// The memory is somewhat more than a run turns out to take, the time that of its first steps carried on to its end.
+/// The memory is somewhat more than a run turns out to take. How long a run takes its progress tells.
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Examples:\n  jeffcott check scenarios/steady-7205c.toml\n  \

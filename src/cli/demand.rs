@@ -1,36 +1,26 @@
 //! What a run demands of the machine, and whether the machine has it.
 
+use std::f64::consts::TAU;
 use std::fmt;
 use std::fs;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc;
-use std::thread;
-use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
 use crate::analysis::Channel;
-use crate::integrate::{IntegrateError, Pace};
 use crate::scenario::{Scenario, StudyFile, TableFormat};
-use crate::simulate::{BareRun, Model, RunSize, SimulateError};
+use crate::simulate::{Model, RunSize, SimulateError};
 
 /// Bytes of a number in a table of text.
 const TEXT: f64 = 19.5;
 /// Bytes of a number in a table of another format.
 const BINARY: f64 = 9.0;
-/// Bytes of what a run writes whatever it is.
-const FLAT: f64 = 2e6;
 /// Columns beside the trace: energy, and a drive.
 const ENERGY: f64 = 12.0;
 const DRIVE: f64 = 8.0;
 /// Columns of a ball: load and contact angle at both races.
 const BALL: f64 = 4.0;
-/// Bytes that are put together and written in a second, about.
-const WRITTEN: f64 = 2e8;
-/// Time that is spent to find out how long a run takes.
-const TRIED: Duration = Duration::from_millis(150);
-/// Work of both passes over that of the first.
-const BOTH_PASSES: f64 = 2.27;
+/// Columns of a line of a spectrum, or of a point, beside its displacements.
+const PLACE: f64 = 3.0;
 /// Memory beside that of the run that a limit on addresses has to hold.
 const ADDRESSES: f64 = 40e6;
 
@@ -40,25 +30,21 @@ pub struct Demand {
     /// Number of runs, where they are those of a study.
     runs: Option<u64>,
     size: RunSize,
-    /// Bytes of all its files.
-    disk: f64,
-    /// Time it takes, s; none where it cannot be told.
-    time: Option<f64>,
+    /// Bytes of its tables.
+    tables: f64,
 }
 
 impl Demand {
-    /// Of a scenario that moves; takes a look at its first steps.
+    /// Of a scenario that moves.
     ///
     /// # Errors
     /// [`SimulateError`] where it cannot be run at all.
     pub fn of(scenario: &Scenario, model: &Model) -> Result<Self, SimulateError> {
         let size = RunSize::of(model)?;
-        let disk = disk(scenario, model, &size);
         Ok(Self {
             runs: None,
             size,
-            disk,
-            time: time(model)?.map(|time| time + disk / WRITTEN),
+            tables: tables(scenario, model, &size),
         })
     }
 
@@ -69,16 +55,20 @@ impl Demand {
     pub fn of_runs(first: &Model, study: &StudyFile) -> Result<Self, SimulateError> {
         let size = RunSize::of(first)?;
         let runs = study.plan.runs().unwrap_or(u64::MAX);
-        let mut columns = study.columns.len() as f64;
+        let mut numbers = study.columns.len() as f64;
         if study.keep.traces {
             let channels = Channel::of_trace_in(&study.echo["base"], &first.rotor);
-            columns += (channels.len() as u64 * size.samples) as f64;
+            numbers += (channels.len() as u64 * size.samples) as f64;
         }
+        let revolutions = first.rotor.speed / TAU * (first.duration - first.settle);
+        let points = study.keep.section.map_or(0.0, |_| 1.0);
+        let lines = study.keep.highest_order.unwrap_or(0.0) + points;
+        let displacements = first.rotor.shaft.freedoms.axes().len() as f64;
+        numbers += revolutions * lines * (PLACE + displacements);
         Ok(Self {
             runs: Some(runs),
             size,
-            disk: FLAT + TEXT * columns * runs as f64,
-            time: time(first)?.map(|time| time * runs as f64),
+            tables: TEXT * numbers * runs as f64,
         })
     }
 
@@ -94,36 +84,23 @@ impl Demand {
             "runs": self.runs,
             "samples": self.size.samples,
             "memory_bytes": self.size.memory.round(),
-            "disk_bytes": self.disk.round(),
-            "expected_time_s": self.time,
+            "table_bytes": self.tables.round(),
         })
     }
 }
 
 impl fmt::Display for Demand {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (memory, disk) = (bytes(self.size.memory), bytes(self.disk));
+        let (memory, tables) = (bytes(self.size.memory), bytes(self.tables));
         let samples = self.size.samples;
-        let (runs, each, thread) = match self.runs {
-            None => (String::new(), "", ""),
-            Some(runs) => (
-                format!("{runs} runs of "),
-                " for each thread",
-                " on one thread",
-            ),
+        let (runs, each) = match self.runs {
+            None => (String::new(), ""),
+            Some(runs) => (format!("{runs} runs of "), " for each thread"),
         };
         write!(
             f,
-            "{runs}{samples} samples, about {memory} of memory{each}, {disk} of files"
-        )?;
-        match self.time {
-            Some(time) if time < 1.0 => write!(f, ", less than a second")?,
-            Some(time) if time < 100.0 => write!(f, ", {time:.0} s")?,
-            Some(time) if time < 6000.0 => write!(f, ", {:.0} min", time / 60.0)?,
-            Some(time) => write!(f, ", {:.0} h", time / 3600.0)?,
-            None => return Ok(()),
-        }
-        write!(f, "{thread} at the pace of its start")
+            "{runs}{samples} samples, about {memory} of memory{each}, {tables} of tables"
+        )
     }
 }
 
@@ -177,8 +154,8 @@ fn available() -> impl Iterator<Item = (f64, &'static str)> {
         .filter_map(|(there, of)| Some((there?, of)))
 }
 
-/// Bytes of all files of a run.
-fn disk(scenario: &Scenario, model: &Model, size: &RunSize) -> f64 {
+/// Bytes of the tables of a run.
+fn tables(scenario: &Scenario, model: &Model, size: &RunSize) -> f64 {
     let output = &scenario.output;
     let rows = size.samples as f64 / output.written_of(size.samples as f64).get() as f64;
     let mut columns = 0.0;
@@ -208,36 +185,7 @@ fn disk(scenario: &Scenario, model: &Model, size: &RunSize) -> f64 {
         TableFormat::Csv => TEXT,
         _ => BINARY,
     });
-    FLAT + numbers * formats.sum::<f64>()
-}
-
-/// Time that a run takes if it goes on as it begins, s.
-fn time(model: &Model) -> Result<Option<f64>, SimulateError> {
-    let run = BareRun::new(model)?;
-    let (stop, pace) = (AtomicBool::new(false), Pace::default());
-    let started = Instant::now();
-    let ending = thread::scope(|scope| {
-        let (running, ended) = mpsc::channel::<()>();
-        let (stop, pace) = (&stop, &pace);
-        let trial = scope.spawn(move || {
-            let _running = running;
-            run.integrate(stop, Some(pace))
-        });
-        let _ = ended.recv_timeout(TRIED);
-        stop.store(true, Ordering::Relaxed);
-        trial.join()
-    });
-    let part = match ending {
-        Ok(Ok(_)) => 1.0,
-        Ok(Err(SimulateError::Integrate(IntegrateError::Interrupted { .. }))) => {
-            pace.now().0 / model.duration
-        }
-        // the run itself tells why it fails
-        Ok(Err(_)) => return Ok(None),
-        Err(panic) => std::panic::resume_unwind(panic),
-    };
-    let passes = if model.verify { BOTH_PASSES } else { 1.0 };
-    Ok((part > 0.0).then(|| passes * started.elapsed().as_secs_f64() / part))
+    numbers * formats.sum::<f64>()
 }
 
 /// Bytes in words.
