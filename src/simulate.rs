@@ -56,7 +56,7 @@ pub fn simulate(
     sink: &mut dyn TraceSink,
     monitor: &mut Monitor<'_>,
 ) -> Result<Run, SimulateError> {
-    simulate_watched(model, sink, monitor, [None; 2])
+    simulate_watched(model, sink, monitor, [None; 3])
 }
 
 /// Modes in each plane of the reduction that measures the error of one with so many: twice as many, and at least four
@@ -65,7 +65,7 @@ pub(crate) fn finer_modes(modes: usize) -> usize {
     modes + modes.max(4)
 }
 
-/// As [`simulate`]; the two passes note in `paces` how they get on.
+/// As [`simulate`]; the passes (of the run, of its error, of that of a shaft that bends) note in `paces` how they get on.
 ///
 /// # Errors
 /// [`SimulateError`] as there.
@@ -73,7 +73,7 @@ pub(crate) fn simulate_watched(
     model: &Model,
     sink: &mut dyn TraceSink,
     monitor: &mut Monitor<'_>,
-    paces: [Option<&Pace>; 2],
+    paces: [Option<&Pace>; 3],
 ) -> Result<Run, SimulateError> {
     let mut rotor = Rotor::assemble(&model.rotor)?;
     let tables = TableAudit::new(if model.table {

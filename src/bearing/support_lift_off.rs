@@ -75,6 +75,22 @@ impl Support {
         })
     }
 
+    /// Largest approach that any ball has without inertia and film with the shaft at `displacement`, wherever the cage
+    /// stands, m. A bound, which a ball comes to where the ring tilts towards the side to which it is shifted.
+    ///
+    /// `δ = hypot(|A1|, A2) − A` with the largest A1 and A2 around the ring.
+    pub(crate) fn hertz_approach(
+        &self,
+        displacement: &Vector5,
+        rotation: &BearingRotation,
+    ) -> f64 {
+        let place = self.ring_displacement(displacement, rotation);
+        let [axial, radial] = self.ring.amplitudes(&place);
+        let [along, across] = [axial, radial].map(|[middle, swing]| middle.abs() + swing.sqrt());
+        let apart = self.definition.bearing.geometry.groove_centre_distance();
+        along.hypot(across) - apart
+    }
+
     /// How far inner groove centres move at most, m, as the ring goes from one place to another.
     fn shift_of_centres(&self, from: &Vector5, to: &Vector5) -> f64 {
         let [x, y, z, tilt_x, tilt_y] = std::array::from_fn(|axis| to[axis] - from[axis]);

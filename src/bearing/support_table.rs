@@ -28,8 +28,7 @@ impl Support {
         speed: f64,
         tolerance: f64,
     ) -> Option<Result<TableReport, TableError>> {
-        let floats = matches!(self.seat, Seat::Spring { .. });
-        if self.frozen.is_some() || floats || matches!(self.law, Law::Hertz(_)) {
+        if !self.may_gain_from_table() {
             return None;
         }
         if self.is_imperfect() {
@@ -47,6 +46,17 @@ impl Support {
             self.table = Some(Box::new(table));
             report
         }))
+    }
+
+    /// Whether a table may pay.
+    fn may_gain_from_table(&self) -> bool {
+        let floats = matches!(self.seat, Seat::Spring { .. });
+        self.frozen.is_none() && !floats && !matches!(self.law, Law::Hertz(_))
+    }
+
+    /// Whether a table is compiled where one is asked for.
+    pub(crate) fn gains_from_table(&self) -> bool {
+        self.may_gain_from_table() && !self.is_imperfect()
     }
 
     /// The table where it covers every ball with the shaft at `displacement` and the inner ring preset axially by an

@@ -8,6 +8,7 @@ use super::{BallLine, Bearing, RaceContact};
 /// A contact of a numbered ball at a race with a name.
 struct Place<'a> {
     race: &'static str,
+    /// From 1.
     number: usize,
     ball: &'a BallLine,
     contact: &'a RaceContact,
@@ -36,7 +37,7 @@ pub(super) fn of(
     for (side, race) in ["inner", "outer"].into_iter().enumerate() {
         let place = |(number, ball)| Place {
             race,
-            number,
+            number: number + 1,
             ball,
             contact: [&ball.inner, &ball.outer][side],
         };
@@ -85,9 +86,10 @@ fn wrong_way(bearing: &Bearing, loaded: &[(usize, &BallLine)]) -> Option<String>
     let (number, ball) = leaning.min_by(|a, b| a.1.inner.angle.total_cmp(&b.1.inner.angle))?;
     Some(format!(
         "loaded the wrong way: {count} of {} loaded balls have a negative contact angle, ball \
-         {number} (at {:.1}°) the most with {:.2}°; an angular contact bearing of {:.1}° bears \
+         {} (at {:.1}°) the most with {:.2}°; an angular contact bearing of {:.1}° bears \
          axially one way only: turn its `facing`, or the load along z",
         loaded.len(),
+        number + 1,
         ball.azimuth.to_degrees(),
         ball.inner.angle.to_degrees(),
         nominal.to_degrees(),

@@ -6,8 +6,8 @@ use std::time::{Duration, Instant};
 use super::jobs::Job;
 use super::terminal::{Progress, in_words};
 use crate::integrate::{Counters, Method, Pace};
-use crate::rotor::Rotor;
-use crate::simulate::Model;
+use crate::rotor::{Rotor, RotorError};
+use crate::simulate::{Model, finer_modes};
 
 /// Looks that the present pace is taken from.
 const LOOKS: usize = 40;
@@ -15,8 +15,13 @@ const LOOKS: usize = 40;
 const PATIENCE: Duration = Duration::from_secs(5);
 /// Time left, s, from which on a run is slow.
 const SLOW: f64 = 60.0;
-/// Part of the work of both passes that is the first one's.
-const FIRST_PASS: f64 = 0.44;
+/// Work of the passes, of the run, of its error and of that with more modes of a shaft that bends, as long as one of them
+/// has not begun.
+const WORK: [f64; 3] = [0.44, 0.56, 0.6];
+/// What they are called.
+const PASSES: [&str; 3] = ["", " (second pass)", " (pass with more modes)"];
+/// Times the end that was last told from which on a later one is told, too.
+const LATER: f64 = 2.0;
 /// Steps in a period of the fastest natural vibration above which it is not what they follow.
 const STEPS_A_PERIOD: f64 = 100.0;
 /// Part of the trials that are rejected from which on it is worth a word.
@@ -29,25 +34,26 @@ const FASTER_OR_STIFF: &str = "they follow something faster, as balls that are p
 /// Evaluations a second below which they are costly.
 const COSTLY: f64 = 5e4;
 
-/// What both passes of a run have come to.
+/// What the passes of a run have come to: times, s, and work.
 #[derive(Debug, Clone, Copy)]
 struct Look {
     at: Instant,
-    times: [f64; 2],
-    work: Counters,
+    passes: [(f64, Counters); 3],
 }
 
 /// How a run gets on at present.
 #[derive(Debug, Clone, Copy)]
 struct Present {
-    /// Time that it has come to, s, and the pass that has moved last, if both are made.
+    /// The pass that works most, and the time that it has come to, s.
+    pass: usize,
     time: f64,
-    pass: &'static str,
     /// The part of the work that is done, and the time left if it goes on so, s.
     part: f64,
     left: f64,
-    /// Mean step, s, and steps, rejected ones and evaluations a second.
-    step: f64,
+    /// Mean step of that pass, s, if it took any, and the seconds looked at.
+    step: Option<f64>,
+    seconds: f64,
+    /// Its steps, rejected ones and evaluations a second.
     rates: [f64; 3],
 }
 
@@ -55,17 +61,17 @@ struct Present {
 pub struct PaceWatch<'a> {
     job: &'a Job,
     model: &'a Model,
-    paces: &'a [Pace; 2],
+    paces: &'a [Pace; 3],
     started: Instant,
     looks: VecDeque<Look>,
     progress: Progress,
-    /// Whether it was told that the run is slow.
-    is_told: bool,
+    /// The time from start to end, s, that was told, if any.
+    told: Option<f64>,
 }
 
 impl<'a> PaceWatch<'a> {
     /// Of a run that begins.
-    pub fn new(job: &'a Job, model: &'a Model, paces: &'a [Pace; 2]) -> Self {
+    pub fn new(job: &'a Job, model: &'a Model, paces: &'a [Pace; 3]) -> Self {
         Self {
             job,
             model,
@@ -73,42 +79,38 @@ impl<'a> PaceWatch<'a> {
             started: Instant::now(),
             looks: VecDeque::new(),
             progress: Progress::new(&job.scenario.title),
-            is_told: false,
+            told: None,
         }
     }
 
-    /// Looks at the run, shows how it gets on, and tells once where it hardly does.
+    /// Looks at the run, shows how it gets on, and tells where it hardly does, again where its end moves far away.
     pub fn look(&mut self) {
         let present = self.present();
         let (time, duration) = (present.time, self.model.duration);
         let words = || {
-            let left = in_words(present.left);
-            format!("{left}, t = {time:.4e} of {duration} s{}", present.pass)
+            let (left, pass) = (in_words(present.left), PASSES[present.pass]);
+            format!("{left}, t = {time:.4e} of {duration} s{pass}")
         };
         self.progress.show_with(present.part, words);
-        let is_due = self.started.elapsed() > PATIENCE && self.looks.len() == LOOKS;
-        if is_due && !self.is_told && present.left > SLOW {
+        let elapsed = self.started.elapsed();
+        let all = elapsed.as_secs_f64() + present.left;
+        let is_news = self.told.is_none_or(|told| all > LATER * told);
+        let is_due = elapsed > PATIENCE && self.looks.len() == LOOKS;
+        if is_due && is_news && present.left > SLOW {
             let slowness = self.slowness(&present);
             self.progress.hidden(|| self.job.warn([slowness]));
-            self.is_told = true;
+            self.told = Some(all);
         }
     }
 
     fn present(&mut self) -> Present {
-        let [first, second] = self.paces.each_ref().map(Pace::now);
-        let mut work = first.1;
-        work.add(&second.1);
         let now = Look {
             at: Instant::now(),
-            times: [first.0, second.0],
-            work,
+            passes: self.paces.each_ref().map(Pace::now),
         };
         // a run that was begun anew
-        if self
-            .looks
-            .back()
-            .is_some_and(|last| now.times[0] < last.times[0])
-        {
+        let is_behind = |last: &Look| now.passes[0].0 < last.passes[0].0;
+        if self.looks.back().is_some_and(is_behind) {
             self.looks.clear();
         }
         if self.looks.len() == LOOKS {
@@ -117,45 +119,73 @@ impl<'a> PaceWatch<'a> {
         self.looks.push_back(now);
         let from = self.looks.front().copied().unwrap_or(now);
         let seconds = (now.at - from.at).as_secs_f64();
-        let part = self.part(&now);
-        let gained = (part - self.part(&from)).max(f64::MIN_POSITIVE);
-        let active = usize::from(now.times[1] > from.times[1]);
-        let counts = |work: &Counters| [work.steps, work.rejected, work.evaluations];
-        let [then, counts] = [&from.work, &now.work].map(counts);
-        let rates = [0, 1, 2].map(|k| (counts[k] - then[k]) as f64 / seconds);
+        let counts = |look: &Look, pass: usize| {
+            let work = look.passes[pass].1;
+            [work.steps, work.rejected, work.evaluations]
+        };
+        let done = [0, 1, 2].map(|pass| {
+            let [then, now] = [&from, &now].map(|look| counts(look, pass));
+            [0, 1, 2].map(|k| now[k].saturating_sub(then[k]) as f64)
+        });
+        let pass = (0..3).rev().max_by(|a, b| done[*a][2].total_cmp(&done[*b][2]));
+        let pass = pass.unwrap_or(0);
+        let weights = self.weights(&now);
+        let [before, part] = [&from, &now].map(|look| {
+            let parts = look.passes.iter().zip(weights);
+            let parts = parts.map(|((time, _), weight)| weight * time / self.model.duration);
+            parts.sum::<f64>()
+        });
+        let (steps, time) = (done[pass][0], now.passes[pass].0);
         Present {
-            time: now.times[active],
-            pass: ["", " (second pass)"][active],
+            pass,
+            time,
             part,
-            left: (1.0 - part) * seconds / gained,
-            step: (now.times[active] - from.times[active]) / (rates[0] * seconds).max(1.0),
-            rates,
+            left: (1.0 - part) * seconds / (part - before).max(f64::MIN_POSITIVE),
+            step: (steps > 0.0).then(|| (time - from.passes[pass].0) / steps),
+            seconds,
+            rates: done[pass].map(|count| count / seconds),
         }
     }
 
-    /// The part of the work that is done.
-    fn part(&self, look: &Look) -> f64 {
-        let [first, second] = look.times.map(|time| time / self.model.duration);
-        match self.model.verify {
-            true => FIRST_PASS * first + (1.0 - FIRST_PASS) * second,
-            false => first,
-        }
+    /// The part of each pass of all work, as far as it can be known from what is done.
+    fn weights(&self, look: &Look) -> [f64; 3] {
+        let are_made = [true, self.model.verify, self.model.verify && self.model.rotor.flexible.is_some()];
+        let [first, ..] = look.passes;
+        let work = |pass: usize| {
+            let (time, work) = look.passes[pass];
+            let expected = WORK[pass] / WORK[0];
+            match (are_made[pass], first.0 > 0.0, time > 0.0) {
+                (false, ..) => 0.0,
+                (true, false, _) => expected,
+                (true, true, false) => expected * first.1.evaluations.max(1) as f64 / first.0,
+                (true, true, true) => work.evaluations.max(1) as f64 / time,
+            }
+        };
+        let work = [0, 1, 2].map(work);
+        let all: f64 = work.iter().sum();
+        work.map(|work| work / all)
     }
 
     /// Why the run hardly gets on.
     fn slowness(&self, present: &Present) -> String {
         let [steps, rejected, evaluations] = present.rates;
+        let stepped = match present.step {
+            Some(step) => format!("steps of {step:.1e} s, {steps:.0} a second"),
+            None => format!("no step in the last {:.0} s", present.seconds),
+        };
         let mut told = format!(
-            "slow: at t = {:.4e} s of {} s{} after {:.0} s, {}; steps of {:.1e} s, {steps:.0} a second, \
-             {evaluations:.1e} evaluations a second",
+            "slow: at t = {:.4e} s of {} s{} after {:.0} s, {}; {stepped}, {evaluations:.1e} evaluations a second",
             present.time,
             self.model.duration,
-            present.pass,
+            PASSES[present.pass],
             self.started.elapsed().as_secs_f64(),
             in_words(present.left),
-            present.step,
         );
-        told += &self.what_the_steps_follow(present.step);
+        let rotor = self.rotor(present.pass).ok();
+        let follows = present.step.zip(rotor.as_ref());
+        told += &follows.map_or_else(String::new, |(step, rotor)| {
+            what_steps_follow(step, rotor, self.model.integrator.method)
+        });
         if rejected > MANY_REJECTED * (steps + rejected) {
             told += &format!(
                 "; {:.0} % of the trials are rejected, as where contacts part and meet again and again or a force \
@@ -163,7 +193,8 @@ impl<'a> PaceWatch<'a> {
                 100.0 * rejected / (steps + rejected)
             );
         }
-        if 0.0 < evaluations && evaluations < COSTLY && !self.model.table {
+        let gains = rotor.as_ref().is_some_and(Rotor::gains_from_tables);
+        if evaluations < COSTLY && gains && !self.model.table {
             told += "; the bearings are costly to evaluate: table = true in [model] compiles their balls";
         }
         told + &format!(
@@ -172,24 +203,30 @@ impl<'a> PaceWatch<'a> {
         )
     }
 
-    /// What a step of so many seconds resolves.
-    fn what_the_steps_follow(&self, step: f64) -> String {
-        let Ok(rotor) = Rotor::assemble(&self.model.rotor) else {
-            return String::new();
-        };
-        let modes = rotor.natural_frequencies();
-        let highest = modes.iter().map(|mode| mode.frequency).fold(0.0, f64::max);
-        if highest == 0.0 || step == 0.0 {
-            return String::new();
+    /// The rotor of a pass.
+    fn rotor(&self, pass: usize) -> Result<Rotor, RotorError> {
+        let rotor = Rotor::assemble(&self.model.rotor)?;
+        match rotor.bending_modes() {
+            Some(modes) if pass == 2 => {
+                Rotor::assemble(&self.model.rotor.with_modes(finer_modes(modes)))
+            }
+            _ => Ok(rotor),
         }
-        let steps = 1.0 / (highest * step);
-        let what = match self.model.integrator.method {
-            _ if steps < STEPS_A_PERIOD => "they follow the vibration",
-            Method::Rodas => FASTER,
-            _ => FASTER_OR_STIFF,
-        };
-        format!(
-            ", {steps:.0} in a period of the highest natural frequency at rest, {highest:.0} Hz: {what}"
-        )
     }
+}
+
+/// What a step of so many seconds resolves.
+fn what_steps_follow(step: f64, rotor: &Rotor, method: Method) -> String {
+    let Some((highest, places)) = rotor.fastest() else {
+        return String::new();
+    };
+    let steps = 1.0 / (highest * step);
+    let what = match method {
+        _ if steps < STEPS_A_PERIOD => "they follow it",
+        Method::Rodas => FASTER,
+        _ => FASTER_OR_STIFF,
+    };
+    format!(
+        ", {steps:.0} in a period of the highest natural frequency at rest, {highest:.0} Hz ({places}): {what}"
+    )
 }

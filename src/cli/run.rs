@@ -69,7 +69,7 @@ fn run_motion(job: &Job, model: &Model, opens: bool) -> Result<Answer, Failure> 
     let started = Instant::now();
     let mut report = RunReport::of(&job.scenario, model, &job.folder)?;
     tell_of_thinning(job, model);
-    let paces = [Pace::default(), Pace::default()];
+    let paces: [Pace; 3] = Default::default();
     let mut monitor = Monitor {
         stop: terminal::stop(),
         progress: &mut |_| {},
@@ -86,7 +86,7 @@ fn run_motion(job: &Job, model: &Model, opens: bool) -> Result<Answer, Failure> 
             Err(format!("{error}; nothing was written").into())
         }
         Err(SimulateError::Integrate(error)) => {
-            let [(_, counters), _] = paces.each_ref().map(Pace::now);
+            let [(_, counters), ..] = paces.each_ref().map(Pace::now);
             let kept = report.fail(&error, counters)?;
             Err(failed(&error, &kept).into())
         }

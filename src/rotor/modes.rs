@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::fmt;
 
-use nalgebra::{Complex, DMatrix};
+use nalgebra::{Complex, DMatrix, DVector};
 use serde::Serialize;
 
 use super::Rotor;
@@ -18,6 +18,9 @@ const REPEATED: f64 = 1e-6;
 const SHIFT: f64 = 1e-14;
 /// Inverse iterations for shapes: each leaves at most SHIFT/REPEATED of what belongs to others.
 const INVERSE_ITERATIONS: usize = 3;
+
+/// Part of the energy of the place that moves most from which on another is named beside it.
+const SECOND_PLACE: f64 = 0.3;
 
 /// How the shaft goes round in a mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
@@ -184,6 +187,28 @@ impl Rotor {
                 shape,
             })
             .collect()
+    }
+
+    /// Highest undamped natural frequency, Hz, and what moves in its mode, by kinetic energy; none without a vibration.
+    pub(crate) fn fastest(&self) -> Option<(f64, String)> {
+        let mode = self.modes().pop()?;
+        let root = self.mass.root().map(Complex::from);
+        let scaled = DVector::from_vec(mode.shape);
+        let shape = root.transpose().solve_upper_triangular(&scaled)?;
+        let momenta = root * scaled;
+        let mut places: Vec<(String, f64)> = Vec::new();
+        for (index, coordinate) in self.structure.coordinates[..self.dofs()].iter().enumerate() {
+            let (place, energy) = (coordinate.place(), (shape[index].conj() * momenta[index]).re);
+            match places.iter_mut().find(|(known, _)| *known == place) {
+                Some((_, sum)) => *sum += energy,
+                None => places.push((place, energy)),
+            }
+        }
+        places.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let least = SECOND_PLACE * places.first().map_or(0.0, |first| first.1);
+        let named = places.into_iter().take_while(|place| place.1 >= least).take(2);
+        let names: Vec<_> = named.map(|(place, _)| place).collect();
+        Some((mode.eigenvalue.norm() / TAU, names.join(" and ")))
     }
 
     /// The directions that `λ² + λ L⁻¹(C + ωG)L⁻ᵀ + L⁻¹ K L⁻ᵀ` shrinks most, as many as

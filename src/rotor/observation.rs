@@ -2,7 +2,7 @@
 
 use super::point::about_origin;
 use super::{DriveMoments, EnergyBalance, FREEDOMS, Rotation, Rotor};
-use crate::bearing::{BallLoads, LOADED_SHARE, Support, Vector5};
+use crate::bearing::{BallLoads, BearingRotation, LOADED_SHARE, Support, Vector5};
 
 impl Rotor {
     /// Room for what [`Rotor::sample`] observes of the balls.
@@ -154,6 +154,23 @@ impl Rotor {
 }
 
 impl Rotor {
+    /// Largest approach that any ball of each bearing would have in a state, m; none of one whose balls are known.
+    pub(crate) fn frozen_approaches(
+        &self,
+        time: f64,
+        state: &[f64],
+    ) -> impl Iterator<Item = Option<f64>> {
+        let rotation = BearingRotation::at_start(self.rotation(time, state).speed);
+        let bearings = self.bearings();
+        bearings.map(move |bearing| {
+            let frozen = bearing.support.known_balls() == 0;
+            frozen.then(|| {
+                let displacement = bearing.displacement(&state[..self.dofs()]);
+                bearing.support.hertz_approach(&displacement, &rotation)
+            })
+        })
+    }
+
     /// Indices of the degrees of freedom of the housings.
     pub(crate) fn housing_freedoms(&self) -> std::ops::Range<usize> {
         let housings = self.structure.housings.iter();

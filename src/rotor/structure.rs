@@ -42,6 +42,16 @@ impl Coordinate {
         }
     }
 
+    /// What it moves, in words, whatever the direction.
+    pub fn place(&self) -> String {
+        let owner = self.name.split_once(" of ").map_or("the shaft", |(_, owner)| owner);
+        match self.kind {
+            CoordinateKind::Displacement => format!("displacement of {owner}"),
+            CoordinateKind::Tilt => format!("tilt of {owner}"),
+            CoordinateKind::Mode(_) => self.name.split(" along ").take(1).collect(),
+        }
+    }
+
     /// Length that makes a displacement of it, m, by that of tilts.
     pub fn length(&self, arm: f64) -> f64 {
         match self.kind {

@@ -44,6 +44,11 @@ impl Rotor {
         pairs.map(compile).collect()
     }
 
+    /// Whether [`Rotor::tabulate`] would compile the balls of any bearing.
+    pub(crate) fn gains_from_tables(&self) -> bool {
+        self.steady_from(0.0).is_some() && self.supports.iter().any(Support::gains_from_table)
+    }
+
     /// Counts, for every bearing, whether a ball is outside its table in an observed state.
     pub(crate) fn count_outside_tables(&self, time: f64, state: &[f64], counts: &mut [u64]) {
         let rotation = self.speed.at(time);

@@ -47,7 +47,7 @@ impl Circle {
     /// Nodes for a number of harmonics of a second forcing that turns by `rotation` (rad) in a period
     /// (s); `None` where whole periods do not lead all around, as where both repeat together soon.
     pub fn around(period: f64, rotation: f64, harmonics: usize) -> Option<Self> {
-        let strobes = nodes(rotation, 2 * harmonics + 1)?;
+        let strobes = nodes(rotation, 2 * harmonics + 1, Self::searched(harmonics))?;
         let angles: Vec<f64> = strobes.iter().map(|j| phase(rotation, *j)).collect();
         let coefficients = basis(&angles, harmonics).try_inverse()?;
         let shift = basis(&turned(&angles, rotation), harmonics) * &coefficients;
@@ -59,6 +59,11 @@ impl Circle {
             coefficients,
             shift,
         })
+    }
+
+    /// Periods that are searched for the nodes of a number of harmonics.
+    pub fn searched(harmonics: usize) -> u64 {
+        LONGEST_SEARCH * (2 * harmonics as u64 + 1)
     }
 
     /// Number of nodes.
@@ -109,10 +114,10 @@ fn phase(rotation: f64, strobe: u64) -> f64 {
 }
 
 /// The first whole periods that lead almost evenly around.
-fn nodes(rotation: f64, count: usize) -> Option<Vec<u64>> {
+fn nodes(rotation: f64, count: usize, searched: u64) -> Option<Vec<u64>> {
     let mut found: Vec<Option<u64>> = vec![None; count];
     let mut left = count;
-    for strobe in 0..LONGEST_SEARCH * count as u64 {
+    for strobe in 0..searched {
         let share = phase(rotation, strobe) / TAU * count as f64;
         let nearest = share.round();
         let slot = &mut found[nearest as usize % count];

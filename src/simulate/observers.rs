@@ -96,6 +96,7 @@ impl<'a> Observers<'a> {
             let largest = [self.largest_ball_load, sample.largest_ball_load];
             self.largest_ball_load = largest.into_iter().flatten().reduce(f64::max);
         }
+        self.observation.take_linear(rotor, sample.time, state);
         self.recorders.record(sample);
         self.audit.sample(sample);
         self.tables.sample(rotor, sample.time, state);

@@ -99,11 +99,11 @@ pub(super) struct Passes<'a> {
     finer: Option<Reference<'a>>,
 }
 
-/// Who ends the passes from outside, and who watches each of the first two.
+/// Who ends the passes from outside, and who watches each of them.
 #[derive(Clone, Copy)]
 pub(super) struct Watch<'a> {
     pub stop: &'a AtomicBool,
-    pub paces: [Option<&'a Pace>; 2],
+    pub paces: [Option<&'a Pace>; 3],
 }
 
 /// Another pass, and how far the first is from it.
@@ -129,7 +129,7 @@ impl<'a> Passes<'a> {
     ) -> Self {
         let Watch {
             stop,
-            paces: [pace, reference_pace],
+            paces: [pace, reference_pace, finer_pace],
         } = watch;
         let second = reference_settings(model.integrator);
         let another = |rotor: &'a Rotor, settings: Settings, pace| {
@@ -144,7 +144,7 @@ impl<'a> Passes<'a> {
             }
         };
         let reference = model.verify.then(|| another(rotor, second, reference_pace));
-        let finer = finer.map(|finer| another(finer, model.integrator, None));
+        let finer = finer.map(|finer| another(finer, model.integrator, finer_pace));
         Self {
             model,
             rotor,

@@ -9,7 +9,7 @@ use crate::analysis::{Channel, Motion};
 use crate::bearing::{ContactLaw, Support};
 use crate::integrate::{Method, Stiffness};
 use crate::physics::{Race, ball_mass, centrifugal_force, nominal_cage_speed};
-use crate::rotor::{Rotor, RotorDefinition};
+use crate::rotor::{Damping, Rotor, RotorDefinition};
 
 /// Balance quality grade of ISO 21940-11 beyond all that it lists but rigidly mounted marine engines, mm/s.
 const COARSEST_BALANCE: f64 = 100.0;
@@ -81,7 +81,22 @@ pub(crate) fn speed_warnings(definition: &RotorDefinition) -> Vec<String> {
 pub(crate) fn of_speed(definition: &RotorDefinition, rotor: &Rotor) -> Vec<String> {
     let unbalance = unbalance(definition, rotor).into_iter();
     let inertia = inertia_left_out(rotor).into_iter();
-    unbalance.chain(inertia).chain(bearings(rotor)).collect()
+    let doubtful = unbalance.chain(overdamped(definition)).chain(inertia);
+    doubtful.chain(bearings(rotor)).collect()
+}
+
+/// A damping ratio that no shaft on rolling bearings has: most often percent.
+fn overdamped(definition: &RotorDefinition) -> Option<String> {
+    let Damping::Ratio(ratio) = definition.damping else {
+        return None;
+    };
+    (ratio >= 1.0).then(|| {
+        format!(
+            "`damping.ratio` is {ratio}: from 1 on the shaft is overdamped and creeps back without any free vibration; shafts on \
+             ball bearings have 0.02 to 0.04; if {ratio} % is meant, write ratio = {}",
+            ratio / 100.0
+        )
+    })
 }
 
 /// What the bearings say of themselves at the static equilibrium and the highest speed.

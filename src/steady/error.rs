@@ -66,13 +66,15 @@ pub enum SteadyError {
     },
     /// The phase of the second frequency does not pass all around.
     #[error(
-        "the two frequencies ({}) have almost a common period, and too few phases pass in 16384 of \
-         them; change one of them a little so that they have one, or none",
+        "the two frequencies ({}) have almost a common period, and too few phases pass in {searched} periods; \
+         change one of them a little so that they have one, or none",
         hertz(frequencies)
     )]
     NearlyCommon {
         /// The frequencies, Hz.
         frequencies: Vec<f64>,
+        /// Periods of the first of them that were searched.
+        searched: u64,
     },
     /// The two frequencies do not keep their ratio along the parameter.
     #[error(

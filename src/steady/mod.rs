@@ -42,6 +42,18 @@ const PROMISE: f64 = 10.0;
 /// Lines below this part of the largest, in tolerances, are left out; so are those below the measured error.
 const NOISE: f64 = 0.1;
 
+/// What is told where cages do not roll as asked for, as `refusal` of the forcing.
+fn rolling_cages(refusal: &SteadyError) -> String {
+    let reason = match refusal {
+        SteadyError::RatioChanges => "the parameter changes the ratio of the two frequencies of the forcing",
+        _ => "the forcing has more than two independent frequencies",
+    };
+    format!(
+        "the cages of the bearings roll at the angles of their loaded balls, and with them {reason}: here they roll at the \
+         free contact angle, as with cage = \"rolling\" in [model]"
+    )
+}
+
 /// What to find.
 #[derive(Debug, Clone, Copy)]
 pub struct SteadyQuestion<'a> {
@@ -200,11 +212,7 @@ fn with_rolling_cages(
         Err(SteadyError::Frequencies { .. }) => return Err(refusal),
         found => found?,
     };
-    steady.warnings.push(
-        "the cages of the bearings roll at different angles of their loaded balls, and with them the forcing has more than two \
-         independent frequencies: here they roll at the free contact angle, as with cage = \"rolling\" in [model]"
-            .to_owned(),
-    );
+    steady.warnings.push(rolling_cages(&refusal));
     Ok(steady)
 }
 

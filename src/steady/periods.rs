@@ -140,6 +140,7 @@ impl Periods {
         Ok(Self {
             circle: circle.ok_or_else(|| SteadyError::NearlyCommon {
                 frequencies: self.frequencies(),
+                searched: Circle::searched(harmonics),
             })?,
             ..self.clone()
         })

@@ -11,11 +11,11 @@ use super::periods::Periods;
 use super::rotor_map::{RotorMap, Solver};
 use super::samples::sampled;
 use super::search::find;
-use super::{SteadyError, Swing};
+use super::{SteadyError, Swing, rolling_cages};
 use crate::analysis::Channel;
 use crate::integrate::Counters;
 use crate::keys;
-use crate::rotor::{Rotor, RotorDefinition};
+use crate::rotor::{CageMotion, Rotor, RotorDefinition};
 use crate::shooting::{
     Branch, BranchEnd, BranchPoint, Continuation, ReturnMap, SpecialKind, Unrefined, follow,
     follow_doubled,
@@ -57,6 +57,34 @@ impl ResponseQuestion<'_> {
     fn value(&self, part: f64) -> f64 {
         let [from, to] = self.range;
         from + (to - from) * part
+    }
+
+    /// The rotor at a value of the parameter, its cages as asked for or rolling at the free contact angle.
+    fn rotor(&self, value: f64, rolling: bool) -> Result<RotorDefinition, String> {
+        let rotor = (self.family)(value)?;
+        let cage = if rolling { CageMotion::Rolling } else { rotor.cage };
+        Ok(RotorDefinition { cage, ..rotor })
+    }
+
+    /// Why cages have to roll at the free contact angle: with those of the loaded balls the forcing has more than two
+    /// frequencies at an end of the range, or two that change their ratio, and with these it has not.
+    fn against_operating_cages(&self) -> Option<SteadyError> {
+        let operating = self.model.rotor.cage == CageMotion::Operating;
+        let refusal = operating.then(|| self.refusal(false)).flatten();
+        refusal.filter(|_| self.refusal(true).is_none())
+    }
+
+    /// Why a motion cannot be followed from end to end of the range, as far as the frequencies of the forcing say.
+    fn refusal(&self, rolling: bool) -> Option<SteadyError> {
+        let [first, last] = self.range.map(|value| {
+            let rotor = self.rotor(value, rolling).map_err(SteadyError::Parameter)?;
+            Ok(Rotor::assemble(&rotor)?)
+        });
+        let periods = first.and_then(|rotor| Periods::new(&rotor, self.multiple));
+        let both = periods.and_then(|periods| periods.of_rotor(&last?));
+        both.err().filter(|error| {
+            matches!(error, SteadyError::Frequencies { .. } | SteadyError::RatioChanges)
+        })
     }
 }
 
@@ -125,10 +153,12 @@ pub fn response(
     question: &ResponseQuestion<'_>,
     progress: &mut dyn FnMut(f64),
 ) -> Result<Vec<Response>, SteadyError> {
-    let first = (question.family)(question.range[0]).map_err(SteadyError::Parameter)?;
+    let rolling = question.against_operating_cages().is_some();
+    let first = question.rotor(question.range[0], rolling);
+    let first = first.map_err(SteadyError::Parameter)?;
     let rotor = Rotor::assemble(&first)?;
     let periods = Periods::new(&rotor, question.multiple)?;
-    let source = |parameter: f64| (question.family)(question.value(parameter));
+    let source = |parameter: f64| question.rotor(question.value(parameter), rolling);
     let mut settings = question.model.integrator;
     settings.tolerance = (EXACTER * settings.tolerance).max(TIGHTEST);
     let solver = Solver::new(settings, question.stop, question.integrated);
@@ -175,12 +205,14 @@ pub fn response_warnings(question: &ResponseQuestion<'_>, branches: &[Response])
         .into_iter()
         .filter_map(|end| (question.family)(end).ok());
     let at_ends = ends.flat_map(|rotor| rotor.warnings_with(speed_warnings(&rotor)));
+    let refusal = question.against_operating_cages();
+    let rolling = refusal.as_ref().map(rolling_cages);
     let incomplete = branches.iter().filter(|branch| branch.incomplete);
     let ended_early = incomplete.map(|branch| branch.end.clone());
     question
         .model
         .rotor
-        .warnings_with(at_ends.chain(ended_early))
+        .warnings_with(at_ends.chain(rolling).chain(ended_early))
 }
 
 /// Ends the search where somebody stopped it.

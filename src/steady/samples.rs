@@ -102,6 +102,7 @@ pub(super) fn peak_warnings(
     for (time, state) in instants(map, trajectories).flatten() {
         map.rotor.sample(time, state, &mut contacts);
         peaks.take(time, &contacts);
+        peaks.take_linear(&map.rotor, time, state);
     }
     peaks.warnings(&map.rotor)
 }

@@ -44,6 +44,31 @@ fn a_load_beyond_any_contact_of_a_ball_is_an_error_with_its_numbers() {
     assert_says(&output, &["a ball carries 1.767e8 N", "3.97 mm", "units"]);
 }
 
+/// Of a shaft that hardly anything holds 700 N at 20 Hz make 2 P/(m ω²) = 34.3 mm in half a period, where `contact = "linear"` knows
+/// no balls; the settled motion of 150 N stays below their radius and far above what their races bear.
+#[test]
+fn a_linear_law_is_watched_as_the_balls_would_be() {
+    for (verb, time) in [("run", "2.5000e-2 s"), ("steady", "2.7")] {
+        let output = answer(verb, "linear-law-far", &["--no-verify"]);
+        assert_eq!(output.status.code(), Some(1), "{verb}");
+        let there = format!("bearing 1: at t = {time}");
+        assert_says(
+            &output,
+            &[&there, "a ball would carry, where contact = \"linear\"", "radius of the ball, 3.32 mm"],
+        );
+    }
+    let folder = TempDir::new().expect("a folder");
+    let text = std::fs::read_to_string(scene("linear-law-far")).expect("a scene");
+    let file = folder.path().join("scene.toml");
+    std::fs::write(&file, text.replace("700 N", "150 N")).expect("a written file");
+    let output = verb("steady", &[&file], folder.path(), &["--no-verify"]).output();
+    let output = done(output.expect("the command starts"));
+    assert_says(
+        &output,
+        &["would be pressed onto the inner race", "the model stays linear"],
+    );
+}
+
 /// The races of the same scene keep a dent where the shock has 50 kN.
 #[test]
 fn pressures_over_the_motion_are_told_with_their_time() {
@@ -192,6 +217,10 @@ fn a_run_that_hardly_gets_on_says_why() {
     for part in [" left; steps of ", "highest natural frequency", "tolerance"] {
         assert!(told.contains(part), "`{part}` in\n{told}");
     }
+    // tables are for constant speeds, and this shaft is driven
+    assert!(!told.contains("table = true"), "{told}");
+    assert!(!told.contains("steps of 0.0e0 s"), "{told}");
+    assert!(told.contains(" Hz (tilt of the shaft): "), "{told}");
 }
 
 #[test]

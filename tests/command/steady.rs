@@ -203,3 +203,27 @@ fn json_tells_of_files_that_cannot_be_read() {
     let answer: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
     assert!(answer["error"].is_string());
 }
+
+/// Two 6205 under different loads: at their loaded angles two ball-pass frequencies, whose ratio the load changes.
+#[test]
+fn a_branch_over_a_load_is_followed_with_rolling_cages() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = fs::read_to_string(root().join("tests/scenarios/hard/two-6205.toml")).expect("a scene");
+    let scene = scene
+        .replace("\"2.5 um\"", "\"0 um\"")
+        .replace("position = \"60 mm\"", "position = \"120 mm\"")
+        .replace("{ y = \"-300 N\" }", "{ y = \"-300 N\", z = \"100 N\" }")
+        + "[integrator]\ntolerance = 1e-6\n";
+    let file = folder.path().join("scene.toml");
+    fs::write(&file, scene).expect("a written file");
+    let file = file.to_str().expect("a path of letters");
+    let over = ["--over", "load[1].constant.z", "--from", "100 N", "--to", "105 N"];
+    let output = jeffcott(
+        folder.path(),
+        &[&[file, "--no-verify", "--points", "2"], &over[..]].concat(),
+    );
+    let told = text(&output.stderr);
+    assert!(told.contains("changes the ratio of the two frequencies"), "{told}");
+    assert!(told.contains("here they roll at the free contact angle"), "{told}");
+    assert!(text(&output.stdout).contains("2 motions, 2 of them stable"), "{told}");
+}

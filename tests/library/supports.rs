@@ -7,7 +7,7 @@ use nalgebra::Complex;
 use crate::analysis::{Channel, Peak};
 use crate::rotor::{Freedoms, Rotor, Whirl};
 use crate::scenario::Scenario;
-use crate::simulate::Run;
+use crate::simulate::{Run, speed_warnings};
 use crate::study::campbell::CampbellQuestion;
 
 /// A shaft of 0.4 m with a disc at two thirds on bearings of constant stiffness along x and y alone.
@@ -588,4 +588,54 @@ fn a_very_light_shaft_leaves_the_modes_of_its_disc_their_digits() {
     for branch in &campbell.branches[..4] {
         assert!(branch.modes.iter().all(Option::is_some));
     }
+}
+
+/// A place on the shaft 10 mm beside another makes a mode far above all others, and is what a hint of slowness names.
+#[test]
+fn the_fastest_mode_is_named_by_the_places_that_move() {
+    let rotor = |text: &str| Rotor::assemble(&scenario(text).question.rotor).expect("a rotor");
+    let (without, places) = rotor(WITHOUT_Z).fastest().expect("a mode");
+    assert!(!places.contains("276.7 mm"), "{places}");
+    let plane = "[[unbalance]]\namount = \"1 g mm\"\nposition = \"0.2766667 m\"\n[[bearing]]";
+    let (with, places) = rotor(&WITHOUT_Z.replacen("[[bearing]]", plane, 1))
+        .fastest()
+        .expect("a mode");
+    assert!(with > 2.0 * without, "{with} Hz, without the plane {without} Hz");
+    assert_eq!(places, "tilt of the shaft at 276.7 mm");
+}
+
+/// Tables are of jones and films at constant speed; elsewhere they are not to be advised.
+#[test]
+fn tables_are_advised_where_they_are_compiled() {
+    let gains = |contact: &str, speed: &str| {
+        let text = format!(
+            "[shaft]\nmass = \"5 kg\"\nfreedoms = \"radial\"\n[model]\ncontact = \"{contact}\"\n[[bearing]]\n\
+             catalogue = \"6205\"\n[speed]\n{speed}\n[time]\nduration = \"0.4 s\"\nsettle = \"0.2 s\"\n"
+        );
+        let rotor = scenario(&text).question.rotor;
+        Rotor::assemble(&rotor).expect("a rotor").gains_from_tables()
+    };
+    let constant = "constant = \"1500 rpm\"";
+    let sweep = "from = \"0 rpm\"\nto = \"1500 rpm\"\nover = \"0.4 s\"";
+    assert!(gains("jones", constant));
+    assert!(!gains("hertz", constant));
+    assert!(!gains("linear", constant));
+    assert!(!gains("jones", sweep));
+}
+
+/// A damping ratio of 3 is most often 3 percent.
+#[test]
+fn a_damping_ratio_in_percent_is_told() {
+    let told = |ratio: &str| {
+        let text = format!("{WITHOUT_Z}[damping]\nratio = {ratio}\n");
+        speed_warnings(&scenario(&text).question.rotor)
+    };
+    for ratio in ["0", "0.03", "0.999"] {
+        assert_eq!(told(ratio), Vec::<String>::new());
+    }
+    let [warning] = &told("3")[..] else {
+        panic!("a warning");
+    };
+    assert!(warning.contains("if 3 % is meant, write ratio = 0.03"), "{warning}");
+    assert!(told("1")[0].contains("ratio = 0.01"));
 }

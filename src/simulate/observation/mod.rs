@@ -116,6 +116,11 @@ impl<'a> Observation<'a> {
         self.peaks.warnings(rotor)
     }
 
+    /// Takes the state of a sample for what nobody observes of balls that are not there.
+    pub fn take_linear(&mut self, rotor: &Rotor, time: f64, state: &[f64]) {
+        self.peaks.take_linear(rotor, time, state);
+    }
+
     /// Where the rotor leaves what it observes of the balls.
     pub fn contacts(&mut self) -> &mut BallContacts {
         &mut self.contacts

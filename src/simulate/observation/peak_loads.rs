@@ -8,9 +8,10 @@ const RACES: [&str; 2] = ["inner", "outer"];
 /// A ball is pressed into its races by more than its radius, which is no contact any more.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error(
-    "bearing {bearing}: at t = {time:.4e} s a ball carries {load:.3e} N and its contact gives way by {:.2} mm, more \
+    "bearing {bearing}: at t = {time:.4e} s a ball {} {load:.3e} N and its contact gives way by {:.2} mm, more \
      than the radius of the ball, {:.2} mm: no bearing bears that; check the loads, shocks and base \
      motion of the scenario and their units",
+    if *linear { "would carry, where contact = \"linear\" moves the rings to," } else { "carries" },
     1e3 * approach, 1e3 * radius
 )]
 #[non_exhaustive]
@@ -25,6 +26,8 @@ pub struct BeyondContact {
     pub approach: f64,
     /// Radius of the ball, m.
     pub radius: f64,
+    /// Whether the bearing is linear and knows no balls: the load is that of Hertz contacts at its displacement.
+    pub linear: bool,
 }
 
 /// Watches how hard the balls of all bearings of a rotor are pressed.
@@ -59,6 +62,14 @@ impl<'a> PeakWatch<'a> {
         }
     }
 
+    /// Takes what the balls of linear bearings would bear in a state at a time, s.
+    pub fn take_linear(&mut self, rotor: &Rotor, time: f64, state: &[f64]) {
+        let approaches = rotor.frozen_approaches(time, state);
+        for ((_, peaks), approach) in self.bearings.iter_mut().zip(approaches) {
+            raise(&mut peaks.approach, approach.unwrap_or(0.0), time);
+        }
+    }
+
     /// What to know of the peaks.
     ///
     /// # Errors
@@ -78,6 +89,8 @@ impl<'a> PeakWatch<'a> {
 struct PeakLoads {
     /// Largest load, N.
     load: [(f64, f64); 2],
+    /// Largest approach that balls would have which a linear law does not know, m.
+    approach: (f64, f64),
     /// Farthest reach of a contact ellipse over the shoulder, rad.
     overhang: [(f64, f64); 2],
 }
@@ -112,10 +125,15 @@ impl PeakLoads {
         support: &Support,
         at_rest: &BearingState,
     ) -> Result<Vec<String>, BeyondContact> {
+        let linear = support.known_balls() == 0;
+        let stiffness = support.load_deflection_constant();
         let radius = 0.5 * support.definition().bearing.geometry.ball_diameter();
         let mut warnings = Vec::new();
         for (race, contact) in support.contacts().iter().enumerate() {
-            let (load, time) = self.load[race];
+            let (load, time) = match linear {
+                true => (stiffness * self.approach.0.powf(1.5), self.approach.1),
+                false => self.load[race],
+            };
             let ellipse = contact.ellipse(load);
             if ellipse.approach > radius {
                 return Err(BeyondContact {
@@ -124,20 +142,25 @@ impl PeakLoads {
                     load,
                     approach: ellipse.approach,
                     radius,
+                    linear,
                 });
             }
             let there = |ball: &BallLine| [ball.inner, ball.outer][race];
             let mut static_contacts = at_rest.balls.iter().map(there);
-            let known = static_contacts
-                .clone()
-                .any(|contact| contact.peak_pressure > PERMISSIBLE_PRESSURE);
+            // at rest nothing is said of a linear bearing
+            let known = !linear
+                && static_contacts
+                    .clone()
+                    .any(|contact| contact.peak_pressure > PERMISSIBLE_PRESSURE);
             if ellipse.peak_pressure > PERMISSIBLE_PRESSURE && !known {
                 warnings.push(format!(
-                    "bearing {number}: at t = {time:.4e} s a ball is pressed onto the {} race with {load:.0} N, \
-                     {:.0} MPa where ISO 76 permits {:.0}: the race is dented; the model stays elastic",
+                    "bearing {number}: at t = {time:.4e} s a ball {} pressed onto the {} race with {load:.0} N, \
+                     {:.0} MPa where ISO 76 permits {:.0}: the race is dented; the model stays {}",
+                    if linear { "would be" } else { "is" },
                     RACES[race],
                     ellipse.peak_pressure / 1e6,
-                    PERMISSIBLE_PRESSURE / 1e6
+                    PERMISSIBLE_PRESSURE / 1e6,
+                    if linear { "linear" } else { "elastic" },
                 ));
             }
             let (overhang, time) = self.overhang[race];

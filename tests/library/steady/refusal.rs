@@ -8,7 +8,10 @@ use crate::rotor::load::{Harmonic, Pace};
 use crate::rotor::{
     CageMotion, Damping, Freedoms, Load, LoadKind, Rotor, RotorDefinition, RotorError, Unrepeated,
 };
-use crate::steady::{Stability, SteadyError, SteadyQuestion, steady};
+use crate::scenario::Scenario;
+use crate::steady::{
+    ResponseQuestion, Stability, SteadyError, SteadyQuestion, response_warnings, steady,
+};
 
 use super::{search, shipped};
 use crate::tests::support::{bearing, constant, model, mounted, rotor, shaft, thrust_rotor};
@@ -159,4 +162,70 @@ fn a_centre_of_mass_outside_the_bearings_is_refused() {
     let definition = rotor(shaft, vec![mounted(bearing("7205C"))]);
     let error = Rotor::assemble(&definition).expect_err("no such shaft");
     assert!(matches!(error, RotorError::Eccentricity { .. }), "{error}");
+}
+
+/// Two frequencies whose ratio is all but 1 lead too slowly around; what was searched is told, 8192 periods a node.
+#[test]
+fn periods_that_were_searched_are_told() {
+    let mut definition = thrust_rotor();
+    definition.cage = CageMotion::Frozen;
+    definition.loads.push(harmonic(100.0));
+    definition.loads.push(harmonic(100.0 * (1.0 + 1e-9)));
+    let error = search(&model(definition, 1.0, 1e4), None).expect_err("nearly one frequency");
+    let SteadyError::NearlyCommon { searched, .. } = error else {
+        panic!("{error}");
+    };
+    assert!(searched >= 8192 * 5 && searched.is_multiple_of(8192), "{searched}");
+    assert!(error.to_string().contains(&format!("in {searched} periods")), "{error}");
+}
+
+/// Two 6205 under different loads and an unbalance: three frequencies with cages that roll at the loaded angles, two without;
+/// along a speed as at a single one.
+#[test]
+fn cages_of_a_response_roll_as_those_of_a_motion() {
+    let text = r#"
+[shaft]
+mass = "8 kg"
+eccentricity = "2.5 um"
+freedoms = "all"
+inertia_transverse = "0.02 kg m^2"
+inertia_polar = "0.008 kg m^2"
+[speed]
+constant = "1480 rpm"
+[[bearing]]
+catalogue = "6205"
+position = "-60 mm"
+[[bearing]]
+catalogue = "6205"
+position = "120 mm"
+[damping]
+ratio = 0.03
+[[load]]
+constant = { y = "-300 N", z = "100 N" }
+"#;
+    let scenario = Scenario::from_toml(text).unwrap_or_else(|error| panic!("{}", error.render(false)));
+    let told = |definition: &RotorDefinition| {
+        let (stop, integrated) = (AtomicBool::new(false), AtomicU64::new(0));
+        let question = ResponseQuestion {
+            model: &model(definition.clone(), 1.0, 1e4),
+            family: &|speed| Ok(definition.at_constant_speed(speed)),
+            range: [155.0, 156.0],
+            multiple: 1,
+            points: 2,
+            doubled: false,
+            stop: &stop,
+            integrated: &integrated,
+        };
+        let warnings = response_warnings(&question, &[]);
+        let rolls = |text: &&String| text.contains("here they roll at the free contact angle");
+        warnings.iter().filter(rolls).count()
+    };
+    let operating = scenario.question.rotor;
+    let rolling = RotorDefinition {
+        cage: CageMotion::Rolling,
+        ..operating.clone()
+    };
+    let mut balanced = operating.clone();
+    balanced.shaft.eccentricity = 0.0;
+    assert_eq!([&operating, &rolling, &balanced].map(told), [1, 0, 0]);
 }

@@ -14,7 +14,7 @@ use crate::bearing::number::{Function, Lanes, Number, Plain};
 /// ```
 ///
 /// with x and t the positions in a cell of (v, |A1|). `u = 0` is the line of lift-off, beyond which a
-/// ball carries nothing. It is for the caller to ask the law itself where [`BallTable::covers`] says no.
+/// ball carries nothing. It is for the caller to ask the law itself where [`BallTable::covers_around`] says no.
 ///
 /// The force differs from the exact one by the bound of its [`super::TableReport`]; from cell to cell it steps by no more.
 #[derive(Debug, Clone)]
