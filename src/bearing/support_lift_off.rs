@@ -79,11 +79,7 @@ impl Support {
     /// stands, m. A bound, which a ball comes to where the ring tilts towards the side to which it is shifted.
     ///
     /// `δ = hypot(|A1|, A2) − A` with the largest A1 and A2 around the ring.
-    pub(crate) fn hertz_approach(
-        &self,
-        displacement: &Vector5,
-        rotation: &BearingRotation,
-    ) -> f64 {
+    pub(crate) fn hertz_approach(&self, displacement: &Vector5, rotation: &BearingRotation) -> f64 {
         let place = self.ring_displacement(displacement, rotation);
         let [axial, radial] = self.ring.amplitudes(&place);
         let [along, across] = [axial, radial].map(|[middle, swing]| middle.abs() + swing.sqrt());

@@ -127,7 +127,9 @@ impl<'a> PaceWatch<'a> {
             let [then, now] = [&from, &now].map(|look| counts(look, pass));
             [0, 1, 2].map(|k| now[k].saturating_sub(then[k]) as f64)
         });
-        let pass = (0..3).rev().max_by(|a, b| done[*a][2].total_cmp(&done[*b][2]));
+        let pass = (0..3)
+            .rev()
+            .max_by(|a, b| done[*a][2].total_cmp(&done[*b][2]));
         let pass = pass.unwrap_or(0);
         let weights = self.weights(&now);
         let [before, part] = [&from, &now].map(|look| {
@@ -149,7 +151,11 @@ impl<'a> PaceWatch<'a> {
 
     /// The part of each pass of all work, as far as it can be known from what is done.
     fn weights(&self, look: &Look) -> [f64; 3] {
-        let are_made = [true, self.model.verify, self.model.verify && self.model.rotor.flexible.is_some()];
+        let are_made = [
+            true,
+            self.model.verify,
+            self.model.verify && self.model.rotor.flexible.is_some(),
+        ];
         let [first, ..] = look.passes;
         let work = |pass: usize| {
             let (time, work) = look.passes[pass];

@@ -198,7 +198,10 @@ impl Rotor {
         let momenta = root * scaled;
         let mut places: Vec<(String, f64)> = Vec::new();
         for (index, coordinate) in self.structure.coordinates[..self.dofs()].iter().enumerate() {
-            let (place, energy) = (coordinate.place(), (shape[index].conj() * momenta[index]).re);
+            let (place, energy) = (
+                coordinate.place(),
+                (shape[index].conj() * momenta[index]).re,
+            );
             match places.iter_mut().find(|(known, _)| *known == place) {
                 Some((_, sum)) => *sum += energy,
                 None => places.push((place, energy)),
@@ -206,7 +209,10 @@ impl Rotor {
         }
         places.sort_by(|a, b| b.1.total_cmp(&a.1));
         let least = SECOND_PLACE * places.first().map_or(0.0, |first| first.1);
-        let named = places.into_iter().take_while(|place| place.1 >= least).take(2);
+        let named = places
+            .into_iter()
+            .take_while(|place| place.1 >= least)
+            .take(2);
         let names: Vec<_> = named.map(|(place, _)| place).collect();
         Some((mode.eigenvalue.norm() / TAU, names.join(" and ")))
     }

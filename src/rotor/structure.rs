@@ -44,7 +44,10 @@ impl Coordinate {
 
     /// What it moves, in words, whatever the direction.
     pub fn place(&self) -> String {
-        let owner = self.name.split_once(" of ").map_or("the shaft", |(_, owner)| owner);
+        let owner = self
+            .name
+            .split_once(" of ")
+            .map_or("the shaft", |(_, owner)| owner);
         match self.kind {
             CoordinateKind::Displacement => format!("displacement of {owner}"),
             CoordinateKind::Tilt => format!("tilt of {owner}"),

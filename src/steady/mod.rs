@@ -45,7 +45,9 @@ const NOISE: f64 = 0.1;
 /// What is told where cages do not roll as asked for, as `refusal` of the forcing.
 fn rolling_cages(refusal: &SteadyError) -> String {
     let reason = match refusal {
-        SteadyError::RatioChanges => "the parameter changes the ratio of the two frequencies of the forcing",
+        SteadyError::RatioChanges => {
+            "the parameter changes the ratio of the two frequencies of the forcing"
+        }
         _ => "the forcing has more than two independent frequencies",
     };
     format!(

@@ -62,7 +62,11 @@ impl ResponseQuestion<'_> {
     /// The rotor at a value of the parameter, its cages as asked for or rolling at the free contact angle.
     fn rotor(&self, value: f64, rolling: bool) -> Result<RotorDefinition, String> {
         let rotor = (self.family)(value)?;
-        let cage = if rolling { CageMotion::Rolling } else { rotor.cage };
+        let cage = if rolling {
+            CageMotion::Rolling
+        } else {
+            rotor.cage
+        };
         Ok(RotorDefinition { cage, ..rotor })
     }
 
@@ -83,7 +87,10 @@ impl ResponseQuestion<'_> {
         let periods = first.and_then(|rotor| Periods::new(&rotor, self.multiple));
         let both = periods.and_then(|periods| periods.of_rotor(&last?));
         both.err().filter(|error| {
-            matches!(error, SteadyError::Frequencies { .. } | SteadyError::RatioChanges)
+            matches!(
+                error,
+                SteadyError::Frequencies { .. } | SteadyError::RatioChanges
+            )
         })
     }
 }

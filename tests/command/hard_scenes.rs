@@ -54,7 +54,11 @@ fn a_linear_law_is_watched_as_the_balls_would_be() {
         let there = format!("bearing 1: at t = {time}");
         assert_says(
             &output,
-            &[&there, "a ball would carry, where contact = \"linear\"", "radius of the ball, 3.32 mm"],
+            &[
+                &there,
+                "a ball would carry, where contact = \"linear\"",
+                "radius of the ball, 3.32 mm",
+            ],
         );
     }
     let folder = TempDir::new().expect("a folder");
@@ -65,7 +69,10 @@ fn a_linear_law_is_watched_as_the_balls_would_be() {
     let output = done(output.expect("the command starts"));
     assert_says(
         &output,
-        &["would be pressed onto the inner race", "the model stays linear"],
+        &[
+            "would be pressed onto the inner race",
+            "the model stays linear",
+        ],
     );
 }
 

@@ -208,7 +208,8 @@ fn json_tells_of_files_that_cannot_be_read() {
 #[test]
 fn a_branch_over_a_load_is_followed_with_rolling_cages() {
     let folder = tempfile::tempdir().expect("a folder");
-    let scene = fs::read_to_string(root().join("tests/scenarios/hard/two-6205.toml")).expect("a scene");
+    let scene =
+        fs::read_to_string(root().join("tests/scenarios/hard/two-6205.toml")).expect("a scene");
     let scene = scene
         .replace("\"2.5 um\"", "\"0 um\"")
         .replace("position = \"60 mm\"", "position = \"120 mm\"")
@@ -217,13 +218,29 @@ fn a_branch_over_a_load_is_followed_with_rolling_cages() {
     let file = folder.path().join("scene.toml");
     fs::write(&file, scene).expect("a written file");
     let file = file.to_str().expect("a path of letters");
-    let over = ["--over", "load[1].constant.z", "--from", "100 N", "--to", "105 N"];
+    let over = [
+        "--over",
+        "load[1].constant.z",
+        "--from",
+        "100 N",
+        "--to",
+        "105 N",
+    ];
     let output = jeffcott(
         folder.path(),
         &[&[file, "--no-verify", "--points", "2"], &over[..]].concat(),
     );
     let told = text(&output.stderr);
-    assert!(told.contains("changes the ratio of the two frequencies"), "{told}");
-    assert!(told.contains("here they roll at the free contact angle"), "{told}");
-    assert!(text(&output.stdout).contains("2 motions, 2 of them stable"), "{told}");
+    assert!(
+        told.contains("changes the ratio of the two frequencies"),
+        "{told}"
+    );
+    assert!(
+        told.contains("here they roll at the free contact angle"),
+        "{told}"
+    );
+    assert!(
+        text(&output.stdout).contains("2 motions, 2 of them stable"),
+        "{told}"
+    );
 }

@@ -600,7 +600,10 @@ fn the_fastest_mode_is_named_by_the_places_that_move() {
     let (with, places) = rotor(&WITHOUT_Z.replacen("[[bearing]]", plane, 1))
         .fastest()
         .expect("a mode");
-    assert!(with > 2.0 * without, "{with} Hz, without the plane {without} Hz");
+    assert!(
+        with > 2.0 * without,
+        "{with} Hz, without the plane {without} Hz"
+    );
     assert_eq!(places, "tilt of the shaft at 276.7 mm");
 }
 
@@ -613,7 +616,9 @@ fn tables_are_advised_where_they_are_compiled() {
              catalogue = \"6205\"\n[speed]\n{speed}\n[time]\nduration = \"0.4 s\"\nsettle = \"0.2 s\"\n"
         );
         let rotor = scenario(&text).question.rotor;
-        Rotor::assemble(&rotor).expect("a rotor").gains_from_tables()
+        Rotor::assemble(&rotor)
+            .expect("a rotor")
+            .gains_from_tables()
     };
     let constant = "constant = \"1500 rpm\"";
     let sweep = "from = \"0 rpm\"\nto = \"1500 rpm\"\nover = \"0.4 s\"";
@@ -636,6 +641,9 @@ fn a_damping_ratio_in_percent_is_told() {
     let [warning] = &told("3")[..] else {
         panic!("a warning");
     };
-    assert!(warning.contains("if 3 % is meant, write ratio = 0.03"), "{warning}");
+    assert!(
+        warning.contains("if 3 % is meant, write ratio = 0.03"),
+        "{warning}"
+    );
     assert!(told("1")[0].contains("ratio = 0.01"));
 }

@@ -175,8 +175,16 @@ fn periods_that_were_searched_are_told() {
     let SteadyError::NearlyCommon { searched, .. } = error else {
         panic!("{error}");
     };
-    assert!(searched >= 8192 * 5 && searched.is_multiple_of(8192), "{searched}");
-    assert!(error.to_string().contains(&format!("in {searched} periods")), "{error}");
+    assert!(
+        searched >= 8192 * 5 && searched.is_multiple_of(8192),
+        "{searched}"
+    );
+    assert!(
+        error
+            .to_string()
+            .contains(&format!("in {searched} periods")),
+        "{error}"
+    );
 }
 
 /// Two 6205 under different loads and an unbalance: three frequencies with cages that roll at the loaded angles, two without;
@@ -203,7 +211,8 @@ ratio = 0.03
 [[load]]
 constant = { y = "-300 N", z = "100 N" }
 "#;
-    let scenario = Scenario::from_toml(text).unwrap_or_else(|error| panic!("{}", error.render(false)));
+    let scenario =
+        Scenario::from_toml(text).unwrap_or_else(|error| panic!("{}", error.render(false)));
     let told = |definition: &RotorDefinition| {
         let (stop, integrated) = (AtomicBool::new(false), AtomicU64::new(0));
         let question = ResponseQuestion {
