@@ -40,8 +40,8 @@ fn write_csv_serialized(path: &Path, rows: &[[f64; 20]]) {
     let mut writer = csv::WriterBuilder::new()
         .has_headers(false)
         .from_writer(buffered(path));
-    let names = trace_columns();
-    let names = names.iter().map(|column| column.name.as_ref());
+    let columns = trace_columns();
+    let names = columns.iter().map(|column| column.name());
     writer.write_record(names).expect("a header");
     for row in rows {
         writer.serialize(row).expect("a row");

@@ -29,7 +29,7 @@ pub use crate::report::steady::steady_findings;
 pub use crate::report::study::study_findings;
 #[cfg(feature = "parquet")]
 pub use crate::report::table::ParquetTable;
-pub use crate::report::table::{Column, ColumnKind, CsvTable, MatTable, Origin, Table};
+pub use crate::report::table::{CsvTable, MatTable, Origin};
 pub use crate::report::text::contact_choice_text;
 pub use crate::rotor::{Freedoms, MotionScale, Rotor, StaticProblem};
 pub use crate::scenario::TableFormat;
@@ -41,3 +41,4 @@ pub use crate::steady::response::{ResponseQuestion, response, response_warnings}
 pub use crate::study::accuracy::Question as AccuracyQuestion;
 pub use crate::study::campbell::{CampbellQuestion, check_range};
 pub use crate::study::many::{Shard, Unmade};
+pub use crate::table::{Column, ColumnKind, Table};

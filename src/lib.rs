@@ -116,6 +116,7 @@ mod shooting;
 pub mod simulate;
 pub mod steady;
 pub mod study;
+mod table;
 #[cfg(test)]
 #[path = "../tests/library/mod.rs"]
 mod tests;

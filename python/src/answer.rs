@@ -31,7 +31,7 @@ pub fn columns<'py>(py: Python<'py>, table: &Table<'_>) -> PyResult<Columns<'py>
             }
             _ => PyArray1::from_slice(py, values).into_any(),
         };
-        Ok((column.name.to_string(), array))
+        Ok((column.name(), array))
     };
     table.iter().map(column).collect()
 }
@@ -146,16 +146,16 @@ impl RunAnswer {
     /// Names of all columns of the samples, known or not.
     fn columns(&self) -> Vec<String> {
         Channel::all()
-            .map(|channel| channel.column().to_string())
+            .map(|channel| channel.column().name())
             .collect()
     }
 
     /// All samples of a column by its name in the files; NaN where a value was not observed.
     fn column<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let mut channels = Channel::all();
-        let Some(channel) = channels.find(|channel| channel.column() == name) else {
+        let Some(channel) = channels.find(|channel| channel.column().name() == name) else {
             let known = Channel::all().filter(|channel| !channel.is_further());
-            let known: Vec<_> = known.map(Channel::column).collect();
+            let known: Vec<_> = known.map(|channel| channel.column().name()).collect();
             return Err(PyKeyError::new_err(format!(
                 "no column is called {name:?}; the columns are {}",
                 known.join(", ")

@@ -11,6 +11,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use serde_json::Value;
 
 use crate::rotor::{Freedoms, MOST_BEARINGS, MOST_HOUSINGS, RotorDefinition, Sample};
+use crate::table::{Column, ColumnKind};
 
 /// A column of the table of samples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -78,11 +79,11 @@ impl HousingQuantity {
     }
 }
 
-/// A column with its name and its unit.
-type Column = (Channel, &'static str, &'static str);
+/// A quantity with its name and its unit.
+type Entry = (Channel, &'static str, &'static str);
 
 /// The columns of shaft and bearings, in the order in which the tables show them.
-const COLUMNS: [Column; 41] = [
+const COLUMNS: [Entry; 41] = [
     (Channel::Time, "t", "s"),
     (Channel::Angle, "angle", "rad"),
     (Channel::Speed, "speed", "rad/s"),
@@ -127,7 +128,7 @@ const COLUMNS: [Column; 41] = [
 ];
 
 /// Every column: after those of the shaft those of the housings and the forces, bearing by bearing.
-static ALL: LazyLock<Vec<Column>> = LazyLock::new(|| {
+static ALL: LazyLock<Vec<Entry>> = LazyLock::new(|| {
     let housings = (0..MOST_HOUSINGS).flat_map(housing_columns);
     let forces = (0..MOST_BEARINGS).flat_map(force_columns);
     COLUMNS.into_iter().chain(housings).chain(forces).collect()
@@ -136,7 +137,7 @@ static ALL: LazyLock<Vec<Column>> = LazyLock::new(|| {
 /// Names of the forces of the bearings behind the first, as a regular expression.
 const FURTHER: &str = "^bearing([2-9]|[1-5][0-9]|6[0-4])_(force_[xyz]|moment_[xy])$";
 
-fn force_columns(bearing: usize) -> impl Iterator<Item = Column> {
+fn force_columns(bearing: usize) -> impl Iterator<Item = Entry> {
     COLUMNS.into_iter().filter_map(move |(total, name, unit)| {
         let Channel::Force(freedom) = total else {
             return None;
@@ -147,7 +148,7 @@ fn force_columns(bearing: usize) -> impl Iterator<Item = Column> {
     })
 }
 
-fn housing_columns(bearing: usize) -> impl Iterator<Item = Column> {
+fn housing_columns(bearing: usize) -> impl Iterator<Item = Entry> {
     let quantities = [
         (HousingQuantity::Displacement, "", "m"),
         (HousingQuantity::Velocity, "_velocity", "m/s"),
@@ -333,7 +334,7 @@ impl Channel {
     }
 
     /// What is known of it.
-    fn column_of_table(self) -> &'static Column {
+    fn entry(self) -> &'static Entry {
         let mut all = ALL.iter();
         all.find(|(channel, ..)| *channel == self)
             .expect("every quantity is a column")
@@ -350,12 +351,12 @@ impl Channel {
 
     /// Name as in the files: `x`, `tilt_x`, `x_velocity`, `force_x`, `moment_x` ….
     pub fn name(self) -> &'static str {
-        self.column_of_table().1
+        self.entry().1
     }
 
     /// Unit: `m`, `rad/s^2`, `N m` …; empty of a number.
     pub fn unit(self) -> &'static str {
-        self.column_of_table().2
+        self.entry().2
     }
 
     /// Value in a sample; none where it was not observed.
@@ -399,24 +400,21 @@ impl Channel {
         })
     }
 
-    /// Name of the column in the files: quantity and unit, valid as a name in MATLAB and pandas, as `x_m`,
-    /// `force_x_N`, `x_velocity_m_s`, `balls_loaded`.
-    pub fn column(self) -> String {
-        match column_unit(self.unit()).as_str() {
-            "" => self.name().to_owned(),
-            unit => format!("{}_{unit}", self.name()),
+    /// Its column in the files, named `x_m`, `force_x_N`, `x_velocity_m_s`, `balls_loaded`.
+    pub fn column(self) -> Column {
+        match self {
+            Self::BallsLoaded => Column::count(self.name()),
+            _ => Column::number(self.name(), self.unit()),
         }
     }
 
-    /// The quantity of a column of a trace or of a spectrum by its name, as `x_m` or `x_amplitude_m`.
-    pub(crate) fn of_column(name: &str) -> Option<Self> {
-        const SCALINGS: [&str; 3] = ["_amplitude_", "_peak_", "_rms_"];
-        let is_of = |channel: &Self| {
-            let rest = name.strip_prefix(channel.name());
-            let of_spectrum = |rest: &str| SCALINGS.iter().any(|scaling| rest.starts_with(scaling));
-            *name == channel.column() || rest.is_some_and(of_spectrum)
-        };
-        Self::all().find(is_of)
+    /// The quantity that a column of a trace or of a spectrum is of, in the unit of the quantity itself.
+    pub(crate) fn of_column(column: &Column) -> Option<Self> {
+        if column.kind == ColumnKind::Phase {
+            return None;
+        }
+        Self::all()
+            .find(|channel| channel.name() == column.quantity && channel.unit() == column.unit)
     }
 
     /// Name and unit as a value of a result.
@@ -424,7 +422,7 @@ impl Channel {
         &self,
         serializer: S,
     ) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(&self.column())
+        self.column().serialize(serializer)
     }
 
     /// Freedom 0 … 4 that it belongs to: x, y, z, θx, θy; none of what belongs to the whole shaft.
@@ -459,16 +457,6 @@ impl Channel {
     pub(crate) fn is_force(self) -> bool {
         matches!(self, Self::Force(_) | Self::BearingForce { .. })
     }
-
-    /// Whether its values are whole numbers.
-    pub(crate) fn is_count(self) -> bool {
-        self == Self::BallsLoaded
-    }
-}
-
-/// A unit such as `rad/s` or `kg m^2` as the end of a column name: `rad_s`, `kg_m2`.
-pub fn column_unit(unit: &str) -> String {
-    unit.replace('^', "").replace([' ', '/', '.'], "_")
 }
 
 /// The name.
@@ -559,19 +547,20 @@ mod tests {
     #[test]
     fn keys_of_results_are_names_of_columns() {
         for freedom in 0..FREEDOMS {
-            let names =
-                [Channel::Displacement(freedom), Channel::Force(freedom)].map(Channel::column);
+            let names = [Channel::Displacement(freedom), Channel::Force(freedom)]
+                .map(|of| of.column().name());
             assert_eq!(names, [keys::DISPLACEMENT[freedom], keys::FORCE[freedom]]);
         }
     }
 
     #[test]
     fn names_are_unique_within_a_table() {
+        let name = |channel: Channel| channel.column().name();
         let tables: [Vec<String>; 4] = [
-            Channel::of_trace().map(Channel::column).collect(),
-            Channel::selectable().map(Channel::column).collect(),
-            Channel::of_energy().map(Channel::column).collect(),
-            Channel::of_drive().map(Channel::column).collect(),
+            Channel::of_trace().map(name).collect(),
+            Channel::selectable().map(name).collect(),
+            Channel::of_energy().map(name).collect(),
+            Channel::of_drive().map(name).collect(),
         ];
         for names in tables {
             let mut unique = names.clone();

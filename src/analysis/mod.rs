@@ -24,7 +24,6 @@ pub(crate) use causes::{
     BearingFrequencies, LineSurfaces, Precision, Sources, causes, nearest_cause,
 };
 pub use channel::Channel;
-pub(crate) use channel::column_unit;
 pub(crate) use estimation::estimate;
 pub(crate) use estimation::{
     Axis, Detrend, EstimateError, Resampling, Scaling, Segment, SpectrumKind, SpectrumRequest,

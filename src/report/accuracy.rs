@@ -3,10 +3,10 @@
 //! These files hold times, and so are the only ones that differ from one measurement to the next.
 
 use super::figure::{Axis, COLOURS, Curve, Figure, GREY, Mark, Name, Panel, distinct};
-use super::table::{Named, Table};
 use super::terminal::{Lines, MICRO, MILLI, or_dash, wrapped};
 use super::{Destination, FileSet, Findings};
 use crate::study::accuracy::{Accuracy, Agreement, Cost, Errors, Measured};
+use crate::table::{Named, Table};
 
 /// Reference, methods and ladder of a measurement.
 pub fn accuracy_findings(destination: &Destination<'_>, accuracy: &Accuracy) -> Findings {
@@ -31,31 +31,41 @@ pub fn accuracy_findings(destination: &Destination<'_>, accuracy: &Accuracy) -> 
 }
 
 const ERRORS: [Named<Errors>; 11] = [
-    ("displacement_m", |errors| errors.displacement),
-    ("displacement_relative", |errors| {
+    ("displacement", "m", |errors| errors.displacement),
+    ("displacement_relative", "", |errors| {
         errors.displacement_relative
     }),
-    ("force_N", |errors| errors.force),
-    ("force_relative", |errors| errors.force_relative),
-    ("lines_relative", |errors| errors.lines.unwrap_or(f64::NAN)),
-    ("displacement_mean_relative", |errors| {
+    ("force", "N", |errors| errors.force),
+    ("force_relative", "", |errors| errors.force_relative),
+    ("lines_relative", "", |errors| {
+        errors.lines.unwrap_or(f64::NAN)
+    }),
+    ("displacement_mean_relative", "", |errors| {
         errors.statistics.mean
     }),
-    ("displacement_rms_relative", |errors| errors.statistics.rms),
-    ("displacement_peak_relative", |errors| {
+    ("displacement_rms_relative", "", |errors| {
+        errors.statistics.rms
+    }),
+    ("displacement_peak_relative", "", |errors| {
         errors.statistics.peak
     }),
-    ("force_mean_relative", |errors| errors.force_statistics.mean),
-    ("force_rms_relative", |errors| errors.force_statistics.rms),
-    ("force_peak_relative", |errors| errors.force_statistics.peak),
+    ("force_mean_relative", "", |errors| {
+        errors.force_statistics.mean
+    }),
+    ("force_rms_relative", "", |errors| {
+        errors.force_statistics.rms
+    }),
+    ("force_peak_relative", "", |errors| {
+        errors.force_statistics.peak
+    }),
 ];
 
 /// Whole numbers of a cost.
 const COUNTS: [Named<Cost>; 4] = [
-    ("repeats", |cost| cost.repeats.into()),
-    ("steps", |cost| cost.counters.steps as f64),
-    ("rejected", |cost| cost.counters.rejected as f64),
-    ("evaluations", |cost| cost.counters.evaluations as f64),
+    ("repeats", "", |cost| cost.repeats.into()),
+    ("steps", "", |cost| cost.counters.steps as f64),
+    ("rejected", "", |cost| cost.counters.rejected as f64),
+    ("evaluations", "", |cost| cost.counters.evaluations as f64),
 ];
 
 /// Methods × tolerances.
@@ -67,7 +77,7 @@ fn methods_table(accuracy: &Accuracy) -> Table<'static> {
     let notes = rows().map(|row| row.result.as_ref().err());
     let mut table = Table::default();
     table.words("method", rows().map(|row| &row.method));
-    table.numbers("tolerance", rows().map(|row| row.tolerance));
+    table.numbers("tolerance", "", rows().map(|row| row.tolerance));
     add_costs(&mut table, measured().map(|measured| Some(&measured?.cost)));
     table.named("error_", &ERRORS, errors);
     table.words("within_uncertainty", within.map(or_blank));
@@ -85,7 +95,11 @@ fn ladder_table(accuracy: &Accuracy) -> Table<'static> {
     let mut table = Table::default();
     table.words("model", rows().map(|row| &row.configuration));
     table.words("as_written", rows().map(|row| row.as_written));
-    table.numbers("wall_time_per_simulated_s", costs.clone().map(per_second));
+    table.numbers(
+        "wall_time_per_simulated_s",
+        "",
+        costs.clone().map(per_second),
+    );
     add_costs(&mut table, costs);
     table.named("difference_", &ERRORS, errors);
     table.words("note", notes.map(or_blank));
@@ -93,8 +107,12 @@ fn ladder_table(accuracy: &Accuracy) -> Table<'static> {
 }
 
 fn add_costs<'a>(table: &mut Table<'_>, costs: impl Iterator<Item = Option<&'a Cost>> + Clone) {
-    table.numbers("wall_time_s", costs.clone().map(|cost| Some(cost?.seconds)));
-    for (name, count) in COUNTS {
+    table.numbers(
+        "wall_time",
+        "s",
+        costs.clone().map(|cost| Some(cost?.seconds)),
+    );
+    for (name, _, count) in COUNTS {
         table.counts(name, costs.clone().map(|cost| cost.map(count)));
     }
 }
@@ -280,7 +298,7 @@ const HEIGHT: u32 = 320;
 const LEVEL_HEIGHT: u32 = 30;
 
 /// Quantity on an axis and its name.
-type Quantity = Named<Measured>;
+type Quantity = (&'static str, fn(&Measured) -> f64);
 
 const TIME: Quantity = ("time of the integration in ms", |measured| {
     MILLI * measured.cost.seconds
@@ -391,7 +409,7 @@ fn ladder_figure(title: &str, accuracy: &Accuracy) -> Figure {
     let levels: Vec<_> = levels.collect();
     let cost = |cost: &Cost| MILLI * cost.seconds / accuracy.duration;
     let costs: Vec<f64> = levels.iter().map(|(_, found)| cost(&found.0)).collect();
-    let (name, difference): Named<Errors> = if accuracy.agreement.irregular {
+    let (name, difference): (_, fn(&Errors) -> f64) = if accuracy.agreement.irregular {
         ("difference of the rms from the top", |errors| {
             errors.statistics.rms
         })

@@ -7,11 +7,11 @@ use serde_json::{Value, json};
 
 use super::figure::{Axis, Curve, Figure, GREY, Name, Panel, distinct, round_ticks};
 use super::shaft_shapes::shapes_at;
-use super::table::Table;
 use super::terminal::{Lines, PER_MINUTE, PER_SECOND, decimals, or_dash, rounded};
 use super::{Destination, FileSet, Findings};
 use crate::rotor::{Mode, RotorDefinition, Whirl};
 use crate::study::campbell::{Branch, Campbell};
+use crate::table::Table;
 
 /// Branches and critical speeds.
 ///
@@ -74,15 +74,27 @@ pub(super) fn modes(campbell: &Campbell) -> Table<'static> {
         .iter()
         .map(|(_, speed, mode)| (*speed > 0.0).then(|| mode.damped_frequency() * TAU / speed));
     let mut table = Table::default();
-    table.numbers("speed_rad_s", modes.iter().map(|(_, speed, _)| *speed));
+    table.numbers("speed", "rad/s", modes.iter().map(|(_, speed, _)| *speed));
     table.counts("branch", modes.iter().map(|(branch, ..)| *branch as f64));
-    table.numbers("frequency_Hz", shapes().map(|mode| mode.damped_frequency()));
+    table.numbers(
+        "frequency",
+        "Hz",
+        shapes().map(|mode| mode.damped_frequency()),
+    );
     let undamped = shapes().map(|mode| mode.eigenvalue.norm() / TAU);
-    table.numbers("undamped_frequency_Hz", undamped);
-    table.numbers("damping_ratio", shapes().map(|mode| mode.damping_ratio()));
-    table.numbers("order", orders);
+    table.numbers("undamped_frequency", "Hz", undamped);
+    table.numbers(
+        "damping_ratio",
+        "",
+        shapes().map(|mode| mode.damping_ratio()),
+    );
+    table.numbers("order", "", orders);
     table.words("whirl", shapes().map(|mode| mode.whirl()));
-    table.numbers("forward_share", shapes().map(|mode| mode.forward_share()));
+    table.numbers(
+        "forward_share",
+        "",
+        shapes().map(|mode| mode.forward_share()),
+    );
     table
 }
 

@@ -7,10 +7,10 @@ use serde_json::Value;
 
 use super::figure::Figure;
 use super::page::AnswerPage;
-use super::table::Table;
 use super::terminal::Lines;
 use super::{FileSet, ReportError, RunFolder};
 use crate::scenario::TableFormat;
+use crate::table::Table;
 
 /// Where the files of a result go, and what they say of where it comes from.
 #[derive(Debug, Clone, Copy)]

@@ -10,9 +10,10 @@ use std::thread;
 use serde_json::Value;
 
 use super::figure::{Figure, FigureFormat, figure_formats};
-use super::table::{Origin, Table, TableFiles};
+use super::table::{Origin, TableFiles};
 use super::{FileAction, ReportError};
 use crate::scenario::TableFormat;
+use crate::table::Table;
 
 /// Names of the files that one verb leaves in a folder.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

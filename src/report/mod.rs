@@ -61,6 +61,6 @@ pub(crate) use study::{study_findings, study_json};
 #[cfg(all(test, feature = "parquet"))]
 pub(crate) use table::ParquetTable;
 #[cfg(test)]
-pub(crate) use table::{Column, CsvTable, MatTable, Origin};
+pub(crate) use table::{CsvTable, MatTable, Origin};
 pub(crate) use terminal::{tell_details, wrapped, wrote};
 pub(crate) use text::{contact_choice_text, text};

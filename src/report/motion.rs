@@ -4,7 +4,6 @@ use serde_json::{Value, json};
 
 use super::destination::with_keys;
 use super::figure::{Axis, Curve, Figure, Name, PLOT_WIDTH, Panel, Point, distinct};
-use super::table::Table;
 use super::terminal::{Lines, MICRO, MILLI, listed, significant};
 use crate::analysis::{
     Channel, ChannelLevel, Kind, LONGEST_PERIOD, Motion, Section, SectionKind, VelocityLevel,
@@ -12,6 +11,7 @@ use crate::analysis::{
 use crate::physics::MachineSupport;
 use crate::rotor::FREEDOMS;
 use crate::simulate::VibrationSeverity;
+use crate::table::Table;
 
 /// Everything about a steady motion but its points, and whether it has settled.
 pub(super) fn motion_json(motion: &Motion) -> Value {
@@ -164,14 +164,14 @@ pub(super) fn poincare_table(motion: &Motion) -> Table<'static> {
     let mut table = Table::default();
     table.words("section", points.iter().map(|(kind, _)| kind));
     table.counts("number", places().map(|point| point.number as f64));
-    table.numbers("t_s", places().map(|point| point.time));
+    table.numbers("t", "s", places().map(|point| point.time));
     for freedom in 0..FREEDOMS {
         let column = Channel::Displacement(freedom).column();
-        table.numbers(column, places().map(|point| point.displacement[freedom]));
+        table.add(column, places().map(|point| point.displacement[freedom]));
     }
     for freedom in 0..FREEDOMS {
         let column = Channel::Velocity(freedom).column();
-        table.numbers(column, places().map(|point| point.velocity[freedom]));
+        table.add(column, places().map(|point| point.velocity[freedom]));
     }
     table
 }

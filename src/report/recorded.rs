@@ -10,13 +10,13 @@ use super::run_report::{figures, tables_at_end};
 use super::run_tables::{ball_columns, ball_row, event_columns, event_row, sample_table};
 use super::run_up::{waterfall_columns, waterfall_rows};
 use super::spectra::estimated_table;
-use super::table::Table;
 use super::text::{contact_choice_text, text};
 use super::{FileAction, ReportError, RunReport, RunSummary, document};
 use crate::analysis::Channel;
 use crate::scenario::{Scenario, ScenarioRunError};
 use crate::simulate::{Maps, Model, Monitor, RecordedRun, SimulateError};
 use crate::study::campbell::{Campbell, along_run_up};
+use crate::table::Table;
 
 /// What a run has found, with its samples: as [`Findings`](super::Findings), but each table and figure is made when it
 /// is asked for.

@@ -4,14 +4,14 @@ use plotters::style::RGBColor;
 use serde_json::json;
 
 use super::figure::{Axis, Curve, Figure, GREY, Name, Panel, Point, distinct};
-use super::study::{axis_name, column_name, shown};
-use super::table::Table;
+use super::study::{axis_name, shown, variable_column};
 use super::terminal::{Lines, MICRO};
 use super::{Destination, FileSet, Findings};
 use crate::analysis::Channel;
 use crate::shooting::SpecialKind;
 use crate::steady::{Response, ResponsePoint, Swing};
 use crate::study::Variable;
+use crate::table::Table;
 
 /// Branches of steady motions along a parameter.
 pub fn response_findings(
@@ -114,8 +114,8 @@ fn table(
         let kinds = rows.iter().filter_map(|(_, _, kind, _)| *kind);
         table.words("kind", kinds);
     }
-    table.numbers(column_name(variable), points().map(|point| point.value));
-    table.numbers("period_s", points().map(|point| point.period));
+    table.add(variable_column(variable), points().map(|point| point.value));
+    table.numbers("period", "s", points().map(|point| point.period));
     table.counts("stable", points().map(|point| f64::from(point.stable)));
     // every motion has the columns of the first
     let Some(first) = branches.first().and_then(|branch| branch.points.first()) else {
@@ -128,21 +128,20 @@ fn table(
     ];
     for (index, swing) in first.swings.iter().enumerate() {
         let column = swing.channel.column();
-        let (name, unit) = column.split_at(swing.channel.name().len());
         for (what, measure) in measures {
             let values = points().map(|point| point.swings.get(index).map(measure));
-            table.numbers(format!("{name}_{what}{unit}"), values);
+            table.add(column.statistic(what), values);
         }
     }
     for index in 0..first.multipliers.len() {
         let values = || points().map(|point| point.multipliers.get(index));
         let [re, im] = ["re", "im"].map(|part| format!("multiplier_{}_{part}", index + 1));
-        table.numbers(re, values().map(|value| Some(value?.re)));
-        table.numbers(im, values().map(|value| Some(value?.im)));
+        table.numbers(re, "", values().map(|value| Some(value?.re)));
+        table.numbers(im, "", values().map(|value| Some(value?.im)));
         if points().any(|point| !point.multiplier_errors.is_empty()) {
             let error = format!("multiplier_{}_error", index + 1);
             let errors = points().map(|point| point.multiplier_errors.get(index).copied());
-            table.numbers(error, errors);
+            table.numbers(error, "", errors);
         }
     }
     table

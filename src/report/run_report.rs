@@ -23,7 +23,7 @@ use super::spectra::{
     NamedPeak, estimated_figure, estimated_json, estimated_table, frequency_limit_of, peak_table,
     spectrum_table, table_name,
 };
-use super::table::{Table, TableFiles};
+use super::table::TableFiles;
 use super::text::{method_use_json, parted};
 use super::{FileSet, PartialFile, ReportError, RunFolder, campbell, document, spectrum_figure};
 use crate::analysis::Channel;
@@ -33,6 +33,7 @@ use crate::scenario::{Output, Scenario};
 use crate::simulate::{Event, Model, Run, TraceSink};
 use crate::study::ContactChoice;
 use crate::study::campbell::{Campbell, CriticalSpeed};
+use crate::table::Table;
 
 /// Takes the trace of a run and writes its files.
 ///

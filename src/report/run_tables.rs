@@ -3,12 +3,13 @@
 use std::io;
 use std::io::Write;
 
-use super::table::{Column, CsvTable, Table, TableFiles};
+use super::table::{CsvTable, TableFiles};
 use super::{ReportError, RunFolder};
 use crate::analysis::Channel;
 use crate::bearing::BallContact;
 use crate::rotor::{BallContacts, Sample};
 use crate::simulate::{Event, EventKind, TraceSink};
+use crate::table::{Column, Named, Table};
 
 /// A table of samples that is being written.
 #[derive(Debug)]
@@ -25,7 +26,7 @@ impl SampleFiles {
         stem: &str,
         channels: Vec<Channel>,
     ) -> Result<Self, ReportError> {
-        let columns: Vec<_> = channels.iter().copied().map(column).collect();
+        let columns: Vec<_> = channels.iter().copied().map(Channel::column).collect();
         Ok(Self {
             files: TableFiles::open(folder, stem, &columns)?,
             channels,
@@ -59,21 +60,14 @@ pub(super) fn sample_table(
     let mut table = Table::default();
     for channel in channels {
         let values = samples.iter().map(|sample| channel.of(sample));
-        table.add(column(channel), values);
+        table.add(channel.column(), values);
     }
     table
 }
 
-fn column(channel: Channel) -> Column {
-    match channel.is_count() {
-        true => Column::count(channel.column()),
-        false => Column::number(channel.column()),
-    }
-}
-
 /// Columns that the trace has of every shaft. Forces are those of all bearings on the shaft.
 pub fn trace_columns() -> Vec<Column> {
-    Channel::of_trace().map(column).collect()
+    Channel::of_trace().map(Channel::column).collect()
 }
 
 /// Writes samples as rows of CSV.
@@ -89,7 +83,7 @@ impl<W: Write> TraceCsv<W> {
     /// # Errors
     /// What the writer answers.
     pub fn new(writer: W, channels: Vec<Channel>) -> io::Result<Self> {
-        let columns: Vec<_> = channels.iter().copied().map(column).collect();
+        let columns: Vec<_> = channels.iter().copied().map(Channel::column).collect();
         let table = CsvTable::new(writer, &columns)?;
         Ok(Self { channels, table })
     }
@@ -115,25 +109,25 @@ impl<W: Write> TraceSink for TraceCsv<W> {
     }
 }
 
-/// What is written of one ball: the end of the column's name and the value.
-type BallColumn = (&'static str, fn(&BallContact) -> f64);
-
 /// Named as in the table of `jeffcott bearing`.
-const BALL: [BallColumn; 4] = [
-    ("inner_load_N", |ball| ball.load_inner),
-    ("inner_angle_rad", |ball| ball.angle_inner),
-    ("outer_load_N", |ball| ball.load_outer),
-    ("outer_angle_rad", |ball| ball.angle_outer),
+const BALL: [Named<BallContact>; 4] = [
+    ("inner_load", "N", |ball| ball.load_inner),
+    ("inner_angle", "rad", |ball| ball.angle_inner),
+    ("outer_load", "N", |ball| ball.load_outer),
+    ("outer_angle", "rad", |ball| ball.angle_outer),
 ];
 
 /// Columns of a table of balls: time, shaft angle, and `bearing1_ball1_inner_load_N` … of every ball,
 /// bearings and balls counted from 1.
 pub fn ball_columns(contacts: &BallContacts) -> Vec<Column> {
-    let mut columns = ["t_s", "angle_rad"].map(Column::number).to_vec();
+    let mut columns = [Channel::Time, Channel::Angle]
+        .map(Channel::column)
+        .to_vec();
     for (bearing, balls) in contacts.bearings().iter().enumerate() {
         for ball in 0..balls.balls() {
-            let name = |(end, _)| format!("bearing{}_ball{}_{end}", bearing + 1, ball + 1);
-            columns.extend(BALL.map(name).map(Column::number));
+            let before = format!("bearing{}_ball{}", bearing + 1, ball + 1);
+            let column = |(of, unit, _)| Column::number(format!("{before}_{of}"), unit);
+            columns.extend(BALL.map(column));
         }
     }
     columns
@@ -145,7 +139,7 @@ pub fn ball_row(sample: &Sample, contacts: &BallContacts) -> Vec<f64> {
         .bearings()
         .iter()
         .flat_map(|bearing| bearing.contacts());
-    let values = balls.flat_map(|ball| BALL.map(|(_, value)| value(&ball)));
+    let values = balls.flat_map(|ball| BALL.map(|(.., value)| value(&ball)));
     [sample.time, sample.angle]
         .into_iter()
         .chain(values)
@@ -155,7 +149,7 @@ pub fn ball_row(sample: &Sample, contacts: &BallContacts) -> Vec<f64> {
 /// Columns of a table of events; what happens to a bearing as a whole has no ball.
 pub fn event_columns() -> Vec<Column> {
     vec![
-        Column::number("t_s"),
+        Channel::Time.column(),
         Column::words("event", EventKind::ALL.map(EventKind::name)),
         Column::count("bearing"),
         Column::count("ball"),

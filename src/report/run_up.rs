@@ -5,13 +5,13 @@ use serde_json::{Map as Object, Value, json};
 use super::destination::with_keys;
 use super::figure::{Axis, Curve, Figure, Map, Name, Panel, Point, WHITE, distinct, graded};
 use super::spectra::{amplitude_column, phase_column};
-use super::table::{Column, Table};
 use super::terminal::{
     Lines, MICRO, PER_MINUTE, PER_SECOND, decimals, listed, shown_unit, significant,
 };
-use crate::analysis::{OrderTracks, Slice, Track, Waterfall};
+use crate::analysis::{Channel, OrderTracks, Slice, Track, Waterfall};
 use crate::simulate::{Extreme, Maps, RunUp};
 use crate::study::campbell::{Campbell, CriticalSpeed};
+use crate::table::{Column, Table};
 
 /// What is drawn of the maps, as far as they are not empty.
 pub(super) fn maps_figures(title: &str, maps: &Maps) -> Vec<Figure> {
@@ -107,9 +107,11 @@ pub(super) fn maps_json(maps: &Maps) -> Value {
 
 /// Time, mean speed and frequency, then the amplitude of every channel.
 pub(super) fn waterfall_columns(waterfall: &Waterfall) -> Vec<Column> {
-    let mut columns = ["t_s", "speed_rad_s", "f_Hz"].map(Column::number).to_vec();
-    let channels = waterfall.channels.iter();
-    columns.extend(channels.map(|channel| Column::number(amplitude_column(*channel))));
+    let mut columns = [Channel::Time, Channel::Speed]
+        .map(Channel::column)
+        .to_vec();
+    columns.push(Column::number("f", "Hz"));
+    columns.extend(waterfall.channels.iter().copied().map(amplitude_column));
     columns
 }
 
@@ -349,16 +351,16 @@ const LEAST_OF_PHASE: f64 = 0.01;
 pub(super) fn tracks_table(tracks: &OrderTracks) -> Table<'static> {
     let points = || tracks.points.iter();
     let mut table = Table::default();
-    table.numbers("t_s", points().map(|point| point.time));
-    table.numbers("speed_rad_s", points().map(|point| point.speed));
+    table.numbers("t", "s", points().map(|point| point.time));
+    table.numbers("speed", "rad/s", points().map(|point| point.speed));
     for (row, channel) in tracks.channels.iter().enumerate() {
         for (index, order) in tracks.tracked.iter().enumerate() {
             let of = column(&order.name);
             let track = || points().map(|point| &point.tracks[row][index]);
             let [amplitude, phase] = [amplitude_column(*channel), phase_column(*channel)]
-                .map(|column| format!("{of}_{column}"));
-            table.numbers(amplitude, track().map(|track| track.amplitude));
-            table.numbers(phase, track().map(|track| track.phase));
+                .map(|column| column.of_part(&of));
+            table.add(amplitude, track().map(|track| track.amplitude));
+            table.add(phase, track().map(|track| track.phase));
         }
     }
     table

@@ -2,7 +2,6 @@
 
 use super::figure::{Axis, Curve, Figure, Name, Panel, all_around, distinct, turned};
 use super::shaft_shapes::deflection;
-use super::table::{Named, Table};
 use super::terminal::{
     Lines, MICRO, MILLI, NAMES, clearance_text, decimal, digits, displacement_text, listed,
     mark_estimated, of_bearing, or_dash,
@@ -12,6 +11,7 @@ use crate::bearing::{BallLine, BearingState, FilmState, Matrix5, RaceContact};
 use crate::physics::{BallPass, Race};
 use crate::quasi_static::{QuasiStatic, StaticQuestion};
 use crate::rotor::{FREEDOMS, Freedoms};
+use crate::table::{Named, Table};
 
 /// Equilibrium, stiffness and every bearing with its balls.
 pub fn answer_findings(
@@ -301,27 +301,29 @@ fn angle(contact: &RaceContact) -> String {
 
 /// Columns of one contact, after `inner_` or `outer_`.
 const CONTACT: [Named<RaceContact>; 13] = [
-    ("load_N", |contact| contact.load),
-    ("angle_rad", |contact| contact.angle),
-    ("approach_m", |contact| contact.approach),
-    ("semi_major_m", |contact| contact.semi_major),
-    ("semi_minor_m", |contact| contact.semi_minor),
-    ("peak_pressure_Pa", |contact| contact.peak_pressure),
-    ("contact_stiffness_N_m", |contact| contact.contact_stiffness),
-    ("film_central_m", |contact| {
+    ("load", "N", |contact| contact.load),
+    ("angle", "rad", |contact| contact.angle),
+    ("approach", "m", |contact| contact.approach),
+    ("semi_major", "m", |contact| contact.semi_major),
+    ("semi_minor", "m", |contact| contact.semi_minor),
+    ("peak_pressure", "Pa", |contact| contact.peak_pressure),
+    ("contact_stiffness", "N/m", |contact| {
+        contact.contact_stiffness
+    }),
+    ("film_central", "m", |contact| {
         film(contact, |film| film.central)
     }),
-    ("film_minimum_m", |contact| {
+    ("film_minimum", "m", |contact| {
         film(contact, |film| film.minimum)
     }),
-    ("film_stiffness_N_m", |contact| {
+    ("film_stiffness", "N/m", |contact| {
         film(contact, |film| film.stiffness)
     }),
-    ("film_lambda", |contact| {
+    ("film_lambda", "", |contact| {
         film(contact, |film| film.lambda.unwrap_or(f64::NAN))
     }),
-    ("spin_to_roll", |contact| contact.spin_to_roll),
-    ("shoulder_margin_rad", |contact| {
+    ("spin_to_roll", "", |contact| contact.spin_to_roll),
+    ("shoulder_margin", "rad", |contact| {
         contact.shoulder_margin.unwrap_or(f64::NAN)
     }),
 ];
@@ -332,8 +334,8 @@ fn film(contact: &RaceContact, value: fn(&FilmState) -> f64) -> f64 {
 
 /// Columns of a ball beside its contacts.
 const INERTIAS: [Named<BallLine>; 2] = [
-    ("centrifugal_force_N", |line| line.centrifugal_force),
-    ("gyroscopic_moment_N_m", |line| line.gyroscopic_moment),
+    ("centrifugal_force", "N", |line| line.centrifugal_force),
+    ("gyroscopic_moment", "N m", |line| line.gyroscopic_moment),
 ];
 
 /// The balls of all bearings, both numbered from 1 on.
@@ -348,8 +350,8 @@ fn balls_table(answer: &QuasiStatic) -> Table<'static> {
     let mut table = Table::default();
     table.counts("bearing", balls.iter().map(|(bearing, ..)| *bearing as f64));
     table.counts("ball", balls.iter().map(|(_, ball, _)| *ball as f64));
-    table.numbers("azimuth_rad", lines().map(|line| line.azimuth));
-    table.numbers("deformation_m", lines().map(|line| line.deformation));
+    table.numbers("azimuth", "rad", lines().map(|line| line.azimuth));
+    table.numbers("deformation", "m", lines().map(|line| line.deformation));
     table.named("inner_", &CONTACT, lines().map(|line| Some(&line.inner)));
     table.named("outer_", &CONTACT, lines().map(|line| Some(&line.outer)));
     table.named("", &INERTIAS, lines().map(Some));

@@ -10,7 +10,6 @@ use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
 use super::histories::Histories;
 use super::run_tables::sample_table;
 use super::spectra::{amplitude_column, phase_column};
-use super::table::Table;
 use super::terminal::{Lines, MICRO, digits, listed, measured_text, shown_unit};
 use super::text::reduction_text;
 use super::{Destination, FileSet, Findings};
@@ -18,6 +17,7 @@ use crate::analysis::Channel;
 use crate::shooting::Multipliers;
 use crate::simulate::Model;
 use crate::steady::{Base, Stability, Steady, SteadyLine, SteadyLines, Swing};
+use crate::table::Table;
 
 /// A steady motion: its trace, its spectrum, its stability and its error.
 pub fn steady_findings(destination: &Destination<'_>, model: &Model, steady: &Steady) -> Findings {
@@ -59,9 +59,13 @@ pub fn steady_findings(destination: &Destination<'_>, model: &Model, steady: &St
 fn line_table(steady: &Steady, speed: f64) -> Table<'static> {
     let lines = || steady.lines.lines.iter();
     let mut table = Table::default();
-    table.numbers("f_Hz", lines().map(|line| line.frequency));
+    table.numbers("f", "Hz", lines().map(|line| line.frequency));
     if speed > 0.0 {
-        table.numbers("order", lines().map(|line| line.frequency * TAU / speed));
+        table.numbers(
+            "order",
+            "",
+            lines().map(|line| line.frequency * TAU / speed),
+        );
     }
     for (index, name) in ["multiple_of_first", "multiple_of_second"]
         .iter()
@@ -71,8 +75,8 @@ fn line_table(steady: &Steady, speed: f64) -> Table<'static> {
     }
     for (index, channel) in steady.lines.channels.iter().enumerate() {
         let [amplitude, phase] = [amplitude_column(*channel), phase_column(*channel)];
-        table.numbers(amplitude, lines().map(|line| line.amplitude[index]));
-        table.numbers(phase, lines().map(|line| line.phase[index]));
+        table.add(amplitude, lines().map(|line| line.amplitude[index]));
+        table.add(phase, lines().map(|line| line.phase[index]));
     }
     table
 }

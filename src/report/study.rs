@@ -4,16 +4,16 @@ use serde_json::{Value, json};
 
 use super::destination::value;
 use super::figure::{Axis, Curve, Figure, Name, Panel, all_around, distinct, graded, turned};
-use super::table::{Named, Table};
 use super::terminal::{Lines, MICRO, MILLI, digits, in_unit, of_bearing};
 use super::{Destination, FileSet, Findings};
-use crate::analysis::{Channel, column_unit};
+use crate::analysis::Channel;
 use crate::bearing::{Around, BallLine, BearingState};
 use crate::keys;
 use crate::quasi_static::{QuasiStatic, Twist};
 use crate::rotor::FREEDOMS;
 use crate::scenario::si_units;
 use crate::study::{Study, StudyRow, Variable};
+use crate::table::{Column, Named, Table};
 
 /// The answers of a study, and the bearings all around; the numbers stand in the tables alone.
 pub fn study_findings(destination: &Destination<'_>, study: &Study, rows: &[StudyRow]) -> Findings {
@@ -34,24 +34,21 @@ pub fn study_findings(destination: &Destination<'_>, study: &Study, rows: &[Stud
     }
 }
 
-/// The variable as the name of a column: `load_1_constant_z_N`.
-pub(super) fn column_name(variable: &Variable) -> String {
+/// The column of the variable: `load_1_constant_z_N`.
+pub(super) fn variable_column(variable: &Variable) -> Column {
     key_column(&variable.key, variable.unit)
 }
 
-fn key_column(key: &str, unit: &str) -> String {
+fn key_column(key: &str, unit: &'static str) -> Column {
     let words = key.split(['.', '[', ']']);
     let words: Vec<_> = words.filter(|word| !word.is_empty()).collect();
-    match unit {
-        "" => words.join("_"),
-        unit => format!("{}_{}", words.join("_"), column_unit(unit)),
-    }
+    Column::number(words.join("_"), unit)
 }
 
 /// The unit that the column of a key ends with; empty of a plain number.
 pub(super) fn unit_of_column(key: &str, column: &str) -> &'static str {
     let mut units = si_units();
-    let found = units.find(|unit| key_column(key, unit) == column);
+    let found = units.find(|unit| key_column(key, unit).name() == column);
     found.unwrap_or_default()
 }
 
@@ -87,10 +84,12 @@ pub(super) fn shown(variable: &Variable, value: f64) -> String {
 
 /// Columns of the whole shaft behind its stiffness.
 const SHAFT: [Named<QuasiStatic>; 4] = [
-    ("condition", |answer| answer.condition),
-    ("residual", |answer| answer.residual),
-    ("moment_z_N_m", |answer| twist(answer, |twist| twist.moment)),
-    ("twist_rad", |answer| twist(answer, |twist| twist.angle)),
+    ("condition", "", |answer| answer.condition),
+    ("residual", "", |answer| answer.residual),
+    ("moment_z", "N m", |answer| {
+        twist(answer, |twist| twist.moment)
+    }),
+    ("twist", "rad", |answer| twist(answer, |twist| twist.angle)),
 ];
 
 fn twist(answer: &QuasiStatic, value: fn(&Twist) -> f64) -> f64 {
@@ -99,39 +98,41 @@ fn twist(answer: &QuasiStatic, value: fn(&Twist) -> f64) -> f64 {
 
 /// Columns of the largest and the smallest value of all balls of a bearing; NaN where there are none.
 const EXTREMES: [Named<BallLine>; 3] = [
-    ("load_inner_N", |ball| ball.inner.load),
-    ("load_outer_N", |ball| ball.outer.load),
-    ("angle_inner_rad", |ball| ball.inner.angle),
+    ("load_inner", "N", |ball| ball.inner.load),
+    ("load_outer", "N", |ball| ball.outer.load),
+    ("angle_inner", "rad", |ball| ball.inner.angle),
 ];
 
 /// Columns of one bearing after these.
 const BEARING: [Named<BearingState>; 8] = [
-    ("swing_of_angle_inner_rad", |state| {
+    ("swing_of_angle_inner", "rad", |state| {
         let angle = |ball: &BallLine| ball.inner.angle;
         extreme(state, angle, f64::max) - extreme(state, angle, f64::min)
     }),
-    ("largest_pressure_Pa", |state| {
+    ("largest_pressure", "Pa", |state| {
         let pressure = |ball: &BallLine| ball.inner.peak_pressure.max(ball.outer.peak_pressure);
         extreme(state, pressure, f64::max)
     }),
-    ("life_Mrev", |state| state.life.unwrap_or(f64::NAN)),
-    ("life_h", |state| {
+    ("life", "Mrev", |state| state.life.unwrap_or(f64::NAN)),
+    ("life", "h", |state| {
         let lives = state.rating_lives.as_ref();
         lives
             .and_then(|lives| lives.reference_hours)
             .unwrap_or(f64::NAN)
     }),
-    ("modified_life_h", |state| {
+    ("modified_life", "h", |state| {
         let lives = state.rating_lives.as_ref();
         lives
             .and_then(|lives| lives.modified?.hours)
             .unwrap_or(f64::NAN)
     }),
-    ("preload_N", |state| state.preload),
-    ("static_safety", |state| {
+    ("preload", "N", |state| state.preload),
+    ("static_safety", "", |state| {
         state.static_safety.unwrap_or(f64::NAN)
     }),
-    ("friction_moment_N_m", |state| state.friction_moment.total()),
+    ("friction_moment", "N m", |state| {
+        state.friction_moment.total()
+    }),
 ];
 
 /// Largest or smallest value of all balls; NaN where there are none.
@@ -141,29 +142,29 @@ fn extreme(state: &BearingState, value: fn(&BallLine) -> f64, of: fn(f64, f64) -
 
 /// Columns of a position around a bearing.
 const AROUND: [Named<Around>; 6] = [
-    ("azimuth_rad", |place| place.azimuth),
-    ("deformation_m", |place| place.deformation),
-    ("load_inner_N", |place| place.contact.load_inner),
-    ("load_outer_N", |place| place.contact.load_outer),
-    ("angle_inner_rad", |place| place.contact.angle_inner),
-    ("angle_outer_rad", |place| place.contact.angle_outer),
+    ("azimuth", "rad", |place| place.azimuth),
+    ("deformation", "m", |place| place.deformation),
+    ("load_inner", "N", |place| place.contact.load_inner),
+    ("load_outer", "N", |place| place.contact.load_outer),
+    ("angle_inner", "rad", |place| place.contact.angle_inner),
+    ("angle_outer", "rad", |place| place.contact.angle_outer),
 ];
 
 /// The answer at every value.
 fn answers(variable: &Variable, rows: &[StudyRow]) -> Table<'static> {
     let mut table = Table::default();
-    table.numbers(column_name(variable), rows.iter().map(|row| row.value));
+    table.add(variable_column(variable), rows.iter().map(|row| row.value));
     for axis in 0..FREEDOMS {
         let values = rows.iter().map(|row| row.answer.displacement[axis]);
-        table.numbers(Channel::Displacement(axis).column(), values);
+        table.add(Channel::Displacement(axis).column(), values);
     }
     for axis in 0..FREEDOMS {
         let values = rows.iter().map(|row| row.answer.force[axis]);
-        table.numbers(Channel::Force(axis).column(), values);
+        table.add(Channel::Force(axis).column(), values);
     }
     for (axis, name) in keys::DIAGONAL.into_iter().enumerate() {
         let values = rows.iter().map(|row| row.answer.stiffness[(axis, axis)]);
-        table.numbers(name, values);
+        table.add(Column::from_name(name), values);
     }
     table.named("", &SHAFT, rows.iter().map(|row| Some(&row.answer)));
     let bearings = rows.iter().map(|row| row.answer.bearings.len()).max();
@@ -171,11 +172,11 @@ fn answers(variable: &Variable, rows: &[StudyRow]) -> Table<'static> {
         let before = format!("bearing_{}_", bearing + 1);
         let states = || rows.iter().map(|row| row.answer.bearings.get(bearing));
         let loaded = states().map(|state| Some(state?.balls_loaded as f64));
-        table.numbers(format!("{before}balls_loaded"), loaded);
-        for (name, value) in EXTREMES {
+        table.numbers(format!("{before}balls_loaded"), "", loaded);
+        for (name, unit, value) in EXTREMES {
             let column = |of| states().map(move |state| Some(extreme(state?, value, of)));
-            table.numbers(format!("{before}largest_{name}"), column(f64::max));
-            table.numbers(format!("{before}smallest_{name}"), column(f64::min));
+            table.numbers(format!("{before}largest_{name}"), unit, column(f64::max));
+            table.numbers(format!("{before}smallest_{name}"), unit, column(f64::min));
         }
         table.named(&before, &BEARING, states());
     }
@@ -194,7 +195,10 @@ fn around(variable: &Variable, rows: &[StudyRow]) -> Table<'static> {
     }
     let places = || places.iter();
     let mut table = Table::default();
-    table.numbers(column_name(variable), places().map(|(value, ..)| *value));
+    table.add(
+        variable_column(variable),
+        places().map(|(value, ..)| *value),
+    );
     table.counts("bearing", places().map(|(_, bearing, ..)| *bearing as f64));
     table.counts(
         "position",
@@ -217,7 +221,7 @@ fn about(study: &Study, rows: &[StudyRow]) -> Value {
 /// The whole study: at every value, which stands under the name of its column, the answer and every bearing all
 /// around.
 pub fn study_json(destination: &Destination<'_>, study: &Study, rows: &[StudyRow]) -> Value {
-    let varied = column_name(&study.variable);
+    let varied = variable_column(&study.variable).name();
     let rows_of = rows.iter().map(|row| {
         let mut json = value(&row.answer);
         json[&varied] = json!(row.value);
@@ -412,7 +416,7 @@ mod tests {
             assert_eq!(axis_label(key, unit), label);
         }
         let column = key_column("bearing[2].clearance_change", "m");
-        assert_eq!(column, "bearing_2_clearance_change_m");
+        assert_eq!(column.name(), "bearing_2_clearance_change_m");
         let unit = unit_of_column("speed.constant", "speed_constant_rad_s");
         assert_eq!(unit, "rad/s");
     }

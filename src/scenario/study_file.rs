@@ -245,16 +245,18 @@ impl StudyFileInput {
         let Some(named) = &self.keep.numbers else {
             return all.into_iter().filter(|own| !own.on_request).collect();
         };
+        let known: Vec<String> = all.iter().map(|own| own.column.name()).collect();
         for (index, name) in named.iter().enumerate() {
-            if all.iter().all(|column| column.name != *name) {
+            if !known.contains(name) {
                 let message = format!("no run of this scene has a number `{name}`");
-                let known: Vec<_> = all.iter().map(|column| column.name.as_str()).collect();
+                let known = known.iter().map(String::as_str).collect::<Vec<_>>();
                 let issue = Issue::new(entry("keep.numbers", index), message);
                 let list = format!("its numbers are {}", known.join(", "));
                 problems.refuse(issue.help_nearest(name, known, &list));
             }
         }
-        let kept = |column: &NumberColumn| named.contains(&column.name) || column.is_error();
+        let kept =
+            |column: &NumberColumn| named.contains(&column.column.name()) || column.is_error();
         all.into_iter().filter(kept).collect()
     }
 

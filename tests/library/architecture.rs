@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 
 /// Lowest first; `simulate` and `quasi_static` are single files. The integrator knows no rotor: it is
 /// the rotor that implements the integrator's trait.
-const FLOORS: [&str; 16] = [
+const FLOORS: [&str; 17] = [
     "keys",
+    "table",
     "registers",
     "panels",
     "physics",

@@ -342,7 +342,7 @@ fn the_trace_has_its_columns_and_reads_back_bit_by_bit() {
     let text = String::from_utf8(csv.finish().unwrap()).unwrap();
     let lines: Vec<&str> = text.lines().collect();
     let columns = trace_columns();
-    let names: Vec<&str> = columns.iter().map(|column| &*column.name).collect();
+    let names: Vec<String> = columns.iter().map(|column| column.name()).collect();
     assert_eq!(lines[0], names.join(","));
     assert_eq!(
         names[3..8],

@@ -1,14 +1,15 @@
 //! Tables in other formats than CSV: long ones, block by block.
 
-use crate::report::{Column, MatTable, Origin};
+use crate::report::{MatTable, Origin};
+use crate::table::Column;
 use matfile::{MatFile, NumericData};
 
 #[test]
 fn a_mat_file_of_many_blocks_is_put_together_in_order() {
     let folder = tempfile::tempdir().unwrap();
     let columns = [
-        Column::number("t"),
-        Column::number("x_m"),
+        Column::number("t", ""),
+        Column::number("x", "m"),
         Column::count("n"),
     ];
     let origin = Origin {
@@ -42,13 +43,16 @@ fn a_mat_file_of_many_blocks_is_put_together_in_order() {
 mod parquet_files {
     use std::fs;
 
-    use crate::report::{Column, Origin, ParquetTable};
+    use crate::report::{Origin, ParquetTable};
+    use crate::table::Column;
     use parquet::file::reader::{FileReader, SerializedFileReader};
     use parquet::record::Field;
 
     #[test]
     fn row_groups_follow_each_other_and_the_same_rows_give_the_same_bytes() {
-        let columns: Vec<Column> = (0..64).map(|n| Column::number(format!("c{n}"))).collect();
+        let columns: Vec<Column> = (0..64)
+            .map(|n| Column::number(format!("c{n}"), ""))
+            .collect();
         let origin = Origin {
             scenario: "{}".to_owned(),
         };

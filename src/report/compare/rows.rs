@@ -6,6 +6,7 @@ use super::rules::Allowance;
 use super::table::Table;
 use super::{ColumnComparison, Difference, Rules, TableComparison};
 use crate::analysis::{Channel, NoiseFloor};
+use crate::table::Column;
 
 /// Compares two tables row by row; `name` is what the result calls them.
 pub(super) fn compare_rows(name: String, tables: &[Table; 2], rules: &Rules) -> TableComparison {
@@ -154,8 +155,12 @@ impl<'a> Scales<'a> {
         let rates = tables.iter().filter_map(step).filter(|step| *step > 0.0);
         let rate = rates.map(f64::recip).fold(0.0, f64::max);
         let names = tables.iter().flat_map(|table| &table.names);
-        let channels =
-            names.filter_map(|name| Some((Channel::of_column(name)?, largest(tables, name))));
+        let channels = names.filter_map(|name| {
+            Some((
+                Channel::of_column(&Column::from_name(name))?,
+                largest(tables, name),
+            ))
+        });
         Self {
             floor: NoiseFloor::of(channels, rate),
             tables,
@@ -168,7 +173,7 @@ impl<'a> Scales<'a> {
         Allowance {
             tolerance,
             scale: largest(self.tables, name),
-            more: match Channel::of_column(name) {
+            more: match Channel::of_column(&Column::from_name(name)) {
                 Some(channel) if !tolerance.is_exact() => self.floor.below(channel),
                 _ => 0.0,
             },

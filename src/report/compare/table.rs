@@ -57,7 +57,11 @@ impl Table {
 
     /// The table of a spectrum, as its file would be; `name` is what messages call it.
     pub fn of_spectrum(name: &str, spectrum: &Spectrum) -> Self {
-        let (names, columns) = spectrum_table(spectrum).into_numbers();
+        let table = spectrum_table(spectrum);
+        let columns = table
+            .iter()
+            .map(|(column, values)| (column.name(), values.to_vec()));
+        let (names, columns) = columns.unzip();
         Self {
             path: PathBuf::from(name),
             names,

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use super::StudyRuns;
 use crate::analysis::Channel;
 use crate::report::spectra::amplitude_column;
-use crate::report::study::column_name;
+use crate::report::study::variable_column;
 use crate::report::table::{cell, number};
 use crate::study::many::{BearingStiffness, Keep, RunRecord, TraceSeal};
 
@@ -72,17 +72,22 @@ pub(super) fn header(runs: &StudyRuns<'_>, table: Table) -> Vec<String> {
     match table {
         Table::Runs => {
             names.push("direction".to_owned());
-            names.extend(runs.study.variables.iter().map(column_name));
-            names.extend(runs.study.columns.iter().map(|column| column.name.clone()));
+            names.extend(
+                runs.study
+                    .variables
+                    .iter()
+                    .map(|of| variable_column(of).name()),
+            );
+            names.extend(runs.study.columns.iter().map(|number| number.column.name()));
             names.extend(["status", "error", "warnings"].map(str::to_owned));
         }
         Table::Spectra => {
             names.extend(["frequency_Hz", "order"].map(str::to_owned));
-            names.extend(displacements.map(amplitude_column));
+            names.extend(displacements.map(|of| amplitude_column(of).name()));
         }
         Table::Points => {
             names.push("time_s".to_owned());
-            names.extend(displacements.map(Channel::column));
+            names.extend(displacements.map(|of| of.column().name()));
         }
         Table::Stiffness => names.extend(stiffness_columns()),
         Table::Traces => names.extend(["bytes", "checksum"].map(str::to_owned)),

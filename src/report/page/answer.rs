@@ -8,9 +8,9 @@ use serde_json::{Value, json};
 use super::figure::figures_json;
 use super::frame::Frame;
 use crate::report::figure::Figure;
-use crate::report::table::{ColumnKind, Table};
 use crate::report::terminal::LinePart;
 use crate::report::{FileAction, ReportError, write_whole};
+use crate::table::{ColumnKind, Table};
 
 const SCRIPT: &str = include_str!("answer.js");
 
@@ -73,9 +73,9 @@ fn rows(name: &str, table: &Table<'_>) -> Value {
         let shown = values.iter().take(MOST_ROWS);
         let cell = |value: &f64| match &column.kind {
             ColumnKind::Word(words) => json!(words.get(*value as usize)),
-            ColumnKind::Number | ColumnKind::Count => json!(value),
+            _ => json!(value),
         };
-        json!({ "name": column.name, "cells": shown.map(cell).collect::<Value>() })
+        json!({ "name": column, "cells": shown.map(cell).collect::<Value>() })
     });
     json!({
         "name": name,

@@ -8,11 +8,11 @@ use serde_json::{Value, json};
 
 use super::shown::{FREQUENCY, ORDER, ShownPeak, ShownSpectrum};
 use crate::analysis::{
-    Axis, EstimatedSpectrum, Resampling, Scaling, SpectrumKind, SpectrumQuantity, column_unit,
+    Axis, EstimatedSpectrum, Resampling, Scaling, SpectrumKind, SpectrumQuantity,
 };
 use crate::report::figure::Figure;
-use crate::report::table::Table;
 use crate::report::terminal::shown_unit;
+use crate::table::{Column, Table};
 
 /// Name of the table of a spectrum, without the ending of its format.
 pub(in crate::report) fn table_name(spectrum: &EstimatedSpectrum) -> String {
@@ -23,16 +23,16 @@ pub(in crate::report) fn table_name(spectrum: &EstimatedSpectrum) -> String {
 /// column.
 pub(in crate::report) fn estimated_table(spectrum: &EstimatedSpectrum) -> Table<'_> {
     let rows = || 0..spectrum.bins();
-    let frequencies = ("f_Hz", rows().map(|k| spectrum.frequency(k)).collect());
-    let orders = ("order", rows().map(|k| spectrum.order(k)).collect());
-    let axes: [(_, Vec<Option<f64>>); 2] = match spectrum.request.axis {
+    let frequencies = ("f", "Hz", rows().map(|k| spectrum.frequency(k)).collect());
+    let orders = ("order", "", rows().map(|k| spectrum.order(k)).collect());
+    let axes: [(_, _, Vec<Option<f64>>); 2] = match spectrum.request.axis {
         Axis::Frequency => [frequencies, orders],
         Axis::Order => [orders, frequencies],
     };
     let mut table = Table::default();
-    for (name, places) in axes {
+    for (quantity, unit, places) in axes {
         if places.first().is_some_and(Option::is_some) {
-            table.numbers(name, places);
+            table.numbers(quantity, unit, places);
         }
     }
     for of in &spectrum.columns {
@@ -43,19 +43,18 @@ pub(in crate::report) fn estimated_table(spectrum: &EstimatedSpectrum) -> Table<
 
 /// `x_peak_m`, `x_velocity_rms_m_s`, `force_x_density_N2_per_Hz`, `x_iy_peak_m`,
 /// `force_x_to_x_power_N_m`, `force_x_to_x_phase_rad`, `force_x_to_x_coherence` ….
-fn column(spectrum: &EstimatedSpectrum, quantity: SpectrumQuantity) -> String {
+fn column(spectrum: &EstimatedSpectrum, quantity: SpectrumQuantity) -> Column {
     let scaled = |name: String| {
         let scaling = spectrum.request.scaling.name();
-        let unit = column_unit(&spectrum.unit(quantity));
-        format!("{name}_{scaling}_{unit}{}", per_axis(spectrum, "_per_"))
+        Column::lines(name, scaling, unit(spectrum, quantity))
     };
     match quantity {
         SpectrumQuantity::Value(channel) => scaled(channel.to_string()),
         SpectrumQuantity::Rotary(x, _) => scaled(x.name().replacen('x', "x_iy", 1)),
         SpectrumQuantity::Cross(x, y) => scaled(format!("{x}_to_{y}")),
-        SpectrumQuantity::Phase(channel) => format!("{channel}_phase_rad"),
-        SpectrumQuantity::CrossPhase(x, y) => format!("{x}_to_{y}_phase_rad"),
-        SpectrumQuantity::Coherence(x, y) => format!("{x}_to_{y}_coherence"),
+        SpectrumQuantity::Phase(channel) => Column::phase(channel.name()),
+        SpectrumQuantity::CrossPhase(x, y) => Column::phase(format!("{x}_to_{y}")),
+        SpectrumQuantity::Coherence(x, y) => Column::number(format!("{x}_to_{y}_coherence"), ""),
     }
 }
 

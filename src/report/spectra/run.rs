@@ -8,11 +8,12 @@ use std::io::Write;
 use serde::Serialize;
 
 use super::shown::{FREQUENCY, ShownPeak, ShownSpectrum};
-use crate::analysis::{Channel, Peak, Spectrum, column_unit};
+use crate::analysis::{Channel, Peak, Spectrum};
 use crate::report::figure::Figure;
-use crate::report::table::{CsvTable, Table};
+use crate::report::table::CsvTable;
 use crate::report::terminal::{MICRO, MILLI, shown_unit};
 use crate::simulate::Run;
+use crate::table::{Column, Table};
 
 /// Writes one row a frequency: `f_Hz`, `order` (where the shaft turns), then amplitude and phase of
 /// every channel.
@@ -30,9 +31,9 @@ pub fn write_spectrum(spectrum: &Spectrum, writer: impl Write) -> io::Result<()>
 pub(in crate::report) fn spectrum_table(spectrum: &Spectrum) -> Table<'_> {
     let bins = || 0..spectrum.bins();
     let mut table = Table::default();
-    table.numbers("f_Hz", bins().map(|k| spectrum.frequency(k)));
+    table.numbers("f", "Hz", bins().map(|k| spectrum.frequency(k)));
     if spectrum.order(0).is_some() {
-        table.numbers("order", bins().map(|k| spectrum.order(k)));
+        table.numbers("order", "", bins().map(|k| spectrum.order(k)));
     }
     for entry in &spectrum.channels {
         table.borrowed(amplitude_column(entry.channel), &entry.amplitude);
@@ -42,13 +43,13 @@ pub(in crate::report) fn spectrum_table(spectrum: &Spectrum) -> Table<'_> {
 }
 
 /// `x_amplitude_m`, `force_x_amplitude_N`.
-pub(in crate::report) fn amplitude_column(channel: Channel) -> String {
-    format!("{channel}_amplitude_{}", column_unit(channel.unit()))
+pub(in crate::report) fn amplitude_column(channel: Channel) -> Column {
+    Column::lines(channel.name(), "amplitude", channel.unit())
 }
 
 /// `x_phase_rad`, `force_x_phase_rad`.
-pub(in crate::report) fn phase_column(channel: Channel) -> String {
-    format!("{channel}_phase_rad")
+pub(in crate::report) fn phase_column(channel: Channel) -> Column {
+    Column::phase(channel.name())
 }
 
 /// One row a peak, channel by channel, strongest first.
@@ -64,18 +65,18 @@ pub(in crate::report) fn peak_table(peaks: &[Peak], spectrum: &Spectrum) -> Tabl
     let mut table = Table::default();
     table.words("channel", peaks().map(|peak| peak.channel));
     table.words("unit", peaks().map(|peak| peak.unit));
-    table.numbers("f_Hz", peaks().map(|peak| peak.frequency));
-    table.numbers("order", peaks().map(|peak| peak.order));
-    table.numbers("amplitude", peaks().map(|peak| peak.amplitude));
-    table.numbers("phase_rad", peaks().map(|peak| peak.phase));
+    table.numbers("f", "Hz", peaks().map(|peak| peak.frequency));
+    table.numbers("order", "", peaks().map(|peak| peak.order));
+    table.numbers("amplitude", "", peaks().map(|peak| peak.amplitude));
+    table.numbers("phase", "rad", peaks().map(|peak| peak.phase));
     table.words(
         "name",
         peaks().map(|peak| peak.name.as_deref().unwrap_or_default()),
     );
-    table.numbers("name_f_Hz", peaks().map(|peak| peak.name_frequency));
-    table.numbers("distance_Hz", peaks().map(|peak| peak.distance));
-    table.numbers("distance_bins", peaks().map(|peak| peak.distance_bins));
-    table.numbers("nominal_f_Hz", peaks().map(|peak| peak.nominal));
+    table.numbers("name_f", "Hz", peaks().map(|peak| peak.name_frequency));
+    table.numbers("distance", "Hz", peaks().map(|peak| peak.distance));
+    table.numbers("distance_bins", "", peaks().map(|peak| peak.distance_bins));
+    table.numbers("nominal_f", "Hz", peaks().map(|peak| peak.nominal));
     table.words(
         "other_names",
         peaks().map(|peak| peak.other_names.join("; ")),

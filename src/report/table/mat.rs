@@ -9,7 +9,8 @@ use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-use super::{Column, ColumnKind, Origin};
+use super::Origin;
+use crate::table::{Column, ColumnKind};
 
 /// Rows that are kept in memory.
 const BLOCK: usize = 8192;
@@ -49,7 +50,7 @@ impl<W: Write> MatTable<W> {
         write_text(&mut writer, "scenario_json", &ascii(&origin.scenario))?;
         for column in columns {
             if let ColumnKind::Word(words) = &column.kind {
-                write_words(&mut writer, &format!("{}_names", column.name), words)?;
+                write_words(&mut writer, &format!("{}_names", column.name()), words)?;
             }
         }
         Ok(Self {
@@ -102,7 +103,7 @@ impl<W: Write> MatTable<W> {
         let (rows, width) = (self.rows(), self.columns.len());
         let mut bytes = vec![0; size_of::<f64>() * BLOCK];
         for (place, column) in self.columns.iter().enumerate() {
-            column_start(&mut self.writer, &column.name, rows)?;
+            column_start(&mut self.writer, &column.name(), rows)?;
             for block in 0..self.full {
                 let start = (block * width as u64 + place as u64) * bytes.len() as u64;
                 self.blocks.read(start, &mut bytes)?;

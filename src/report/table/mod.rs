@@ -1,203 +1,22 @@
 //! Tables of numbers in every language that they are written in.
 //!
-//! A row is a slice of numbers whatever the language; the kind of a column says what a number stands
-//! for. Rows are written while the run goes on, in memory that does not grow with it.
+//! Rows are written while the run goes on, in memory that does not grow with it.
 
 mod mat;
 #[cfg(feature = "parquet")]
 mod parquet;
 
-use std::borrow::Cow;
 use std::io;
 use std::io::Write;
 use std::path::PathBuf;
 
 use super::{FileAction, PartialFile, ReportError, RunFolder, WholeFile};
 use crate::scenario::TableFormat;
+use crate::table::{Column, ColumnKind};
 
 pub use mat::MatTable;
 #[cfg(feature = "parquet")]
 pub use parquet::ParquetTable;
-
-/// What the numbers of a column stand for.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum ColumnKind {
-    /// A real number, or nothing where it is NaN.
-    Number,
-    /// A whole number, exact below 2^53, or nothing where it is NaN.
-    Count,
-    /// The word at this index.
-    Word(Vec<String>),
-}
-
-/// A column of a table.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Column {
-    /// Quantity and unit, valid as a name in MATLAB and pandas: `x_velocity_m_s`.
-    pub name: Cow<'static, str>,
-    /// What its numbers stand for.
-    pub kind: ColumnKind,
-}
-
-impl Column {
-    /// A column of real numbers.
-    pub fn number(name: impl Into<Cow<'static, str>>) -> Self {
-        Self::of(name, ColumnKind::Number)
-    }
-
-    /// A column of whole numbers.
-    pub fn count(name: impl Into<Cow<'static, str>>) -> Self {
-        Self::of(name, ColumnKind::Count)
-    }
-
-    /// A column of words, of which a row holds the index.
-    pub fn words(
-        name: impl Into<Cow<'static, str>>,
-        words: impl IntoIterator<Item = impl Into<String>>,
-    ) -> Self {
-        let words = words.into_iter().map(Into::into).collect();
-        Self::of(name, ColumnKind::Word(words))
-    }
-
-    /// A column of a kind.
-    fn of(name: impl Into<Cow<'static, str>>, kind: ColumnKind) -> Self {
-        Self {
-            name: name.into(),
-            kind,
-        }
-    }
-}
-
-/// A column of numbers by its name, which ends with the unit, and its value; NaN where there is none.
-pub(super) type Named<T> = (&'static str, fn(&T) -> f64);
-
-/// A table of named columns, all of the same length.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Table<'a> {
-    columns: Vec<(Column, Cow<'a, [f64]>)>,
-}
-
-impl<'a> Table<'a> {
-    /// A table of rows, each with a number a column.
-    pub fn of_rows(
-        columns: Vec<Column>,
-        rows: impl IntoIterator<Item = impl AsRef<[f64]>>,
-    ) -> Self {
-        let mut values = vec![Vec::new(); columns.len()];
-        for row in rows {
-            for (column, value) in values.iter_mut().zip(row.as_ref()) {
-                column.push(*value);
-            }
-        }
-        let values = values.into_iter().map(Cow::Owned);
-        let columns = columns.into_iter().zip(values).collect();
-        Self { columns }
-    }
-
-    /// The columns with their values, of which one that is missing is NaN.
-    pub fn iter(&self) -> impl Iterator<Item = (&Column, &[f64])> {
-        let columns = self.columns.iter();
-        columns.map(|(column, values)| (column, &values[..]))
-    }
-
-    /// Adds a column of numbers, some of which may be missing; the name ends with the unit.
-    pub fn numbers<T: Into<Option<f64>>>(
-        &mut self,
-        name: impl Into<String>,
-        values: impl IntoIterator<Item = T>,
-    ) {
-        self.add(Column::number(name.into()), values);
-    }
-
-    /// Adds a column of whole numbers, some of which may be missing.
-    pub fn counts<T: Into<Option<f64>>>(
-        &mut self,
-        name: impl Into<String>,
-        values: impl IntoIterator<Item = T>,
-    ) {
-        self.add(Column::count(name.into()), values);
-    }
-
-    /// Adds columns of numbers by their names, after `before`; a row that is missing has none of them.
-    pub fn named<'row, T: 'row>(
-        &mut self,
-        before: &str,
-        columns: &[Named<T>],
-        rows: impl Iterator<Item = Option<&'row T>> + Clone,
-    ) {
-        for (name, value) in columns {
-            self.numbers(
-                format!("{before}{name}"),
-                rows.clone().map(|row| row.map(value)),
-            );
-        }
-    }
-
-    /// Adds a column of words.
-    pub fn words<T: ToString>(
-        &mut self,
-        name: impl Into<String>,
-        values: impl IntoIterator<Item = T>,
-    ) {
-        let mut words: Vec<String> = Vec::new();
-        let mut index = |word: String| {
-            let known = words.iter().position(|known| *known == word);
-            known.unwrap_or_else(|| {
-                words.push(word);
-                words.len() - 1
-            })
-        };
-        let values = values.into_iter();
-        let indices: Vec<f64> = values.map(|word| index(word.to_string()) as f64).collect();
-        self.add(Column::words(name.into(), words), indices);
-    }
-
-    /// Adds a column of numbers that stand elsewhere.
-    pub fn borrowed(&mut self, name: impl Into<String>, values: &'a [f64]) {
-        let column = Column::number(name.into());
-        self.columns.push((column, Cow::Borrowed(values)));
-    }
-
-    /// Adds a column of any kind, some of whose values may be missing.
-    pub fn add<T: Into<Option<f64>>>(
-        &mut self,
-        column: Column,
-        values: impl IntoIterator<Item = T>,
-    ) {
-        let values = values
-            .into_iter()
-            .map(|value| value.into().unwrap_or(f64::NAN));
-        self.columns.push((column, values.collect()));
-    }
-
-    /// Names of the columns, and their numbers.
-    pub fn into_numbers(self) -> (Vec<String>, Vec<Vec<f64>>) {
-        let columns = self.columns.into_iter();
-        columns
-            .map(|(column, values)| (column.name.into_owned(), values.into_owned()))
-            .unzip()
-    }
-
-    /// The columns.
-    pub fn columns(&self) -> Vec<Column> {
-        self.columns
-            .iter()
-            .map(|(column, _)| column.clone())
-            .collect()
-    }
-
-    /// The rows; NaN where a number is missing.
-    pub fn rows(&self) -> impl Iterator<Item = Vec<f64>> {
-        let rows = self.columns.first().map_or(0, |(_, values)| values.len());
-        let row = |row| {
-            self.columns
-                .iter()
-                .map(move |(_, values)| values[row])
-                .collect()
-        };
-        (0..rows).map(row)
-    }
-}
 
 /// A number in the shortest form that reads back to the same value.
 pub(in crate::report) fn number(value: f64) -> String {
@@ -341,7 +160,7 @@ impl<W: Write> CsvTable<W> {
     /// # Errors
     /// What the writer answers.
     pub fn new(mut writer: W, columns: &[Column]) -> io::Result<Self> {
-        let names: Vec<&str> = columns.iter().map(|column| &*column.name).collect();
+        let names: Vec<_> = columns.iter().map(Column::name).collect();
         writeln!(writer, "{}", names.join(","))?;
         Ok(Self {
             writer,
@@ -378,18 +197,18 @@ impl<W: Write> CsvTable<W> {
 
 fn write_cell(value: f64, kind: &ColumnKind, line: &mut Vec<u8>) {
     match kind {
-        ColumnKind::Number | ColumnKind::Count if value.is_nan() => {}
-        ColumnKind::Number => {
-            let mut digits = ryu::Buffer::new();
-            line.extend_from_slice(digits.format(value).as_bytes());
+        ColumnKind::Word(words) => {
+            let word = words.get(value as usize).map_or("", String::as_str);
+            push_word(word, line);
         }
+        _ if value.is_nan() => {}
         ColumnKind::Count => {
             // writing to a vector cannot fail
             let _ = write!(line, "{}", value as i64);
         }
-        ColumnKind::Word(words) => {
-            let word = words.get(value as usize).map_or("", String::as_str);
-            push_word(word, line);
+        _ => {
+            let mut digits = ryu::Buffer::new();
+            line.extend_from_slice(digits.format(value).as_bytes());
         }
     }
 }
@@ -408,12 +227,13 @@ fn push_word(word: &str, line: &mut Vec<u8>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::table::Table;
 
     #[test]
     fn what_is_missing_is_an_empty_cell_and_words_may_hold_commas() {
         let mut table = Table::default();
         table.counts("n", [1.0, 2.0]);
-        table.numbers("x_m", [Some(0.1), None]);
+        table.numbers("x", "m", [Some(0.1), None]);
         table.words("note", ["a, \"b\"", ""]);
         let mut csv = CsvTable::new(Vec::new(), &table.columns()).expect("memory takes everything");
         for row in table.rows() {
@@ -425,7 +245,7 @@ mod tests {
 
     #[test]
     fn numbers_keep_all_their_digits() -> Result<(), std::io::Error> {
-        let columns = [Column::number("x_m"), Column::count("balls")];
+        let columns = [Column::number("x", "m"), Column::count("balls")];
         let mut table = CsvTable::new(Vec::new(), &columns)?;
         table.row(&[0.1 + 0.2, 7.0])?;
         assert_eq!(table.finish()?, b"x_m,balls\n0.30000000000000004,7\n");

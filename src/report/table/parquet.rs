@@ -11,7 +11,8 @@ use parquet::file::properties::WriterProperties;
 use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use parquet::schema::types::{Type, TypePtr};
 
-use super::{Column, ColumnKind, Origin};
+use super::Origin;
+use crate::table::{Column, ColumnKind};
 
 /// Numbers that are kept in memory: 8 MiB.
 const GROUP: usize = 1 << 20;
@@ -111,11 +112,6 @@ fn write_column(
     kind: &ColumnKind,
 ) -> Result<(), ParquetError> {
     match kind {
-        ColumnKind::Number => {
-            writer
-                .typed::<DoubleType>()
-                .write_batch(values, None, None)?;
-        }
         ColumnKind::Count => {
             let there = values.iter().map(|value| i16::from(!value.is_nan()));
             let there: Vec<i16> = there.collect();
@@ -132,6 +128,11 @@ fn write_column(
                 .typed::<ByteArrayType>()
                 .write_batch(&words, None, None)?;
         }
+        _ => {
+            writer
+                .typed::<DoubleType>()
+                .write_batch(values, None, None)?;
+        }
     }
     Ok(())
 }
@@ -144,16 +145,16 @@ fn schema(columns: &[Column]) -> Result<TypePtr, ParquetError> {
 
 fn field(column: &Column) -> Result<TypePtr, ParquetError> {
     let physical = match column.kind {
-        ColumnKind::Number => PhysicalType::DOUBLE,
         ColumnKind::Count => PhysicalType::INT32,
         ColumnKind::Word(_) => PhysicalType::BYTE_ARRAY,
+        _ => PhysicalType::DOUBLE,
     };
     let repetition = match column.kind {
         ColumnKind::Count => Repetition::OPTIONAL,
         _ => Repetition::REQUIRED,
     };
     let text = matches!(column.kind, ColumnKind::Word(_)).then_some(LogicalType::String);
-    Type::primitive_type_builder(&column.name, physical)
+    Type::primitive_type_builder(&column.name(), physical)
         .with_repetition(repetition)
         .with_logical_type(text)
         .build()

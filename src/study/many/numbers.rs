@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
-use crate::analysis::{Channel, Kind, Moments, Motion, Spectrum, column_unit};
+use crate::analysis::{Channel, Kind, Moments, Motion, Spectrum};
 use crate::rotor::RotorDefinition;
 use crate::simulate::{Analyses, EventKind, MotionAnalysis, Run};
+use crate::table::Column;
 
 /// Multiples of the shaft frequency whose lines are kept.
 const ORDERS: [u32; 3] = [1, 2, 3];
@@ -27,8 +28,8 @@ type Value = Arc<dyn Fn(&Run) -> Option<f64> + Send + Sync>;
 /// A number of a run: what it is called, what it rests on, and how it is found.
 #[derive(Clone)]
 pub struct NumberColumn {
-    /// Name with its unit as a column of a table: `x_rms_m`.
-    pub name: String,
+    /// Its column in the table of runs: `x_rms_m`.
+    pub column: Column,
     /// Order of the shaft whose line it is.
     pub order: Option<u32>,
     /// Whether it is kept only where it is asked for.
@@ -40,14 +41,14 @@ pub struct NumberColumn {
 
 impl std::fmt::Debug for NumberColumn {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_tuple("NumberColumn").field(&self.name).finish()
+        f.debug_tuple("NumberColumn").field(&self.column).finish()
     }
 }
 
 impl NumberColumn {
     /// Whether it is the measured error of a run.
     pub fn is_error(&self) -> bool {
-        self.name == MEASURED_ERROR
+        self.column.quantity == MEASURED_ERROR
     }
 
     /// The number of a run; NaN where it has none.
@@ -56,13 +57,13 @@ impl NumberColumn {
     }
 }
 
-fn column(
-    name: impl Into<String>,
+fn number(
+    column: Column,
     ask: fn(&mut Analyses),
     value: impl Fn(&Run) -> Option<f64> + Send + Sync + 'static,
 ) -> NumberColumn {
     NumberColumn {
-        name: name.into(),
+        column,
         order: None,
         on_request: false,
         ask,
@@ -73,7 +74,7 @@ fn column(
 /// Mean, RMS and range of a channel, which are those of a column that is recorded.
 fn moments([channel, recorded]: [Channel; 2]) -> [NumberColumn; MOMENTS.len()] {
     MOMENTS.map(|(what, moment)| {
-        column(of(channel, what), STATISTICS, move |run| {
+        number(channel.column().statistic(what), STATISTICS, move |run| {
             let mut statistics = run.motion.as_ref()?.statistics.iter();
             let found = statistics.find(|entry| entry.channel == recorded);
             found.map(|entry| moment(&entry.moments))
@@ -84,7 +85,7 @@ fn moments([channel, recorded]: [Channel; 2]) -> [NumberColumn; MOMENTS.len()] {
 /// Amplitude of a channel, which is that of a column that is recorded, at a multiple of the shaft frequency; of forces on
 /// request.
 fn line([channel, recorded]: [Channel; 2], order: u32) -> NumberColumn {
-    let name = of(channel, &format!("order_{order}"));
+    let column = channel.column().statistic(&format!("order_{order}"));
     let amplitude = move |run: &Run| order_line(run.spectrum.as_ref()?, recorded, order);
     let ask = if channel.is_force() {
         FORCE_LINES
@@ -94,13 +95,13 @@ fn line([channel, recorded]: [Channel; 2], order: u32) -> NumberColumn {
     NumberColumn {
         order: Some(order),
         on_request: channel.is_force(),
-        ..column(name, ask, amplitude)
+        ..number(column, ask, amplitude)
     }
 }
 
 /// RMS velocity of a housing.
 fn housing_velocity(channel: Channel) -> NumberColumn {
-    column(of(channel, "rms"), STATISTICS, move |run| {
+    number(channel.column().statistic("rms"), STATISTICS, move |run| {
         let mut levels = run.motion.as_ref()?.housing_velocity.iter();
         let found = levels.find(|entry| entry.channel == channel);
         found.map(|entry| entry.level.rms)
@@ -139,7 +140,7 @@ fn of_parts(rotor: &RotorDefinition) -> Vec<NumberColumn> {
 
 /// What is observed of a bearing.
 fn of_bearing(bearing: usize) -> [NumberColumn; 4] {
-    let name = |what: &str| format!("bearing_{}_{what}", bearing + 1);
+    let own = |what: &str, unit| Column::number(format!("bearing_{}_{what}", bearing + 1), unit);
     let zone = move |run: &Run| Some(run.bearings.get(bearing)?.load_zone?.balls.smallest);
     let lost = move |run: &Run| {
         let history = run.bearings.get(bearing)?;
@@ -148,10 +149,10 @@ fn of_bearing(bearing: usize) -> [NumberColumn; 4] {
     let life = move |run: &Run| run.bearings.get(bearing)?.life?.after_settle.hours();
     let modified = move |run: &Run| run.bearings.get(bearing)?.life?.modified?.hours;
     [
-        column(name("fewest_loaded"), NOTHING, zone),
-        column(name("contact_lost"), WHOLE, lost),
-        column(name("life_h"), NOTHING, life),
-        column(name("modified_life_h"), NOTHING, modified),
+        number(own("fewest_loaded", ""), NOTHING, zone),
+        number(own("contact_lost", ""), WHOLE, lost),
+        number(own("life", "h"), NOTHING, life),
+        number(own("modified_life", "h"), NOTHING, modified),
     ]
 }
 
@@ -166,37 +167,33 @@ const FORCE_LINES: fn(&mut Analyses) = |asked| asked.force_lines = true;
 /// Of a number of the whole motion.
 const WHOLE: fn(&mut Analyses) = |asked| asked.settled_only = false;
 
-/// `x_rms_m`.
-fn of(channel: Channel, what: &str) -> String {
-    format!("{channel}_{what}_{}", column_unit(channel.unit()))
-}
-
 /// Columns for scenes like that of a rotor.
 pub fn number_columns(rotor: &RotorDefinition) -> Vec<NumberColumn> {
     let (freedoms, bearings) = (rotor.shaft.freedoms, rotor.bearings.len());
     let mut columns = Vec::new();
     for &freedom in freedoms.axes() {
-        let name = of(Channel::Displacement(freedom), "equilibrium");
-        columns.push(column(name, NOTHING, move |run| {
-            Some(run.equilibrium.displacement[freedom])
-        }));
+        let column = Channel::Displacement(freedom).column();
+        columns.push(number(
+            column.statistic("equilibrium"),
+            NOTHING,
+            move |run| Some(run.equilibrium.displacement[freedom]),
+        ));
     }
     for &freedom in freedoms.axes() {
         let (channel, force) = (Channel::Displacement(freedom), Channel::Force(freedom));
-        let units = [force, channel].map(|channel| column_unit(channel.unit()));
-        let name = format!("stiffness_{channel}_{}", units.join("_"));
-        columns.push(column(name, NOTHING, move |run| {
+        let unit = format!("{}/{}", force.unit(), channel.unit());
+        let column = Column::number(format!("stiffness_{channel}"), unit);
+        columns.push(number(column, NOTHING, move |run| {
             Some(run.equilibrium.stiffness[freedom][freedom])
         }));
     }
     for mode in 0..freedoms.axes().len() {
         let found = move |run: &Run| run.equilibrium.natural_frequencies.get(mode).copied();
         let frequency = move |run: &Run| Some(found(run)?.frequency);
-        let name = format!("natural_frequency_{}_Hz", mode + 1);
-        columns.push(column(name, NOTHING, frequency));
+        let own = |what: &str, unit| Column::number(format!("{what}_{}", mode + 1), unit);
+        columns.push(number(own("natural_frequency", "Hz"), NOTHING, frequency));
         let ratio = move |run: &Run| Some(found(run)?.damping_ratio);
-        let name = format!("damping_ratio_{}", mode + 1);
-        columns.push(column(name, NOTHING, ratio));
+        columns.push(number(own("damping_ratio", ""), NOTHING, ratio));
     }
     let channels = Channel::of_freedoms(freedoms)
         .into_iter()
@@ -206,8 +203,8 @@ pub fn number_columns(rotor: &RotorDefinition) -> Vec<NumberColumn> {
         columns.extend(ORDERS.map(|order| line(channel, order)));
     }
     for freedom in 0..freedoms.lengths() {
-        let name = of(Channel::Velocity(freedom), "rms");
-        columns.push(column(name, STATISTICS, move |run| {
+        let column = Channel::Velocity(freedom).column();
+        columns.push(number(column.statistic("rms"), STATISTICS, move |run| {
             let level = run.motion.as_ref()?.velocity.get(freedom)?.as_ref();
             level.map(|level| level.rms)
         }));
@@ -217,17 +214,17 @@ pub fn number_columns(rotor: &RotorDefinition) -> Vec<NumberColumn> {
     let drift = |run: &Run| Some(run.motion.as_ref()?.drift.as_ref()?.largest());
     let load = |run: &Run| run.largest_ball_load;
     columns.extend([
-        column("period_cycles", kind, cycles),
-        column("drift", STATISTICS, drift),
-        column("largest_ball_load_N", NOTHING, load),
+        number(Column::number("period_cycles", ""), kind, cycles),
+        number(Column::number("drift", ""), STATISTICS, drift),
+        number(Channel::LargestBallLoad.column(), NOTHING, load),
     ]);
     columns.extend(of_parts(rotor));
     columns.extend((0..bearings).flat_map(of_bearing));
     let error = |run: &Run| Some(run.measured_error.as_ref()?.relative);
     let evaluations = |run: &Run| Some(run.counters.evaluations as f64);
     columns.extend([
-        column(MEASURED_ERROR, NOTHING, error),
-        column("evaluations", NOTHING, evaluations),
+        number(Column::number(MEASURED_ERROR, ""), NOTHING, error),
+        number(Column::number("evaluations", ""), NOTHING, evaluations),
     ]);
     columns
 }

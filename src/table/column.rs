@@ -1,0 +1,240 @@
+//! A column: what it measures, in which unit, and what its numbers stand for.
+
+use std::borrow::Cow;
+
+use serde::{Serialize, Serializer};
+
+/// Units of columns. A unit that results are to be measured in is added here.
+///
+/// Where two are written alike in names, as `N m` and `N/m`, a name is read as the first.
+const UNITS: [&str; 25] = [
+    "s",
+    "h",
+    "Hz",
+    "m",
+    "rad",
+    "m/s",
+    "rad/s",
+    "m/s^2",
+    "rad/s^2",
+    "N",
+    "N m",
+    "N/m",
+    "N m/rad",
+    "N s/m",
+    "J",
+    "Pa",
+    "Mrev",
+    "m^2",
+    "rad^2",
+    "N^2",
+    "N^2 m^2",
+    "m^2/s^2",
+    "rad^2/s^2",
+    "m^2/s^4",
+    "rad^2/s^4",
+];
+
+/// What densities are divided by.
+const PER: [&str; 2] = ["Hz", "order"];
+
+/// What the values of a spectrum are, as names say it.
+const SCALINGS: [&str; 6] = [
+    "amplitude",
+    "peak_to_peak",
+    "peak",
+    "rms",
+    "power",
+    "density",
+];
+
+/// What the numbers of a column stand for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum ColumnKind {
+    /// A real number, or nothing where it is NaN.
+    Number,
+    /// Heights of the lines of a spectrum, and how they are scaled: `amplitude`, `rms`, `density` ….
+    Lines(&'static str),
+    /// The phase that belongs to an amplitude of the same quantity, rad.
+    Phase,
+    /// A whole number, exact below 2^53, or nothing where it is NaN.
+    Count,
+    /// The word at this index.
+    Word(Vec<String>),
+}
+
+/// A column of a table.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Column {
+    /// What is measured: `x_velocity`.
+    pub quantity: Cow<'static, str>,
+    /// Its unit: `m/s`; empty where it has none.
+    pub unit: Cow<'static, str>,
+    /// What its numbers stand for.
+    pub kind: ColumnKind,
+}
+
+impl Column {
+    /// A column of real numbers.
+    pub fn number(
+        quantity: impl Into<Cow<'static, str>>,
+        unit: impl Into<Cow<'static, str>>,
+    ) -> Self {
+        Self {
+            quantity: quantity.into(),
+            unit: unit.into(),
+            kind: ColumnKind::Number,
+        }
+    }
+
+    /// A column of whole numbers.
+    pub fn count(quantity: impl Into<Cow<'static, str>>) -> Self {
+        Self {
+            kind: ColumnKind::Count,
+            ..Self::number(quantity, "")
+        }
+    }
+
+    /// A column of words, of which a row holds the index.
+    pub fn words(
+        quantity: impl Into<Cow<'static, str>>,
+        words: impl IntoIterator<Item = impl Into<String>>,
+    ) -> Self {
+        Self {
+            kind: ColumnKind::Word(words.into_iter().map(Into::into).collect()),
+            ..Self::number(quantity, "")
+        }
+    }
+
+    /// Heights of lines of a quantity.
+    pub fn lines(
+        quantity: impl Into<Cow<'static, str>>,
+        scaling: &'static str,
+        unit: impl Into<Cow<'static, str>>,
+    ) -> Self {
+        Self {
+            kind: ColumnKind::Lines(scaling),
+            ..Self::number(quantity, unit)
+        }
+    }
+
+    /// Phases of a quantity.
+    pub fn phase(quantity: impl Into<Cow<'static, str>>) -> Self {
+        Self {
+            kind: ColumnKind::Phase,
+            ..Self::number(quantity, "rad")
+        }
+    }
+
+    /// A number made of the same quantity, in its unit: `x_rms` of `x`.
+    pub fn statistic(&self, what: &str) -> Self {
+        Self::number(format!("{}_{what}", self.quantity), self.unit.clone())
+    }
+
+    /// The column of a part of what it is of, which its name begins with: `order_1_x` of `x`.
+    #[must_use]
+    pub fn of_part(self, part: &str) -> Self {
+        Self {
+            quantity: format!("{part}_{}", self.quantity).into(),
+            ..self
+        }
+    }
+
+    /// Quantity and unit as one name, valid in MATLAB and pandas: `x_velocity_m_s`, `x_amplitude_m`.
+    pub fn name(&self) -> String {
+        let what = match self.kind {
+            ColumnKind::Lines(scaling) => scaling,
+            ColumnKind::Phase => "phase",
+            _ => "",
+        };
+        let unit = suffix(&self.unit);
+        let parts = [&*self.quantity, what, &unit].into_iter();
+        let parts: Vec<_> = parts.filter(|part| !part.is_empty()).collect();
+        parts.join("_")
+    }
+
+    /// The column of a [name](Self::name); that it counts or holds words does not stand there.
+    pub fn from_name(name: &str) -> Self {
+        let densities = UNITS
+            .iter()
+            .flat_map(|unit| PER.map(|per| format!("{unit}/{per}")));
+        let units = UNITS.iter().map(|unit| (*unit).to_owned());
+        let read = units.chain(densities).filter_map(|unit| {
+            let quantity = before(name, &suffix(&unit))?;
+            Some((quantity.to_owned(), unit))
+        });
+        // what is left is shortest where the unit is the longest; of equals the first counts
+        let read = read.min_by_key(|(quantity, _)| quantity.len());
+        let (quantity, unit) = read.unwrap_or_else(|| (name.to_owned(), String::new()));
+        if let Some(quantity) = before(&quantity, "phase").filter(|_| unit == "rad") {
+            return Self::phase(quantity.to_owned());
+        }
+        let scaled = SCALINGS.into_iter().find_map(|scaling| {
+            let quantity = before(&quantity, scaling)?;
+            Some(Self::lines(quantity.to_owned(), scaling, unit.clone()))
+        });
+        scaled.unwrap_or_else(|| Self::number(quantity, unit))
+    }
+}
+
+/// The name.
+impl Serialize for Column {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.name())
+    }
+}
+
+/// What stands in a name before its last part.
+fn before<'a>(name: &'a str, part: &str) -> Option<&'a str> {
+    let rest = name.strip_suffix(part)?.strip_suffix('_')?;
+    (!rest.is_empty()).then_some(rest)
+}
+
+/// A unit as the end of a name: `rad_s` of `rad/s`, `kg_m2` of `kg m^2`, `N2_per_Hz` of `N^2/Hz`.
+fn suffix(unit: &str) -> String {
+    let density = PER.iter().find_map(|per| {
+        let above = unit.strip_suffix(per)?.strip_suffix('/')?;
+        Some(format!("{above}_per_{per}"))
+    });
+    let unit = density.unwrap_or_else(|| unit.to_owned());
+    unit.replace('^', "").replace([' ', '/', '.'], "_")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_read_back() {
+        let columns = [
+            Column::number("x_velocity", "m/s"),
+            Column::number("tilt_x_acceleration", "rad/s^2"),
+            Column::number("moment_x", "N m"),
+            Column::number("order", ""),
+            Column::lines("x", "amplitude", "m"),
+            Column::lines("force_x", "density", "N^2/Hz"),
+            Column::lines("x", "peak_to_peak", "m"),
+            Column::phase("housing1_x"),
+            Column::number("m", ""),
+        ];
+        for column in columns {
+            assert_eq!(Column::from_name(&column.name()), column);
+        }
+    }
+
+    #[test]
+    fn any_name_is_the_name_of_its_column() {
+        for name in [
+            "",
+            "_",
+            "_m",
+            "m",
+            "phase_rad",
+            "a_N_m",
+            "amplitude_m",
+            "x_phase_rad",
+        ] {
+            assert_eq!(Column::from_name(name).name(), name);
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! Tables of numbers in columns that know what they measure, and in which unit.
+//!
+//! A name with its unit, such as `x_velocity_m_s`, is made of a [`Column`] and read back as one, nowhere else. A row is a
+//! slice of numbers; the kind of a column says what a number stands for.
+
+mod column;
+
+use std::borrow::Cow;
+
+pub use column::{Column, ColumnKind};
+
+/// A column of numbers of things: its quantity, its unit, and its value of one, NaN where there is none.
+pub type Named<T> = (&'static str, &'static str, fn(&T) -> f64);
+
+/// A table of named columns, all of the same length.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Table<'a> {
+    columns: Vec<(Column, Cow<'a, [f64]>)>,
+}
+
+impl<'a> Table<'a> {
+    /// A table of rows, each with a number a column.
+    pub fn of_rows(
+        columns: Vec<Column>,
+        rows: impl IntoIterator<Item = impl AsRef<[f64]>>,
+    ) -> Self {
+        let mut values = vec![Vec::new(); columns.len()];
+        for row in rows {
+            for (column, value) in values.iter_mut().zip(row.as_ref()) {
+                column.push(*value);
+            }
+        }
+        let values = values.into_iter().map(Cow::Owned);
+        let columns = columns.into_iter().zip(values).collect();
+        Self { columns }
+    }
+
+    /// The columns with their values, of which one that is missing is NaN.
+    pub fn iter(&self) -> impl Iterator<Item = (&Column, &[f64])> {
+        let columns = self.columns.iter();
+        columns.map(|(column, values)| (column, &values[..]))
+    }
+
+    /// Adds a column of numbers, some of which may be missing.
+    pub fn numbers<T: Into<Option<f64>>>(
+        &mut self,
+        quantity: impl Into<Cow<'static, str>>,
+        unit: &'static str,
+        values: impl IntoIterator<Item = T>,
+    ) {
+        self.add(Column::number(quantity, unit), values);
+    }
+
+    /// Adds a column of whole numbers, some of which may be missing.
+    pub fn counts<T: Into<Option<f64>>>(
+        &mut self,
+        quantity: impl Into<Cow<'static, str>>,
+        values: impl IntoIterator<Item = T>,
+    ) {
+        self.add(Column::count(quantity), values);
+    }
+
+    /// Adds columns of numbers whose quantities begin with `before`; a row that is missing has none of them.
+    pub fn named<'row, T: 'row>(
+        &mut self,
+        before: &str,
+        columns: &[Named<T>],
+        rows: impl Iterator<Item = Option<&'row T>> + Clone,
+    ) {
+        for (quantity, unit, value) in columns {
+            let values = rows.clone().map(|row| row.map(value));
+            self.numbers(format!("{before}{quantity}"), unit, values);
+        }
+    }
+
+    /// Adds a column of words.
+    pub fn words<T: ToString>(
+        &mut self,
+        quantity: impl Into<Cow<'static, str>>,
+        values: impl IntoIterator<Item = T>,
+    ) {
+        let mut words: Vec<String> = Vec::new();
+        let mut index = |word: String| {
+            let known = words.iter().position(|known| *known == word);
+            known.unwrap_or_else(|| {
+                words.push(word);
+                words.len() - 1
+            })
+        };
+        let values = values.into_iter();
+        let indices: Vec<f64> = values.map(|word| index(word.to_string()) as f64).collect();
+        self.add(Column::words(quantity, words), indices);
+    }
+
+    /// Adds a column whose numbers stand elsewhere.
+    pub fn borrowed(&mut self, column: Column, values: &'a [f64]) {
+        self.columns.push((column, Cow::Borrowed(values)));
+    }
+
+    /// Adds a column of any kind, some of whose values may be missing.
+    pub fn add<T: Into<Option<f64>>>(
+        &mut self,
+        column: Column,
+        values: impl IntoIterator<Item = T>,
+    ) {
+        let values = values
+            .into_iter()
+            .map(|value| value.into().unwrap_or(f64::NAN));
+        self.columns.push((column, values.collect()));
+    }
+
+    /// The values of the column of a name.
+    pub fn column(&self, name: &str) -> Option<&[f64]> {
+        let mut columns = self.iter();
+        let found = columns.find(|(column, _)| column.name() == name);
+        found.map(|(_, values)| values)
+    }
+
+    /// The columns.
+    pub fn columns(&self) -> Vec<Column> {
+        self.columns
+            .iter()
+            .map(|(column, _)| column.clone())
+            .collect()
+    }
+
+    /// The rows; NaN where a number is missing.
+    pub fn rows(&self) -> impl Iterator<Item = Vec<f64>> {
+        let rows = self.columns.first().map_or(0, |(_, values)| values.len());
+        let row = |row| {
+            self.columns
+                .iter()
+                .map(move |(_, values)| values[row])
+                .collect()
+        };
+        (0..rows).map(row)
+    }
+}
