@@ -1,11 +1,13 @@
 //! Bytes a second of the tables of a run: a trace of 100 000 samples into files.
 
 use std::fs::File;
-use std::io::{BufWriter, Write};
+use std::io::BufWriter;
 use std::path::Path;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use jeffcott::internals::{CsvTable, MatTable, Origin, trace_columns};
+#[cfg(feature = "parquet")]
+use jeffcott::internals::Origin;
+use jeffcott::internals::{CsvTable, trace_columns};
 
 /// Samples of the trace.
 const ROWS: usize = 100_000;
@@ -49,16 +51,6 @@ fn write_csv_serialized(path: &Path, rows: &[[f64; 20]]) {
     writer.flush().expect("the rest");
 }
 
-fn write_mat(path: &Path, rows: &[[f64; 20]]) {
-    let (origin, scratch) = (origin(), path.with_extension("rows"));
-    let mut table =
-        MatTable::new(buffered(path), &trace_columns(), &origin, &scratch).expect("a table");
-    for row in rows {
-        table.row(row).expect("a row");
-    }
-    table.finish().expect("the rest").flush().expect("the rest");
-}
-
 #[cfg(feature = "parquet")]
 fn write_parquet(path: &Path, rows: &[[f64; 20]]) {
     let table = jeffcott::internals::ParquetTable::new(buffered(path), &trace_columns(), &origin());
@@ -66,9 +58,10 @@ fn write_parquet(path: &Path, rows: &[[f64; 20]]) {
     for row in rows {
         table.row(row).expect("a row");
     }
-    table.finish().expect("the rest").flush().expect("the rest");
+    table.finish().expect("the rest");
 }
 
+#[cfg(feature = "parquet")]
 fn origin() -> Origin {
     Origin {
         scenario: "{}".to_owned(),
@@ -84,7 +77,6 @@ fn tables(criterion: &mut Criterion) {
     let formats: &[(&str, WriteTable)] = &[
         ("csv", write_csv),
         ("csv by the library", write_csv_serialized),
-        ("mat", write_mat),
         #[cfg(feature = "parquet")]
         ("parquet", write_parquet),
     ];

@@ -29,7 +29,7 @@ pub use crate::report::steady::steady_findings;
 pub use crate::report::study::study_findings;
 #[cfg(feature = "parquet")]
 pub use crate::report::table::ParquetTable;
-pub use crate::report::table::{CsvTable, MatTable, Origin};
+pub use crate::report::table::{CsvTable, Origin};
 pub use crate::report::text::contact_choice_text;
 pub use crate::rotor::{Freedoms, MotionScale, Rotor, StaticProblem};
 pub use crate::scenario::TableFormat;

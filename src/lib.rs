@@ -9,7 +9,7 @@
 //! | floor | what it does |
 //! |---|---|
 //! | `cli` | what was typed → exit code, one file a verb |
-//! | [`report`] | results → CSV, JSON, MAT, Parquet, SVG, pages; comparison of results |
+//! | [`report`] | results → CSV, JSON, Parquet, SVG, pages; comparison of results |
 //! | [`scenario`] | text → checked, typed model; units; every message |
 //! | [`study`] | many questions: one number varied, many runs, natural frequencies over the speed, speed against error, the contact law that a scene needs |
 //! | [`mod@steady`] | a model in, the motion that it settles to out |

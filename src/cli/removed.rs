@@ -2,6 +2,8 @@
 
 use clap::error::{ContextKind, ContextValue, Error};
 
+use crate::scenario::way_left;
+
 const RUN_AGAIN: &str = "a run is made in one go: run it again, or with a shorter `duration`; studies go on where they ended";
 
 const REMOVED: [(&str, &str); 4] = [
@@ -16,16 +18,19 @@ const REMOVED: [(&str, &str); 4] = [
 
 /// Tells of a word that is gone what to do instead, in place of words that are like it.
 pub fn with_way_left(mut error: Error) -> Error {
-    let word = [
+    let kinds = [
         ContextKind::InvalidArg,
         ContextKind::InvalidSubcommand,
         ContextKind::InvalidValue,
     ];
-    let is_word = |known: &str| {
-        let words = word.iter().filter_map(|kind| error.get(*kind));
-        words.into_iter().any(|word| word.to_string() == known)
-    };
-    let Some((_, way)) = REMOVED.iter().find(|(known, _)| is_word(known)) else {
+    let words = kinds.iter().filter_map(|kind| error.get(*kind));
+    let mut ways = words.filter_map(|word| {
+        let word = word.to_string();
+        let found = REMOVED.iter().find(|(removed, _)| *removed == word);
+        found.map(|(_, way)| *way).or_else(|| way_left(&word))
+    });
+    let Some(way) = ways.next() else {
+        drop(ways);
         return error;
     };
     for alike in [
@@ -37,7 +42,7 @@ pub fn with_way_left(mut error: Error) -> Error {
     }
     error.insert(
         ContextKind::Suggested,
-        ContextValue::StyledStrs(vec![(*way).into()]),
+        ContextValue::StyledStrs(vec![way.into()]),
     );
     error
 }

@@ -18,7 +18,7 @@ use crate::study::campbell::along_run_up;
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Examples:\n  jeffcott run scenarios/steady-7205c.toml\n  \
-                  jeffcott run scenarios/steady-7205c.toml --format csv,mat --every 4 --channels \
+                  jeffcott run scenarios/steady-7205c.toml --every 4 --channels \
                   x,y,force_x\n\n\
                   Each file writes to DIR/<its name without ending>/: trace.csv, events.csv,\n\
                   spectrum.csv, peaks.csv, trace.svg, spectrum.svg, report.html and, last, summary.json;\n\

@@ -9,12 +9,6 @@ use serde::{Deserialize, Serialize};
 /// Integration method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-#[schemars(extend("successors" = {
-    "tsit5": "verner76",
-    "dprkn8": "exponential",
-    "dprkn12": "verner76",
-    "ode_solvers_dop853": "dop853",
-}))]
 pub enum Method {
     /// "verner76" where a ball may part from a race on this motion, else "exponential".
     Auto,

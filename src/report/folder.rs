@@ -63,7 +63,6 @@ impl FileSet {
             "failure.json",
             "trace.until-failure.csv",
             "trace.until-failure.parquet",
-            "trace.until-failure.mat",
         ],
     };
     /// What a run leaves that cannot go on; an earlier whole run may be beside it.

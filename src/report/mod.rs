@@ -58,9 +58,9 @@ pub use spectra::write_spectrum;
 pub(crate) use statics::answer_findings;
 pub(crate) use steady::steady_findings;
 pub(crate) use study::{study_findings, study_json};
-#[cfg(all(test, feature = "parquet"))]
-pub(crate) use table::ParquetTable;
 #[cfg(test)]
-pub(crate) use table::{CsvTable, MatTable, Origin};
+pub(crate) use table::CsvTable;
+#[cfg(all(test, feature = "parquet"))]
+pub(crate) use table::{Origin, ParquetTable};
 pub(crate) use terminal::{tell_details, wrapped, wrote};
 pub(crate) use text::{contact_choice_text, text};

@@ -14,6 +14,7 @@ use super::key::{entry, join};
 use super::node::{Content, Entry, Node};
 use super::problems::{Problems, nearest};
 use super::quantity::{self, Dimension, QuantityError, names, parse};
+use super::removed::way_left;
 use crate::analysis::Channel;
 
 /// The whole tree as a struct that `schema` describes; its required values may be examples where
@@ -131,7 +132,7 @@ impl Reader<'_, '_> {
         self.refuse(&format!("must be {words}, not {value}"))
     }
 
-    /// One of some words; the schema's `successors` has those that took the place of words that are gone.
+    /// One of some words.
     fn choice(&mut self, content: &Content, choices: &[&str]) -> Option<Value> {
         let written = match content {
             Content::Plain(Value::String(text)) => text.as_str(),
@@ -148,10 +149,9 @@ impl Reader<'_, '_> {
         let words: Vec<_> = choices.iter().map(|word| format!("\"{word}\"")).collect();
         let message = format!("`{}` must be one of {}", self.key(), words.join(", "));
         let mut issue = Issue::new(self.path, message);
-        let successor = self.schema["successors"][written].as_str();
         let near = || nearest(written, choices.iter().copied());
-        issue.help = successor
-            .map(|word| format!("\"{written}\" is no longer there; \"{word}\" takes its place"))
+        issue.help = way_left(written)
+            .map(|way| format!("\"{written}\" is no longer there; {way}"))
             .or_else(|| near().map(|word| format!("did you mean \"{word}\"?")));
         self.problems.add(issue);
         None
@@ -273,10 +273,10 @@ impl Reader<'_, '_> {
         let known = known.filter(|known| !known.starts_with('$'));
         // a key nearest to one that stands here already is no misspelling of another
         let free = nearest(key, known.clone()).filter(|known| !given.contains(known));
-        let gone = GONE.iter().find(|(gone, _)| gone == key);
-        let free = free.filter(|_| gone.is_none());
-        let help = match (gone, free) {
-            (Some((_, help)), _) => (*help).to_owned(),
+        let way = way_left(key);
+        let free = free.filter(|_| way.is_none());
+        let help = match (way, free) {
+            (Some(way), _) => way.to_owned(),
             (None, Some(known)) => {
                 self.problems.distrust(&join(self.path, known));
                 format!("did you mean `{known}`?")
@@ -314,12 +314,6 @@ impl Reader<'_, '_> {
         }
     }
 }
-
-/// Keys that are gone, and what to do about them.
-const GONE: [(&str, &str); 1] = [(
-    "side_by_side",
-    "leave it out: every run is integrated by itself",
-)];
 
 /// Whether a number is a whole one of ordinary size.
 fn is_whole(number: &Number) -> bool {

@@ -236,7 +236,7 @@ fn a_finished_study_that_is_begun_again_is_not_sealed() {
 fn leftovers_of_a_killed_run_are_removed() {
     let two = runs();
     fs::create_dir_all(two.results()).expect("a folder");
-    for name in [".trace.csv.partial", ".old.mat.rows.partial"] {
+    for name in [".trace.csv.partial", ".old.csv.partial"] {
         fs::write(two.results().join(name), "left").expect("a written file");
     }
     done(two.end(0, &[]));

@@ -1,11 +1,9 @@
 //! The tables of a run in other formats, thinned, and with chosen columns.
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Output;
 
-use matfile::{MatFile, NumericData};
 use tempfile::TempDir;
 
 use crate::support::{SHORT_VARYING_COMPLIANCE, changed, done, jeffcott_in, json, shipped, told};
@@ -41,64 +39,6 @@ fn rows(path: &Path) -> Vec<Vec<String>> {
     let text = fs::read_to_string(path).unwrap();
     let row = |line: &str| line.split(',').map(str::to_owned).collect();
     text.lines().map(row).collect()
-}
-
-/// Numeric variables of a MAT-file by name.
-fn numbers(path: &Path) -> BTreeMap<String, Vec<f64>> {
-    let mat = MatFile::parse(fs::File::open(path).unwrap()).unwrap();
-    let arrays = mat.arrays().iter().filter_map(|array| match array.data() {
-        NumericData::Double { real, .. } => Some((array.name().to_owned(), real.clone())),
-        _ => None,
-    });
-    arrays.collect()
-}
-
-#[test]
-fn mat_files_hold_the_numbers_of_the_csv_bit_by_bit() {
-    let folder = scene(
-        "balls = true\nenergy = true\nformats = [\"csv\", \"mat\"]\n\n\
-         [[spectrum]]\nname = \"density\"\nchannels = [\"acceleration\"]\nscaling = \"density\"",
-    );
-    run(&folder, &[]);
-    for stem in [
-        "trace",
-        "trace_balls",
-        "energy",
-        "events",
-        "spectrum",
-        "spectrum_density",
-        "poincare",
-    ] {
-        assert_same_numbers(&result(&folder, stem));
-    }
-}
-
-#[test]
-fn the_maps_of_a_run_up_too() {
-    let folder = tempfile::tempdir().unwrap();
-    let scene = folder.path().join("scene.toml");
-    fs::copy(shipped("run-up-7205c"), scene).unwrap();
-    run(&folder, &["--format", "csv,mat"]);
-    for stem in ["waterfall", "order_tracks"] {
-        assert_same_numbers(&result(&folder, stem));
-    }
-}
-
-/// Asserts that `<stem>.csv` and `<stem>.mat` hold the same numbers; words aside.
-#[track_caller]
-fn assert_same_numbers(stem: &Path) {
-    let csv = rows(&stem.with_extension("csv"));
-    let mat = numbers(&stem.with_extension("mat"));
-    assert!(csv.len() > 1, "{stem:?}");
-    assert_eq!(mat.len(), csv[0].len(), "{stem:?}");
-    let is_word = |name: &str| ["event", "section"].contains(&name);
-    let columns = csv[0].iter().enumerate();
-    for (place, name) in columns.filter(|(_, name)| !is_word(name)) {
-        let cell = |row: &Vec<String>| row[place].parse().unwrap_or(f64::NAN);
-        let written: Vec<u64> = csv[1..].iter().map(cell).map(f64::to_bits).collect();
-        let read: Vec<u64> = mat[name].iter().map(|number| number.to_bits()).collect();
-        assert!(written == read, "{name} of {stem:?}");
-    }
 }
 
 #[test]
@@ -182,21 +122,20 @@ fn what_a_linear_bearing_does_not_know_is_missing() {
 }
 
 #[test]
-fn tables_of_another_format_do_not_outlive_a_run() {
-    let folder = scene("");
-    run(&folder, &["--format", "mat"]);
-    assert!(result(&folder, "trace.mat").exists() && !result(&folder, "trace.csv").exists());
-    let mat = fs::read(result(&folder, "trace.mat")).unwrap();
-    run(&folder, &["--format", "mat"]);
-    assert!(fs::read(result(&folder, "trace.mat")).unwrap() == mat);
-    run(&folder, &[]);
-    assert!(!result(&folder, "trace.mat").exists() && result(&folder, "trace.csv").exists());
-    let hidden = fs::read_dir(result(&folder, "")).unwrap();
-    let hidden = hidden.filter(|entry| {
-        let name = entry.as_ref().unwrap().file_name();
-        name.to_string_lossy().starts_with('.')
-    });
-    assert_eq!(hidden.count(), 0);
+fn a_table_for_matlab_is_answered_with_the_formats_that_it_reads() {
+    let folder = scene("formats = [\"mat\"]");
+    for arguments in [
+        &["run", "scene.toml"][..],
+        &["run", "scene.toml", "--format", "mat"],
+    ] {
+        let output = jeffcott(&folder, arguments);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(
+            told(&output).contains("MATLAB reads CSV by `readtable`"),
+            "{}",
+            told(&output)
+        );
+    }
 }
 
 #[cfg(not(feature = "parquet"))]
@@ -215,6 +154,28 @@ mod parquet_files {
     use super::*;
     use parquet::file::reader::{FileReader, SerializedFileReader};
     use parquet::record::Field;
+
+    #[test]
+    fn tables_of_another_format_do_not_outlive_a_run() {
+        let folder = scene("");
+        run(&folder, &["--format", "parquet"]);
+        assert!(
+            result(&folder, "trace.parquet").exists() && !result(&folder, "trace.csv").exists()
+        );
+        let parquet = fs::read(result(&folder, "trace.parquet")).unwrap();
+        run(&folder, &["--format", "parquet"]);
+        assert!(fs::read(result(&folder, "trace.parquet")).unwrap() == parquet);
+        run(&folder, &[]);
+        assert!(
+            !result(&folder, "trace.parquet").exists() && result(&folder, "trace.csv").exists()
+        );
+        let hidden = fs::read_dir(result(&folder, "")).unwrap();
+        let hidden = hidden.filter(|entry| {
+            let name = entry.as_ref().unwrap().file_name();
+            name.to_string_lossy().starts_with('.')
+        });
+        assert_eq!(hidden.count(), 0);
+    }
 
     #[test]
     fn they_hold_the_cells_of_the_csv() {

@@ -1,43 +1,4 @@
-//! Tables in other formats than CSV: long ones, block by block.
-
-use crate::report::{MatTable, Origin};
-use crate::table::Column;
-use matfile::{MatFile, NumericData};
-
-#[test]
-fn a_mat_file_of_many_blocks_is_put_together_in_order() {
-    let folder = tempfile::tempdir().unwrap();
-    let columns = [
-        Column::number("t", ""),
-        Column::number("x", "m"),
-        Column::count("n"),
-    ];
-    let origin = Origin {
-        scenario: "{}".to_owned(),
-    };
-    for count in [0u32, 1, 8191, 8192, 8193, 20_000] {
-        let scratch = folder.path().join("rows");
-        let mut table = MatTable::new(Vec::new(), &columns, &origin, &scratch).unwrap();
-        for row in 0..count {
-            let row = f64::from(row);
-            table.row(&[row, row.sqrt(), row % 3.0]).unwrap();
-        }
-        let bytes = table.finish().unwrap();
-        assert!(!scratch.exists());
-        assert_eq!(bytes.len() % 8, 0);
-        if count == 0 {
-            continue; // the reader knows no empty matrix
-        }
-        let mat = MatFile::parse(&bytes[..]).unwrap();
-        let x = mat.find_by_name("x_m").unwrap();
-        assert_eq!(x.size(), &vec![count as usize, 1]);
-        let NumericData::Double { real, .. } = x.data() else {
-            panic!("{:?}", x.data());
-        };
-        let expected: Vec<f64> = (0..count).map(|row| f64::from(row).sqrt()).collect();
-        assert!(*real == expected);
-    }
-}
+//! Tables in another format than CSV: long ones, block by block.
 
 #[cfg(feature = "parquet")]
 mod parquet_files {

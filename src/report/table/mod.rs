@@ -2,7 +2,6 @@
 //!
 //! Rows are written while the run goes on, in memory that does not grow with it.
 
-mod mat;
 #[cfg(feature = "parquet")]
 mod parquet;
 
@@ -14,7 +13,6 @@ use super::{FileAction, PartialFile, ReportError, RunFolder, WholeFile};
 use crate::scenario::TableFormat;
 use crate::table::{Column, ColumnKind};
 
-pub use mat::MatTable;
 #[cfg(feature = "parquet")]
 pub use parquet::ParquetTable;
 
@@ -56,7 +54,6 @@ enum TableWriter {
     Csv(CsvTable<PartialFile>),
     #[cfg(feature = "parquet")]
     Parquet(ParquetTable<PartialFile>),
-    Mat(MatTable<PartialFile>),
 }
 
 impl TableFiles {
@@ -107,16 +104,7 @@ impl TableFile {
         let path = file.path().to_owned();
         let writer = match format {
             TableFormat::Csv => CsvTable::new(file, columns).map(TableWriter::Csv),
-            #[cfg(feature = "parquet")]
-            TableFormat::Parquet => {
-                ParquetTable::new(file, columns, &folder.origin).map(TableWriter::Parquet)
-            }
-            #[cfg(not(feature = "parquet"))]
-            TableFormat::Parquet => Err(io::Error::from(io::ErrorKind::Unsupported)),
-            TableFormat::Mat => {
-                let rows = folder.path().join(format!(".{name}.rows.partial"));
-                MatTable::new(file, columns, &folder.origin, &rows).map(TableWriter::Mat)
-            }
+            TableFormat::Parquet => parquet_table(file, columns, &folder.origin),
         };
         let writer = writer.map_err(ReportError::file(FileAction::Write, &path))?;
         Ok(Self { path, writer })
@@ -127,7 +115,6 @@ impl TableFile {
             TableWriter::Csv(table) => table.row(row),
             #[cfg(feature = "parquet")]
             TableWriter::Parquet(table) => table.row(row),
-            TableWriter::Mat(table) => table.row(row),
         };
         written.map_err(ReportError::named(&self.path))
     }
@@ -137,12 +124,25 @@ impl TableFile {
             TableWriter::Csv(table) => table.finish(),
             #[cfg(feature = "parquet")]
             TableWriter::Parquet(table) => table.finish(),
-            TableWriter::Mat(table) => table.finish(),
         };
         finished
             .map_err(ReportError::file(FileAction::Write, &self.path))?
             .close()
     }
+}
+
+#[cfg(feature = "parquet")]
+fn parquet_table(
+    file: PartialFile,
+    columns: &[Column],
+    origin: &Origin,
+) -> io::Result<TableWriter> {
+    ParquetTable::new(file, columns, origin).map(TableWriter::Parquet)
+}
+
+#[cfg(not(feature = "parquet"))]
+fn parquet_table(_: PartialFile, _: &[Column], _: &Origin) -> io::Result<TableWriter> {
+    Err(io::ErrorKind::Unsupported.into())
 }
 
 /// Writes rows of numbers in the shortest form that reads back to the same value; a cell is empty where there is none.

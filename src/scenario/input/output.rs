@@ -20,8 +20,6 @@ const SAMPLES_PER_REVOLUTION: u32 = 128;
 const MOST_ROWS: f64 = 1e5;
 /// Most samples of a run.
 const MOST_SAMPLES: f64 = 1e9;
-/// Most rows of a MAT-file of level 5, whose variables take less than 2 GiB each.
-const MOST_MAT_ROWS: f64 = 2.68e8;
 /// Fewest samples that a spectrum is taken of.
 const FEWEST_IN_SPECTRUM: f64 = 8.0;
 
@@ -246,15 +244,6 @@ impl Output {
                 Issue::new("time.duration", message).help("shorten it or sample less often");
             problems.refuse(issue.against_all([key, speed]));
         }
-        let rows = count / self.written_of(count).get() as f64;
-        if self.trace && rows > MOST_MAT_ROWS && self.formats.contains(&TableFormat::Mat) {
-            let message = format!(
-                "{rows:.3e} rows are too many for a MAT-file, which holds {MOST_MAT_ROWS:e}"
-            );
-            let issue = Issue::new("output.formats", message)
-                .help("write fewer of them with `every`, or another format");
-            problems.refuse(issue.against("output.every"));
-        }
     }
 }
 
@@ -297,20 +286,17 @@ pub enum TableFormat {
     Csv,
     /// Apache Parquet; only where `jeffcott` is built with it.
     Parquet,
-    /// A MAT-file of MATLAB, level 5: one variable a column.
-    Mat,
 }
 
 impl TableFormat {
     /// All formats.
-    pub const ALL: [Self; 3] = [Self::Csv, Self::Parquet, Self::Mat];
+    pub const ALL: [Self; 2] = [Self::Csv, Self::Parquet];
 
     /// Name in a scenario, and the ending of its files.
     pub fn extension(self) -> &'static str {
         match self {
             Self::Csv => "csv",
             Self::Parquet => "parquet",
-            Self::Mat => "mat",
         }
     }
 

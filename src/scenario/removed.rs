@@ -1,0 +1,22 @@
+//! Keys and words that earlier versions knew, each with the way that is left.
+
+const REMOVED: [(&str, &str); 6] = [
+    (
+        "side_by_side",
+        "leave it out: every run is integrated by itself",
+    ),
+    ("tsit5", "\"verner76\" takes its place"),
+    ("dprkn8", "\"exponential\" takes its place"),
+    ("dprkn12", "\"verner76\" takes its place"),
+    ("ode_solvers_dop853", "\"dop853\" takes its place"),
+    (
+        "mat",
+        "MATLAB reads CSV by `readtable` and Parquet by `parquetread`",
+    ),
+];
+
+/// What to do instead of a key or word that is gone.
+pub fn way_left(word: &str) -> Option<&'static str> {
+    let found = REMOVED.iter().find(|(removed, _)| *removed == word);
+    found.map(|(_, way)| *way)
+}
