@@ -18,9 +18,7 @@ pub use crate::integrate::System;
 pub use crate::report::accuracy::accuracy_findings;
 pub use crate::report::campbell::campbell_findings;
 pub use crate::report::destination::{Destination, Findings};
-pub use crate::report::many::{
-    Digest, MakeError, Making, StudyRuns, StudyWatch, merge as merge_study,
-};
+pub use crate::report::many::{Making, StudyError, StudyRuns, StudyWatch, merge as merge_study};
 pub use crate::report::recorded::RunFindings;
 pub use crate::report::response::response_findings;
 pub use crate::report::run_tables::trace_columns;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::thread;
 
 use jeffcott::internals::{
-    Digest, MakeError, Making, Shard, StudyFile, StudyRuns, StudyWatch, Unmade, load_study,
+    Making, Shard, StudyError, StudyFile, StudyRuns, StudyWatch, Unmade, load_study,
     merge_study as merge_parts, parse_study,
 };
 use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
@@ -14,9 +14,6 @@ use pyo3::prelude::*;
 use crate::errors::{run_error, scenario_error};
 use crate::scene::{Scene, format};
 use crate::watch::{Stop, watched};
-
-/// Paths of the files, and the digest of a whole study as JSON.
-type Made = (Vec<PathBuf>, Option<String>);
 
 /// A checked study.
 #[pyclass(frozen, module = "jeffcott._jeffcott")]
@@ -43,11 +40,6 @@ impl StudyPlan {
         &self.0.title
     }
 
-    /// All that its runs depend on, JSON.
-    fn echo(&self) -> String {
-        self.0.echo.to_string()
-    }
-
     /// Number of runs, and of the parts that they can be made in.
     fn size(&self, py: Python<'_>) -> PyResult<(u64, u64)> {
         let runs = self.runs(py)?;
@@ -65,7 +57,7 @@ impl StudyPlan {
         anew: bool,
         stop: Option<&Stop>,
         progress: Option<Py<PyAny>>,
-    ) -> PyResult<Made> {
+    ) -> PyResult<Vec<PathBuf>> {
         let (number, count) = part;
         if !(1..=count).contains(&number) {
             let text = format!("there is no part {number} of {count}");
@@ -90,8 +82,8 @@ impl StudyPlan {
             )
         })?;
         match made {
-            Ok((files, digest)) => Ok((files, digest.as_ref().map(summary))),
-            Err(MakeError::Unmade(Unmade::Stopped)) => Err(PyKeyboardInterrupt::new_err(
+            Ok((files, _)) => Ok(files),
+            Err(StudyError::Unmade(Unmade::Stopped)) => Err(PyKeyboardInterrupt::new_err(
                 "interrupted; the same call goes on from what is done",
             )),
             Err(error) => Err(run_error(py, &error)),
@@ -105,15 +97,11 @@ impl StudyPlan {
     }
 }
 
-fn summary(digest: &Digest) -> String {
-    serde_json::to_string(&digest.summary()).unwrap_or_default()
-}
-
-/// Puts the parts of a study together, in the folder that they stand in; returns the paths of the files and the digest.
+/// Puts the parts of a study together, in the folder that they stand in; returns the paths of the files.
 #[pyfunction]
-pub fn merge(py: Python<'_>, folder: PathBuf) -> PyResult<Made> {
+pub fn merge(py: Python<'_>, folder: PathBuf) -> PyResult<Vec<PathBuf>> {
     let folder: &Path = &folder;
     let merged = py.detach(|| merge_parts(folder));
-    let (files, digest) = merged.map_err(|error| run_error(py, &error))?;
-    Ok((files, Some(summary(&digest))))
+    let (files, _) = merged.map_err(|error| run_error(py, &error))?;
+    Ok(files)
 }

@@ -13,8 +13,7 @@ use super::jobs::{folder_of, name_of};
 use super::terminal::Progress;
 use super::{Outcome, terminal};
 use crate::report::many::{
-    Digest, JournalError, MakeError, Making, MergeError, StudyRuns, StudyWatch,
-    merge as merge_parts,
+    Digest, Making, StudyError, StudyRuns, StudyWatch, merge as merge_parts,
 };
 use crate::report::{self, RunReport};
 use crate::scenario::{self, Output, StudyFile};
@@ -32,7 +31,7 @@ use crate::study::many::Shard;
                   jeffcott study merge parts/resonance-7205c\n\n\
                   Writes to DIR/<name of the file>/: runs.csv, a row a run; spectra.csv and poincare.csv\n\
                   where the study keeps them; figures; and, last, runs.json. A study that is killed goes\n\
-                  on from its journal when it is started again.\n\n\
+                  on from its rows, runs.jsonl, when it is started again.\n\n\
                   Exit code: 0 all runs are done, 1 some failed, or the study was interrupted, 2 a file\n\
                   is wrong."
 )]
@@ -54,7 +53,7 @@ struct Merge {
     /// Folder that holds all parts
     #[arg(value_name = "DIR")]
     folder: PathBuf,
-    /// Print the digest as JSON
+    /// Print the document of the study, runs.json
     #[arg(long)]
     json: bool,
 }
@@ -82,7 +81,7 @@ struct Make {
     /// Begin anew, whatever runs an earlier attempt has kept
     #[arg(long)]
     restart: bool,
-    /// Print the digest as JSON
+    /// Print the document of the study, runs.json
     #[arg(long)]
     json: bool,
 }
@@ -139,15 +138,10 @@ fn failed(reason: impl ToString) -> Failure {
 }
 
 /// What kept the runs from being made: the study as it is asked for, or something on the way.
-fn unmade(error: impl Into<MakeError>) -> Failure {
-    let error = error.into();
-    let outcome = match error {
-        MakeError::First(_)
-        | MakeError::NoPart { .. }
-        | MakeError::Journal(JournalError::Other { .. } | JournalError::Unreadable { .. }) => {
-            Outcome::WrongInput
-        }
-        _ => Outcome::Failed,
+fn unmade(error: StudyError) -> Failure {
+    let outcome = match error.is_wrong_input() {
+        true => Outcome::WrongInput,
+        false => Outcome::Failed,
     };
     (outcome, error.to_string())
 }
@@ -209,7 +203,7 @@ fn only(
     let no_run = |message| failed(format!("run {number}: {message}"));
     let model = |values: &[f64]| study.model(values).map_err(|error| error.message);
     let maker = study.maker(runs.schedule, &model, terminal::stop());
-    let alone = maker.alone(number).map_err(unmade)?;
+    let alone = maker.alone(number).map_err(|error| unmade(error.into()))?;
     let model = alone.map_err(no_run)?;
     let title = format!("{}, run {number}", study.title);
     let values = study.plan.values(runs.schedule.turn(number).point);
@@ -240,17 +234,15 @@ impl Merge {
         match merge_parts(&self.folder) {
             Ok((files, digest)) => show("merged", &files, Some(&digest), self.json),
             Err(error) => {
-                let refused = terminal::refuse(format!("{}: {error}", self.folder.display()));
-                Ok(match error {
-                    MergeError::Report(_) => Outcome::Failed,
-                    _ => refused,
-                })
+                let (outcome, message) = unmade(error);
+                terminal::refuse(format!("{}: {message}", self.folder.display()));
+                Ok(outcome)
             }
         }
     }
 }
 
-/// Shows what came of a study; some of its runs may have failed.
+/// Shows what came of a study, some of whose runs may have failed, or of a part, which has no digest.
 fn show(
     title: &str,
     files: &[PathBuf],
@@ -261,9 +253,8 @@ fn show(
         terminal::tell(&format!("warning: {title}: {warning}\n"));
     }
     if as_json {
-        let paths = files.iter().map(|file| file.display().to_string());
-        let (digest, paths) = (digest.map(Digest::summary), paths.collect::<Vec<_>>());
-        let document = json!({ "title": title, "digest": digest, "files": paths });
+        let part = || json!({ "title": title, "files": files });
+        let document = digest.map_or_else(part, Digest::document);
         terminal::print(&format!("{document:#}\n"))?;
     } else {
         let digest = digest.map(Digest::text).unwrap_or_default();

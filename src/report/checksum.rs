@@ -37,13 +37,6 @@ impl Checksum {
         self.begun = [0; 8];
     }
 
-    /// That of a text.
-    pub fn of(text: &str) -> u64 {
-        let mut checksum = Self::START;
-        checksum.add(text.as_bytes());
-        checksum.value()
-    }
-
     /// Number of bytes.
     pub fn bytes(self) -> u64 {
         self.bytes

@@ -120,7 +120,7 @@ impl FileSet {
             "bifurcation.svg",
             "report.html",
         ],
-        spent: &["runs.journal"],
+        spent: &["runs.jsonl"],
     };
     /// What a measurement of speed against error leaves.
     pub const ACCURACY: Self = Self {
@@ -540,11 +540,6 @@ impl WholeFile {
     /// Path that the file will have.
     pub(super) fn path(&self) -> &Path {
         &self.path
-    }
-
-    /// Path that it has until then.
-    pub(super) fn temporary(&self) -> &Path {
-        &self.temporary
     }
 
     /// The same file, to have another name.

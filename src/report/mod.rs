@@ -30,11 +30,10 @@ pub(crate) mod study;
 pub(crate) mod table;
 mod terminal;
 pub(crate) mod text;
+mod variable;
 
 pub(crate) use accuracy::accuracy_findings;
 pub(crate) use campbell::campbell_findings;
-#[cfg(test)]
-pub(crate) use checksum::Checksum;
 pub(crate) use destination::{Destination, Findings, document};
 #[cfg(test)]
 pub(crate) use envelope::Decimator;

@@ -4,8 +4,8 @@ use plotters::style::RGBColor;
 use serde_json::json;
 
 use super::figure::{Axis, Curve, Figure, GREY, Name, Panel, Point, distinct};
-use super::study::{axis_name, shown, variable_column};
 use super::terminal::{Lines, MICRO};
+use super::variable::{axis_name, shown, variable_column};
 use super::{Destination, FileSet, Findings};
 use crate::analysis::Channel;
 use crate::shooting::SpecialKind;

@@ -5,13 +5,13 @@ use serde_json::{Value, json};
 use super::destination::value;
 use super::figure::{Axis, Curve, Figure, Name, Panel, all_around, distinct, graded, turned};
 use super::terminal::{Lines, MICRO, MILLI, digits, in_unit, of_bearing};
+use super::variable::{axis_name, shown, variable_column};
 use super::{Destination, FileSet, Findings};
 use crate::analysis::Channel;
 use crate::bearing::{Around, BallLine, BearingState};
 use crate::keys;
 use crate::quasi_static::{QuasiStatic, Twist};
 use crate::rotor::FREEDOMS;
-use crate::scenario::si_units;
 use crate::study::{Study, StudyRow, Variable};
 use crate::table::{Column, Named, Table};
 
@@ -32,54 +32,6 @@ pub fn study_findings(destination: &Destination<'_>, study: &Study, rows: &[Stud
         document: destination.document(about(study, rows)),
         text: text(title, study, rows),
     }
-}
-
-/// The column of the variable: `load_1_constant_z_N`.
-pub(super) fn variable_column(variable: &Variable) -> Column {
-    key_column(&variable.key, variable.unit)
-}
-
-fn key_column(key: &str, unit: &'static str) -> Column {
-    let words = key.split(['.', '[', ']']);
-    let words: Vec<_> = words.filter(|word| !word.is_empty()).collect();
-    Column::number(words.join("_"), unit)
-}
-
-/// The unit that the column of a key ends with; empty of a plain number.
-pub(super) fn unit_of_column(key: &str, column: &str) -> &'static str {
-    let mut units = si_units();
-    let found = units.find(|unit| key_column(key, unit).name() == column);
-    found.unwrap_or_default()
-}
-
-/// The variable as the name of an axis: `load 1, z in N`.
-pub(super) fn axis_name(variable: &Variable) -> String {
-    axis_label(&variable.key, &variable.shown_unit)
-}
-
-/// A key in words with a unit: `speed in rad/s`, `radial clearance of bearing 1 in µm`.
-pub(super) fn axis_label(key: &str, unit: &str) -> String {
-    let (table, rest) = key.split_once('.').unwrap_or((key, "constant"));
-    let table = match table.trim_end_matches(']').split_once('[') {
-        Some((table, number)) => format!("{table} {number}"),
-        None => table.to_owned(),
-    };
-    let last = rest.rsplit('.').next().unwrap_or(rest).replace('_', " ");
-    let words = match (rest, last.as_str()) {
-        ("constant", _) => table,
-        (_, "x" | "y" | "z" | "tilt x" | "tilt y") => format!("{table}, {last}"),
-        _ => format!("{last} of {table}"),
-    };
-    words.replace('_', " ") + &in_unit(unit)
-}
-
-/// A value of the variable in the unit that it was written in: `200 N`.
-pub(super) fn shown(variable: &Variable, value: f64) -> String {
-    let number = variable.shown(value);
-    let rounded: f64 = format!("{number:.5e}").parse().unwrap_or(number);
-    format!("{rounded} {}", variable.shown_unit)
-        .trim_end()
-        .to_owned()
 }
 
 /// Columns of the whole shaft behind its stiffness.
@@ -397,29 +349,7 @@ fn shown_names(count: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::{axis_label, key_column, shown_names, unit_of_column};
-
-    #[test]
-    fn an_axis_says_in_words_what_its_key_is() {
-        let labels = [
-            ("speed.constant", "rad/s", "speed in rad/s"),
-            ("load[1].constant.z", "N", "load 1, z in N"),
-            ("shaft.mass", "kg", "mass of shaft in kg"),
-            (
-                "bearing[2].geometry.radial_clearance",
-                "µm",
-                "radial clearance of bearing 2 in µm",
-            ),
-            ("damping.ratio", "", "ratio of damping"),
-        ];
-        for (key, unit, label) in labels {
-            assert_eq!(axis_label(key, unit), label);
-        }
-        let column = key_column("bearing[2].clearance_change", "m");
-        assert_eq!(column.name(), "bearing_2_clearance_change_m");
-        let unit = unit_of_column("speed.constant", "speed_constant_rad_s");
-        assert_eq!(unit, "rad/s");
-    }
+    use super::shown_names;
 
     #[test]
     fn of_many_names_evenly_spaced_ones_are_shown() {

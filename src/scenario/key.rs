@@ -308,8 +308,8 @@ impl Key {
         let (shown_size, shown_unit) = shown.unwrap_or((1.0, unit.to_owned()));
         Variable {
             key: self.path.clone(),
-            unit,
-            shown_unit,
+            unit: unit.to_owned(),
+            shown_unit: shown_unit.replacen("um", "µm", 1),
             shown_size,
         }
     }

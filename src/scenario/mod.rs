@@ -51,7 +51,6 @@ pub use input::TableFormat;
 pub use key::methods;
 pub(crate) use key::{OpenNumber, frequency, method, number, speed, time, tolerance};
 pub use problems::{Issue, ScenarioError};
-pub(crate) use quantity::{si_units, written_unit};
 pub(crate) use removed::way_left;
 pub use schema::schema;
 use study_file::check_study;

@@ -311,21 +311,6 @@ impl Dimension {
     }
 }
 
-/// The SI unit of every dimension.
-pub(crate) fn si_units() -> impl Iterator<Item = &'static str> {
-    Dimension::ALL
-        .iter()
-        .map(|(dimension, ..)| dimension.si_symbol())
-}
-
-/// The unit that a quantity is written in and its SI value, of the dimension that has the SI unit `si`.
-pub(crate) fn written_unit(text: &str, si: &str) -> Option<(String, f64)> {
-    let mut all = Dimension::ALL.iter().map(|(dimension, ..)| *dimension);
-    let dimension = all.find(|it| it.si_symbol() == si)?;
-    let unit = parse(text, &[dimension]).ok()?.unit;
-    Some((unit.symbol.clone(), unit.size()?))
-}
-
 /// Spellings of units of some dimensions that differ from a text by capital letters alone.
 pub(super) fn alike(text: &str, dimensions: &[Dimension]) -> Vec<String> {
     let mut alike = Unit::alike(text);

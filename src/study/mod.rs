@@ -13,7 +13,8 @@ pub(crate) use contact_choice::{
     ContactChoice, ContactQuestion, FidelityDifference, choose_contact,
 };
 pub(crate) use fidelity::Fidelity;
-pub(crate) use static_study::{Study, StudyPoint, StudyRow, Variable};
+pub(crate) use plan::Variable;
+pub(crate) use static_study::{Study, StudyPoint, StudyRow};
 
 pub use crate::quasi_static::{QuasiStatic, StaticQuestion, quasi_static};
 pub use crate::rotor::{Equilibrium, EquilibriumError};

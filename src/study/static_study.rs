@@ -3,20 +3,7 @@
 use crate::bearing::Around;
 use crate::quasi_static::{QuasiStatic, StaticQuestion, answer_on};
 use crate::rotor::{RotorError, build_supports};
-
-/// The number that varies.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct Variable {
-    /// Path of its key in the scenario, for instance `load[1].constant.z`.
-    pub key: String,
-    /// Its SI unit; empty for a plain number.
-    pub unit: &'static str,
-    /// The unit that it was written in; empty for a plain number.
-    pub shown_unit: String,
-    /// That unit in SI units.
-    pub shown_size: f64,
-}
+use crate::study::plan::Variable;
 
 /// One value and the question it makes.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,13 +54,6 @@ pub struct StudyError {
     pub unit: String,
     /// Why there is no answer.
     pub source: RotorError,
-}
-
-impl Variable {
-    /// A value of SI unit in the unit that it was written in.
-    pub fn shown(&self, value: f64) -> f64 {
-        value / self.shown_size
-    }
 }
 
 impl Study {

@@ -144,12 +144,12 @@ impl Two {
     }
 }
 
-/// All that a user sees in a folder, with the folders in it, and with its bytes; a journal is no result.
+/// All that a user sees in a folder, with the folders in it, and with its bytes; rows are no result.
 fn shown(folder: &Path) -> Vec<(String, Vec<u8>)> {
     let mut all = Vec::new();
     for name in names(folder) {
         let path = folder.join(&name);
-        if name.starts_with('.') || name == "runs.journal" {
+        if name.starts_with('.') || name == "runs.jsonl" {
             continue;
         }
         if path.is_dir() {

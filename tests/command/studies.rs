@@ -19,14 +19,14 @@ fn study(file: &Path, out: &Path, more: &[&str]) -> Output {
     output.expect("the command starts")
 }
 
-/// Starts a study that is to be killed, and waits until its journal has so many bytes.
+/// Starts a study that is to be killed, and waits until its rows have so many bytes.
 fn begun(file: &Path, out: &Path, bytes: u64) -> Child {
     let child = verb("study", &[file], out, &[])
         .stdout(Stdio::null())
         .stderr(Stdio::null())
         .spawn()
         .expect("the command starts");
-    wait_for(&out.join("small").join("runs.journal"), bytes);
+    wait_for(&out.join("small").join("runs.jsonl"), bytes);
     child
 }
 
@@ -76,7 +76,7 @@ fn run_shipped(name: &str, figure: &str, out: &Path) -> serde_json::Value {
     let folder = out.join(name);
     assert!(folder.join(figure).exists(), "{name} has no {figure}");
     assert!(folder.join("report.html").exists(), "{name} has no page");
-    assert!(!folder.join("runs.journal").exists(), "{name}");
+    assert!(!folder.join("runs.jsonl").exists(), "{name}");
     serde_json::from_slice(&output.stdout).expect("JSON")
 }
 
@@ -226,14 +226,13 @@ fn a_killed_study_goes_on_and_loses_nothing() {
 fn a_changed_study_is_refused_until_it_is_to_begin_anew() {
     let folder = TempDir::new().expect("a folder");
     let file = written(folder.path(), SPEEDS);
-    let journal = folder.path().join("small").join("runs.journal");
-    // a part leaves a journal while it is made: that of the whole is written by hand here
-    fs::create_dir_all(journal.parent().expect("a folder")).expect("a folder");
-    fs::write(&journal, b"not a journal").expect("a file");
+    let rows = folder.path().join("small").join("runs.jsonl");
+    fs::create_dir_all(rows.parent().expect("a folder")).expect("a folder");
+    fs::write(&rows, b"no rows").expect("a file");
     let output = study(&file, folder.path(), &[]);
     assert_eq!(output.status.code(), Some(2));
     assert!(told(&output).contains("--restart"), "{}", told(&output));
-    assert_eq!(fs::read(&journal).expect("the file"), b"not a journal");
+    assert_eq!(fs::read(&rows).expect("the file"), b"no rows");
     let output = study(&file, folder.path(), &["--restart"]);
     assert!(output.status.success(), "{}", told(&output));
 }
@@ -599,9 +598,9 @@ fn a_full_disk_is_told_and_loses_nothing() {
     let folder = TempDir::new().expect("a folder");
     let whole = folder.path().join("whole");
     for (name, keep, room, told_file) in [
-        ("journal", "", 16, "runs.journal"),
-        ("head", "", 1, "runs.journal"),
-        // the journal of three numbers is small, a trace is not
+        ("rows", "", 16, "runs.jsonl"),
+        ("head", "", 1, "runs.jsonl"),
+        // rows of three numbers are small, a trace is not
         (
             "traces",
             "[keep]\nnumbers = ['x_rms_m']\ntraces = true\n",
@@ -619,7 +618,7 @@ fn a_full_disk_is_told_and_loses_nothing() {
         assert!(!out.join("small").join("runs.json").exists(), "{name}");
         let output = study(&file, &out, &[]);
         assert!(output.status.success(), "{name}: {}", told(&output));
-        if name == "journal" {
+        if name == "rows" {
             assert!(
                 told(&output).contains("going on behind"),
                 "{}",

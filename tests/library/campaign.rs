@@ -1,4 +1,4 @@
-//! Files with anything in them: scenarios, studies, load series and journals, changed at random from
+//! Files with anything in them: scenarios, studies, load series and rows of studies, changed at random from
 //! good ones, are taken or refused in words, without a panic and in time.
 //!
 //! Each test takes a few seconds. `JEFFCOTT_MUTANTS=20000 cargo test --lib campaign` changes each kind of file so often,
@@ -16,11 +16,10 @@ use std::time::Duration;
 
 use tempfile::TempDir;
 
-use crate::report::Checksum;
-use crate::report::many::{Making, StudyReport, StudyRuns};
+use crate::report::many::{Making, StudyRuns, merge};
 use crate::scenario::{self, Format, ScenarioError};
 use crate::simulate::{Model, Monitor, RunSize, simulate};
-use crate::study::many::Shard;
+use crate::study::many::{Direction, Outcome, RunRecord, Shard};
 
 /// Longest time that one file may take.
 const LONGEST: Duration = Duration::from_secs(30);
@@ -208,47 +207,6 @@ fn with_part_replaced(
         parts[*place] = chance.one(by).to_owned();
     }
     parts.concat()
-}
-
-/// Bytes with some of them changed, among them a text whose length stands somewhere, and their checksum made to fit once in a while.
-fn changed_bytes(
-    bytes: &[u8],
-    text: std::ops::Range<usize>,
-    length_at: impl Fn(usize) -> usize,
-    chance: &mut Chance,
-) -> Vec<u8> {
-    let mut bytes = bytes.to_vec();
-    for _ in 0..1 + chance.below(4) {
-        let place = chance.below(bytes.len());
-        match chance.below(5) {
-            0 => bytes.truncate(place),
-            1 => bytes.extend_from_within(place..),
-            2 => {
-                // lengths and numbers of eight bytes
-                let value = [0, 1, u64::MAX, 1 << 40, 1 << 31][chance.below(5)];
-                let end = (place + 8).min(bytes.len());
-                bytes[place..end].copy_from_slice(&value.to_le_bytes()[..end - place]);
-            }
-            3 if text.end <= bytes.len() => {
-                let inner = String::from_utf8_lossy(&bytes[text.clone()]).replace(',', ",\n");
-                let inner = changed(&inner, chance).replace('\n', "");
-                let length = inner.len() as u64;
-                bytes.splice(text.clone(), inner.into_bytes());
-                let place = length_at(bytes.len());
-                bytes[place..place + 8].copy_from_slice(&length.to_le_bytes());
-            }
-            _ if place < bytes.len() => bytes[place] ^= 1 << chance.below(8),
-            _ => {}
-        }
-    }
-    if chance.below(2) == 0 && bytes.len() > 8 {
-        let end = bytes.len() - 8;
-        let mut sum = Checksum::START;
-        sum.add(&bytes[..end]);
-        let sum = sum.value().to_le_bytes();
-        bytes[end..].copy_from_slice(&sum);
-    }
-    bytes
 }
 
 /// Tries `count` inputs: none panics, and none takes too long. `make` gives an input in words, `take` takes it.
@@ -444,44 +402,46 @@ fn changed_load_series_are_taken_or_refused() {
 }
 
 #[test]
-fn changed_journals_are_gone_on_with_or_refused() {
+fn changed_rows_are_gone_on_with_or_refused() {
     let folder = TempDir::new().expect("a folder");
     let study = scenario::load_study(&scenarios().join("studies/resonance-7205c.toml"))
         .expect("it is good");
     let runs = StudyRuns::new(&study).expect("its first run can be made");
-    let schedule = runs.schedule;
     let making = Making {
         folder: folder.path(),
         shard: Shard::WHOLE,
         threads: 1,
         anew: false,
     };
-    let open = || StudyReport::open(&runs, &making);
-    let record = |chain: u64| crate::study::many::RunRecord {
-        turn: schedule.chain(chain).next().expect("a run"),
-        values: study.plan.values(chain),
-        outcome: Err("it failed".to_owned()),
-    };
-    let mut report = open().expect("a folder");
-    for chain in 0..schedule.chains().min(20) {
-        report.add(chain, &[record(chain)]).expect("it is written");
+    let (_, mut rows) = runs.open(&making).expect("a folder");
+    for run in rows.head.runs.clone() {
+        let numbers = vec![run as f64; rows.head.numbers.len()];
+        let outcome = Outcome {
+            numbers,
+            ..Outcome::default()
+        };
+        let row = RunRecord {
+            run,
+            direction: Direction::Alone,
+            values: study.plan.values(run),
+            outcome: Ok(outcome),
+        };
+        rows.add(&row).expect("it is written");
     }
-    drop(report);
-    let path = folder.path().join("runs.journal");
-    let bytes = fs::read(&path).expect("a journal");
-    let length = u64::from_le_bytes(bytes[8..16].try_into().expect("eight bytes")) as usize;
-    let make = |chance: &mut Chance| changed_bytes(&bytes, 16..16 + length, |_| 8, chance);
-    let show = |bytes: &Vec<u8>| format!("a journal of {} bytes", bytes.len());
-    campaign(mutants(), make, show, |bytes, chance| {
-        fs::write(&path, bytes).expect("a written file");
-        match open() {
-            Err(error) => assert!(!error.to_string().trim().is_empty()),
-            Ok(report) if chance.below(20) == 0 => {
-                if let Err(error) = report.finish() {
-                    assert!(!error.to_string().trim().is_empty());
-                }
-            }
-            Ok(_) => {}
+    drop(rows);
+    let path = folder.path().join("runs.jsonl");
+    let text = fs::read_to_string(&path).expect("rows");
+    let make = |chance: &mut Chance| changed(&text, chance) + "\n";
+    campaign(mutants(), make, String::clone, |text, chance| {
+        fs::write(&path, text).expect("a written file");
+        let mut errors = vec![runs.open(&making).err()];
+        if chance.below(20) == 0 {
+            // as the only part of a study
+            let part = folder.path().join("runs.part-1-of-1.jsonl");
+            fs::write(part, text).expect("a written file");
+            errors.push(merge(folder.path()).err());
         }
+        let mut errors = errors.into_iter().flatten();
+        assert!(errors.all(|error| !error.to_string().trim().is_empty()));
     });
 }

@@ -1,18 +1,13 @@
-//! What the table of runs says as a whole.
+//! What the rows of a study say as a whole.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 
 use serde::Serialize;
-use serde_json::Value;
+use serde_json::{Value, json};
 
-use super::each_row;
+use super::rows::StudyHead;
 use super::statistics::{ResponsePeak, Sensitivity, peaks, sensitivities};
-use super::tables::BETWEEN_WARNINGS;
-use crate::report::ReportError;
-use crate::report::study::{axis_label, unit_of_column};
-use crate::report::terminal::shown_unit;
-use crate::scenario::written_unit;
+use crate::study::many::{Direction, RunRecord};
 
 /// Most rows that are looked at for quantiles and figures: of more, every so many.
 const MOST_ROWS: u64 = 20_000;
@@ -52,18 +47,6 @@ pub struct RunsWarned {
     pub warning: String,
 }
 
-/// A row of the table.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Row {
-    pub run: u64,
-    /// Whether it was come to from the value above.
-    pub down: bool,
-    /// Values of the axes.
-    pub values: Vec<f64>,
-    /// Its numbers, NaN where it has none.
-    pub numbers: Vec<f64>,
-}
-
 /// One number over all runs.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub(super) struct ColumnDigest {
@@ -81,134 +64,102 @@ pub(super) struct ColumnDigest {
     quantiles: Option<BTreeMap<String, f64>>,
 }
 
-/// The digest as it stands in `runs.json`.
-#[derive(Debug, Serialize)]
-pub struct DigestSummary<'a> {
+/// What the rows of a study say as a whole.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Digest {
+    /// What they are rows of.
+    pub(super) head: StudyHead,
     /// Number of runs.
     runs: u64,
     /// Number of those that failed.
-    failed: u64,
-    /// The first of them.
-    failures: &'a [FailedRun],
-    /// Warnings of the runs; those that differ by their numbers alone are one.
-    warnings: &'a [RunsWarned],
-    /// The largest measured error of all runs that have one.
-    largest_measured_error: Option<f64>,
-    runs_with_measured_error: u64,
-    /// Every number by its name.
-    numbers: BTreeMap<&'a str, &'a ColumnDigest>,
-    /// Quantiles rest on every so many runs; null where the runs were not drawn.
-    quantiles_of_every: Option<u64>,
-    /// Peaks of numbers along the only axis.
-    resonances: &'a [ResponsePeak],
-    /// How the numbers follow the axes.
-    sensitivities: &'a [Sensitivity],
-}
-
-/// The table of runs in short.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Digest {
-    /// Number of runs.
-    pub runs: u64,
-    /// Number of those that failed.
     pub failed: u64,
     /// The first of them.
-    pub failures: Vec<FailedRun>,
+    failures: Vec<FailedRun>,
     /// Warnings of the runs.
     pub warnings: Vec<RunsWarned>,
-    /// The line of names.
-    pub(super) names: csv::StringRecord,
-    /// The first rows as they stand in the table.
-    pub(super) first: Vec<csv::StringRecord>,
-    /// Names of the axes as columns.
-    pub(super) axes: Vec<String>,
-    /// What the axes are called for people, and by what their values are multiplied for that.
-    pub(super) labels: Vec<(String, f64)>,
+    /// The first rows.
+    pub(super) first: Vec<RunRecord>,
     pub(super) columns: Vec<ColumnDigest>,
-    /// Rows that are drawn, every `stride`-th of those that were done.
-    pub(super) rows: Vec<Row>,
+    /// Rows that are drawn, without spectra and points: every `stride`-th of those that were done.
+    pub(super) rows: Vec<RunRecord>,
     stride: u64,
-    /// Names of the numbers that the study keeps, where it names any.
-    pub(super) named: Option<Vec<String>>,
-    /// Whether the runs were drawn instead of standing on a grid.
-    pub(super) drawn: bool,
+    /// Highest frequency of all spectra, Hz.
+    pub(super) highest_frequency: f64,
+    /// Number of points of all runs.
+    pub(super) points: usize,
     pub(super) sensitivities: Vec<Sensitivity>,
     peaks: Vec<ResponsePeak>,
 }
 
 impl Digest {
-    /// Reads the table of runs of a study.
-    pub(super) fn of(runs: &Path, identity: &Value) -> Result<Self, ReportError> {
-        let study = &identity["study"];
-        let mut digest = None;
-        each_row(runs, |names, record| {
-            let digest = digest.get_or_insert_with(|| Self::empty(names.clone(), study));
-            digest.read(record);
-        })?;
-        let mut digest = digest.unwrap_or_else(|| Self::empty(csv::StringRecord::new(), study));
-        digest.finish();
-        Ok(digest)
-    }
-
-    fn empty(names: csv::StringRecord, study: &Value) -> Self {
-        let keys = study["axis"].as_array().map_or(&[][..], Vec::as_slice);
-        let axes = keys.len();
-        let columns = names.iter().skip(2);
-        let labels = keys.iter().zip(columns).map(|(axis, column)| {
-            let key = axis["key"].as_str().unwrap_or_default();
-            let si = unit_of_column(key, column);
-            let (unit, factor) = unit_of_axis(axis, si).unwrap_or_else(|| shown_unit(si));
-            (axis_label(key, &unit), factor)
-        });
-        let own = |name: &str| name.to_owned();
-        let numbers = names.len().saturating_sub(5 + axes);
-        let columns = names.iter().skip(2 + axes).take(numbers);
-        let named = study["keep"]["numbers"].as_array();
+    /// Of no rows yet.
+    pub(super) fn new(head: &StudyHead) -> Self {
         Self {
-            axes: names.iter().skip(2).take(axes).map(own).collect(),
-            labels: labels.collect(),
-            columns: columns.map(ColumnDigest::new).collect(),
+            columns: head
+                .numbers
+                .iter()
+                .map(|name| ColumnDigest::new(name))
+                .collect(),
+            head: head.clone(),
+            runs: 0,
+            failed: 0,
+            failures: Vec::new(),
+            warnings: Vec::new(),
+            first: Vec::new(),
+            rows: Vec::new(),
             stride: 1,
-            named: named.map(|names| names.iter().filter_map(Value::as_str).map(own).collect()),
-            drawn: study["sampling"] != "grid",
-            names,
-            ..Self::default()
+            highest_frequency: 0.0,
+            points: 0,
+            sensitivities: Vec::new(),
+            peaks: Vec::new(),
         }
     }
 
-    /// Takes a row of the table.
-    fn read(&mut self, record: csv::StringRecord) {
-        let number = |cell: &str| cell.parse().unwrap_or(f64::NAN);
-        let run = record.get(0).and_then(|run| run.parse().ok()).unwrap_or(0);
-        let mut cells = record.iter().skip(2);
-        let values = cells.by_ref().take(self.axes.len()).map(number).collect();
-        let numbers = cells.by_ref().take(self.columns.len());
-        let numbers = numbers.map(number).collect();
-        let (status, error, warnings) = (cells.next(), cells.next(), cells.next());
-        match status {
-            Some("failed") => {
-                self.runs += 1;
-                self.failed += 1;
-                if self.failures.len() < MOST_FAILURES {
-                    let error = error.unwrap_or_default().to_owned();
-                    self.failures.push(FailedRun { run, values, error });
-                }
-            }
-            _ => {
-                let warnings = warnings.unwrap_or_default().split(BETWEEN_WARNINGS);
-                for warning in warnings.filter(|warning| !warning.is_empty()) {
-                    self.warn(run, warning);
-                }
-                self.add(Row {
-                    run,
-                    down: record.get(1) == Some("down"),
-                    values,
-                    numbers,
-                });
-            }
+    /// Takes the row of the next run.
+    pub(super) fn add(&mut self, mut row: RunRecord) {
+        self.runs += 1;
+        if let Ok(outcome) = &mut row.outcome {
+            let spectrum = std::mem::take(&mut outcome.spectrum);
+            let highest = spectrum.last().map_or(0.0, |line| line.frequency);
+            self.highest_frequency = self.highest_frequency.max(highest);
+            self.points += std::mem::take(&mut outcome.points).len();
         }
         if self.first.len() < MOST_SHOWN {
-            self.first.push(record);
+            self.first.push(row.clone());
+        }
+        match &mut row.outcome {
+            Err(error) => {
+                self.failed += 1;
+                if self.failures.len() < MOST_FAILURES {
+                    self.failures.push(FailedRun {
+                        run: row.run,
+                        values: row.values,
+                        error: error.replace(['\n', '\r'], " "),
+                    });
+                }
+            }
+            Ok(outcome) => {
+                for warning in std::mem::take(&mut outcome.warnings) {
+                    self.warn(row.run, &warning);
+                }
+                for (column, value) in self.columns.iter_mut().zip(&outcome.numbers) {
+                    column.add(row.run, *value);
+                }
+                self.keep(row);
+            }
+        }
+    }
+
+    /// Keeps the row of a run that was done, if it is one of those that are drawn.
+    fn keep(&mut self, row: RunRecord) {
+        let done = self.runs - self.failed - 1;
+        if done.is_multiple_of(self.stride) {
+            self.rows.push(row);
+        }
+        if self.rows.len() as u64 > MOST_ROWS {
+            self.stride *= 2;
+            let rows = std::mem::take(&mut self.rows).into_iter();
+            self.rows = rows.step_by(2).collect();
         }
     }
 
@@ -231,29 +182,14 @@ impl Digest {
         }
     }
 
-    fn add(&mut self, row: Row) {
-        self.runs += 1;
-        for (column, value) in self.columns.iter_mut().zip(&row.numbers) {
-            column.add(row.run, *value);
-        }
-        let done = self.runs - self.failed - 1;
-        if done.is_multiple_of(self.stride) {
-            self.rows.push(row);
-        }
-        if self.rows.len() as u64 > MOST_ROWS {
-            self.stride *= 2;
-            let rows = std::mem::take(&mut self.rows).into_iter();
-            self.rows = rows.step_by(2).collect();
-        }
-    }
-
-    fn finish(&mut self) {
-        if !self.drawn {
+    /// Ends the digest: what rests on all rows together.
+    pub(super) fn finish(&mut self) {
+        if !self.head.drawn {
             self.peaks = peaks(self);
             return;
         }
         for (index, column) in self.columns.iter_mut().enumerate() {
-            let found = quantiles(self.rows.iter().map(|row| row.numbers[index]));
+            let found = quantiles(self.rows.iter().map(|row| number(row, index)));
             let shares = QUANTILES.map(|share| share.to_string());
             column.quantiles = found.map(|values| shares.into_iter().zip(values).collect());
         }
@@ -270,20 +206,14 @@ impl Digest {
         self.columns.iter().position(|column| column.name == name)
     }
 
-    /// The row of a run, if it is among those that are drawn.
-    pub(super) fn row(&self, run: u64) -> Option<&Row> {
-        let found = self.rows.binary_search_by_key(&run, |row| row.run);
-        found.ok().map(|place| &self.rows[place])
-    }
-
     /// The largest measured error of all runs that have one.
-    pub fn largest_error(&self) -> Option<f64> {
+    fn largest_error(&self) -> Option<f64> {
         let column = &self.columns[self.column("measured_error")?];
         (column.known > 0).then_some(column.highest)
     }
 
     /// Numbers of runs whose error was measured.
-    pub fn measured(&self) -> u64 {
+    fn measured(&self) -> u64 {
         let column = self.column("measured_error");
         column.map_or(0, |column| self.columns[column].known)
     }
@@ -308,30 +238,52 @@ impl Digest {
         text
     }
 
-    /// The digest for `runs.json`.
-    pub fn summary(&self) -> DigestSummary<'_> {
+    /// The document that seals the files of the study.
+    pub fn document(&self) -> Value {
+        let head = &self.head;
+        json!({
+            "jeffcott": head.jeffcott,
+            "title": head.title,
+            "study": { "study": head.study, "base": head.base },
+            "digest": self.json(),
+        })
+    }
+
+    /// The digest as it stands in the document and on the page.
+    pub(super) fn json(&self) -> Value {
         let known = self.columns.iter().filter(|column| column.known > 0);
-        DigestSummary {
-            runs: self.runs,
-            failed: self.failed,
-            failures: &self.failures,
-            warnings: &self.warnings,
-            largest_measured_error: self.largest_error(),
-            runs_with_measured_error: self.measured(),
-            numbers: known.map(|column| (column.name.as_str(), column)).collect(),
-            quantiles_of_every: self.drawn.then_some(self.stride),
-            resonances: &self.peaks,
-            sensitivities: &self.sensitivities,
-        }
+        let numbers: BTreeMap<_, _> = known.map(|column| (&column.name, column)).collect();
+        json!({
+            "runs": self.runs,
+            "failed": self.failed,
+            // the first of them
+            "failures": self.failures,
+            // those that differ by their numbers alone are one
+            "warnings": self.warnings,
+            "largest_measured_error": self.largest_error(),
+            "runs_with_measured_error": self.measured(),
+            "numbers": numbers,
+            // null where the runs were not drawn
+            "quantiles_of_every": self.head.drawn.then_some(self.stride),
+            // peaks along the only axis
+            "resonances": self.peaks,
+            // how the numbers follow the axes
+            "sensitivities": self.sensitivities,
+        })
     }
 }
 
-/// The unit that the values of an axis are written in, and how many of it make one of `si`.
-fn unit_of_axis(axis: &Value, si: &str) -> Option<(String, f64)> {
-    let listed = axis["values"].get(0).and_then(Value::as_str);
-    let bound = ["from", "mean"].iter().find_map(|key| axis[*key].as_str());
-    let (symbol, size) = written_unit(listed.or(bound)?, si)?;
-    Some((symbol.replacen("um", "µm", 1), size.recip()))
+/// A number of a run; NaN where it has none.
+pub(super) fn number(row: &RunRecord, column: usize) -> f64 {
+    let numbers = row.outcome.as_ref().ok().map(|outcome| &outcome.numbers);
+    numbers
+        .and_then(|numbers| numbers.get(column).copied())
+        .unwrap_or(f64::NAN)
+}
+
+/// Whether a run was come to from the value above.
+pub(super) fn is_down(row: &RunRecord) -> bool {
+    row.direction == Direction::Down
 }
 
 /// The words of a warning that are no numbers, but for the number of a bearing, bare of punctuation.
@@ -408,7 +360,7 @@ mod tests {
 
     #[test]
     fn a_run_counts_once_in_a_warning_and_bearings_have_their_own() {
-        let mut digest = Digest::empty(csv::StringRecord::new(), &Value::Null);
+        let mut digest = Digest::new(&StudyHead::of_tests());
         for run in [0, 1] {
             for bearing in [1, 2] {
                 for load in [310, 320] {

@@ -1,15 +1,14 @@
 //! What is drawn of a study: numbers along an axis and over two, places of the shaft, rank correlations.
 
-use std::collections::BTreeMap;
-use std::path::Path;
-
-use super::digest::{Digest, Row};
-use super::{each_row, number_in};
+use super::digest::{Digest, is_down, number};
+use super::rows::Rows;
 use crate::report::ReportError;
 use crate::report::figure::{
     Axis, Cell, Curve, Figure, GREY, Mark, Name, Panel, Point, distinct, ends, graded, padded,
 };
 use crate::report::terminal::MICRO;
+use crate::report::variable::{axis_name, key_in_words, variable_column};
+use crate::study::many::RunRecord;
 
 /// Height of a plot, px.
 const ROW_HEIGHT: u32 = 272;
@@ -33,6 +32,9 @@ type Edges = (Vec<f64>, Vec<f64>);
 
 /// Places of the shaft, and the run that each is of.
 type Places = (Vec<Point>, Vec<u64>);
+
+/// Most places of the shaft that are drawn, about: of more, those of every so many runs.
+const MOST_PLACES: usize = 200_000;
 
 /// Height of a bar, px.
 const BAR: u32 = 26;
@@ -85,25 +87,25 @@ pub(super) struct Shown {
 impl Digest {
     /// The numbers that the study names or else some of all that vary, as far as runs have them.
     pub(super) fn shown(&self) -> Vec<Shown> {
-        let names: Vec<&str> = match &self.named {
+        let names: Vec<&str> = match &self.head.named {
             Some(named) => named.iter().map(String::as_str).collect(),
             None => SHOWN.iter().map(|(name, _)| *name).collect(),
         };
         let known = |name: &&str| {
             let column = self.column(name)?;
             let digest = &self.columns[column];
-            let tells = digest.varies() || (self.named.is_some() && digest.known > 1);
+            let tells = digest.varies() || (self.head.named.is_some() && digest.known > 1);
             tells.then(|| shown(name, column))
         };
         names.iter().filter_map(known).collect()
     }
 
     /// Numbers along the only axis, by direction.
-    pub(super) fn response(&self, title: &str) -> Option<Figure> {
-        let [(axis, _)] = &self.labels[..] else {
+    pub(super) fn response(&self) -> Option<Figure> {
+        let [axis] = &self.head.axes[..] else {
             return None;
         };
-        let ends = self.ends(0)?;
+        let (axis, ends) = (axis_name(axis), self.ends(0)?);
         let shown = self.shown();
         if shown.is_empty() {
             return None;
@@ -111,15 +113,15 @@ impl Digest {
         let panels = shown.into_iter().map(|shown| {
             let both = [false, true].into_iter();
             let curves = both.filter_map(|down| self.curve(&shown, down)).collect();
-            Panel::of(Axis::spanning(axis, ends), shown.title, ROW_HEIGHT, curves)
+            Panel::of(Axis::spanning(&axis, ends), shown.title, ROW_HEIGHT, curves)
         });
-        let figure = Figure::new("response.svg", title, 2, panels.collect());
+        let figure = Figure::new("response.svg", &self.head.title, 2, panels.collect());
         Some(figure.with_names(self.directions()))
     }
 
     /// What the colours mean: how a run came to its value.
     fn directions(&self) -> Vec<Name> {
-        let is_there = |down| self.rows.iter().any(|row| row.down == down);
+        let is_there = |down| self.rows.iter().any(|row| is_down(row) == down);
         if is_there(false) && is_there(true) {
             Name::each(["up", "down"])
         } else {
@@ -128,17 +130,17 @@ impl Digest {
     }
 
     fn curve(&self, shown: &Shown, down: bool) -> Option<Curve> {
-        let rows = self.rows.iter().filter(|row| row.down == down);
+        let rows = self.rows.iter().filter(|row| is_down(row) == down);
         let mut found: Vec<(Point, u64)> = rows
             .map(|row| {
-                let value = shown.factor * row.numbers[shown.column];
+                let value = shown.factor * number(row, shown.column);
                 ((self.at(row, 0), value), row.run)
             })
             .filter(|((_, value), _)| value.is_finite())
             .collect();
         found.sort_by(|(a, _), (b, _)| a.0.total_cmp(&b.0));
         let (points, runs): (Vec<_>, Vec<_>) = found.into_iter().unzip();
-        let most_marks = if self.drawn { 0 } else { MOST_MARKS };
+        let most_marks = if self.head.drawn { 0 } else { MOST_MARKS };
         let colour = distinct(usize::from(down));
         (!points.is_empty()).then(|| Curve {
             runs,
@@ -147,26 +149,25 @@ impl Digest {
     }
 
     /// Places of the shaft over the only axis: the displacement that is spread most, by direction.
-    pub(super) fn bifurcation(
-        &self,
-        title: &str,
-        points: &Path,
-    ) -> Result<Option<Figure>, ReportError> {
-        let ([(axis, _)], Some([low, high])) = (&self.labels[..], self.ends(0)) else {
+    pub(super) fn bifurcation(&self, rows: &Rows) -> Result<Option<Figure>, ReportError> {
+        let head = &self.head;
+        let ([axis], Some([low, high])) = (&head.axes[..], self.ends(0)) else {
             return Ok(None);
         };
+        let displacements = head.displacements.iter().copied().enumerate();
+        let lengths = displacements.filter(|(_, channel)| channel.unit() == "m");
+        let lengths: Vec<_> = lengths.collect();
         // of every displacement: value of the axis and place in µm, up and down
-        let mut found: BTreeMap<String, [Places; 2]> = BTreeMap::new();
-        each_row(points, |names, record| {
-            let run = number_in(&record, 0) as u64;
-            let Some(row) = self.row(run) else { return };
-            for (place, name) in names.iter().enumerate().skip(2) {
-                if let Some(name) = name.strip_suffix("_m") {
-                    let places = found.entry(name.to_owned()).or_default();
-                    let point = (self.at(row, 0), MICRO * number_in(&record, place));
-                    let (points, runs) = &mut places[usize::from(row.down)];
-                    points.push(point);
-                    runs.push(run);
+        let mut found = vec![<[Places; 2]>::default(); lengths.len()];
+        let every = self.points.div_ceil(MOST_PLACES).max(1);
+        let drawn = self.rows.iter().step_by(every).map(|row| row.run);
+        rows.each_of(drawn, |row| {
+            let at = self.at(&row, 0);
+            for point in row.outcome.iter().flat_map(|outcome| &outcome.points) {
+                for (places, (index, _)) in found.iter_mut().zip(&lengths) {
+                    let (points, runs) = &mut places[usize::from(is_down(&row))];
+                    points.push((at, MICRO * point.displacement[*index]));
+                    runs.push(row.run);
                 }
             }
         })?;
@@ -174,16 +175,17 @@ impl Digest {
             let points = places.iter().flat_map(|(points, _)| points);
             padded(points.map(|point| point.1))
         };
-        let spread = |(_, places): &(String, [Places; 2])| {
+        let spread = |places: &[Places; 2]| {
             let range = range(places);
             range.end - range.start
         };
-        let found = found.into_iter();
-        let widest = found.max_by(|a, b| spread(a).total_cmp(&spread(b)));
-        let Some((name, places)) = widest else {
+        let found = found.into_iter().zip(lengths);
+        let found = found.filter(|(places, _)| places.iter().any(|(points, _)| !points.is_empty()));
+        let widest = found.max_by(|(a, _), (b, _)| spread(a).total_cmp(&spread(b)));
+        let Some((places, (_, channel))) = widest else {
             return Ok(None);
         };
-        let heights = Axis::over(format!("{name} in µm"), range(&places));
+        let heights = Axis::over(format!("{channel} in µm"), range(&places));
         let places = places.into_iter().enumerate();
         let dots = places.map(|(down, (points, runs))| Curve {
             mark: Mark::Spot,
@@ -192,15 +194,15 @@ impl Digest {
         });
         let panel = Panel {
             curves: dots.collect(),
-            ..Panel::new(Axis::over(axis, low..high), heights, HEIGHT)
+            ..Panel::new(Axis::over(axis_name(axis), low..high), heights, HEIGHT)
         };
-        let figure = Figure::new("bifurcation.svg", title, 1, vec![panel]);
+        let figure = Figure::new("bifurcation.svg", &head.title, 1, vec![panel]);
         Ok(Some(figure.with_names(self.directions())))
     }
 
     /// What the study names, or else vibration, over both axes of a grid.
-    pub(super) fn map(&self, title: &str) -> Option<Figure> {
-        if self.axes.len() != 2 || self.drawn || !self.is_complete() {
+    pub(super) fn map(&self) -> Option<Figure> {
+        if self.head.axes.len() != 2 || self.head.drawn || !self.is_complete() {
             return None;
         }
         let edges = [0, 1].map(|axis| edges(self.rows.iter().map(|row| self.at(row, axis))));
@@ -208,17 +210,21 @@ impl Digest {
             return None;
         };
         let mut shown = self.shown();
-        shown.truncate(if self.named.is_some() { MOST_MAPS } else { 1 });
+        shown.truncate(if self.head.named.is_some() {
+            MOST_MAPS
+        } else {
+            1
+        });
         let height = if shown.len() > 1 { MAP_HEIGHT } else { HEIGHT };
         let panels = shown
             .iter()
             .map(|shown| self.mapped(shown, [&x, &y], height));
-        (!shown.is_empty()).then(|| Figure::new("map.svg", title, 1, panels.collect()))
+        (!shown.is_empty()).then(|| Figure::new("map.svg", &self.head.title, 1, panels.collect()))
     }
 
     /// One number in every cell of the grid.
     fn mapped(&self, shown: &Shown, edges: [&Edges; 2], height: u32) -> Panel {
-        let value = |row: &Row| shown.factor * row.numbers[shown.column];
+        let value = |row: &RunRecord| shown.factor * number(row, shown.column);
         let range = padded(self.rows.iter().map(value));
         let span = range.end - range.start;
         let shade = |value: f64| {
@@ -242,7 +248,7 @@ impl Digest {
         });
         let [x, y] = [0, 1].map(|axis| {
             let edges = &edges[axis].1;
-            Axis::over(&self.labels[axis].0, edges[0]..edges[edges.len() - 1])
+            Axis::over(self.label(axis), edges[0]..edges[edges.len() - 1])
         });
         Panel {
             title: shown.title.clone(),
@@ -253,9 +259,9 @@ impl Digest {
     }
 
     /// The numbers shown over each of several axes whose values were drawn, a point a run.
-    pub(super) fn scatter(&self, title: &str) -> Option<Figure> {
-        let count = self.axes.len();
-        if count < 2 || !self.drawn {
+    pub(super) fn scatter(&self) -> Option<Figure> {
+        let count = self.head.axes.len();
+        if count < 2 || !self.head.drawn {
             return None;
         }
         let axes = 0..count.min(MOST_ACROSS);
@@ -266,13 +272,13 @@ impl Digest {
         });
         let panels: Vec<Panel> = panels.collect();
         let columns = count.min(MOST_ACROSS);
-        (!panels.is_empty()).then(|| Figure::new("scatter.svg", title, columns, panels))
+        (!panels.is_empty()).then(|| Figure::new("scatter.svg", &self.head.title, columns, panels))
     }
 
     /// One number over one axis.
     fn scattered(&self, shown: &Shown, axis: usize) -> Option<Panel> {
         let rows = self.rows.iter().map(|row| {
-            let value = shown.factor * row.numbers[shown.column];
+            let value = shown.factor * number(row, shown.column);
             ((self.at(row, axis), value), row.run)
         });
         let known = rows.filter(|((_, value), _)| value.is_finite());
@@ -284,7 +290,7 @@ impl Digest {
             runs,
             ..Curve::dots(distinct(0), points)
         };
-        let over = Axis::spanning(&self.labels[axis].0, self.ends(axis)?);
+        let over = Axis::spanning(self.label(axis), self.ends(axis)?);
         Some(Panel {
             curves: vec![dots],
             ..Panel::new(over, heights, ROW_HEIGHT)
@@ -292,7 +298,7 @@ impl Digest {
     }
 
     /// How much the numbers shown follow each axis.
-    pub(super) fn tornado(&self, title: &str) -> Option<Figure> {
+    pub(super) fn tornado(&self) -> Option<Figure> {
         let shown: Vec<_> = self.shown().iter().map(|shown| shown.column).collect();
         let mut bars = Vec::new();
         for sensitivity in &self.sensitivities {
@@ -302,9 +308,9 @@ impl Digest {
                 let mut axes: Vec<_> = correlations.collect();
                 axes.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
                 let name = |axis: &str| {
-                    let place = self.axes.iter().position(|known| known == axis);
-                    let label = place.map_or(axis, |place| self.labels[place].0.as_str());
-                    let label = label.split(" in ").next().unwrap_or(label);
+                    let mut axes = self.head.axes.iter();
+                    let variable = axes.find(|known| variable_column(known).name() == axis);
+                    let label = variable.map_or_else(|| axis.to_owned(), key_in_words);
                     format!("{} by {label}", sensitivity.number)
                 };
                 bars.extend(axes.into_iter().map(|(axis, part)| (name(axis), *part)));
@@ -331,13 +337,17 @@ impl Digest {
                 BAR * count as u32,
             )
         };
-        let title = format!("{title}: rank correlation");
+        let title = format!("{}: rank correlation", self.head.title);
         Some(Figure::new("sensitivity.svg", &title, 1, vec![panel]))
     }
 
+    fn label(&self, axis: usize) -> String {
+        axis_name(&self.head.axes[axis])
+    }
+
     /// Value of an axis in a row, in the unit of its label.
-    pub(super) fn at(&self, row: &Row, axis: usize) -> f64 {
-        self.labels[axis].1 * row.values[axis]
+    pub(super) fn at(&self, row: &RunRecord, axis: usize) -> f64 {
+        self.head.axes[axis].shown(row.values[axis])
     }
 
     /// Least and largest value of an axis, in the unit of its label.

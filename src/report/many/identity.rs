@@ -1,8 +1,8 @@
-//! How the scenarios of two studies differ.
+//! How two studies differ.
 
 use serde_json::Value;
 
-/// The first key in which two scenarios differ, with the values there and here.
+/// The first key in which two documents differ, with the values there and here.
 pub(super) fn first_difference(there: &Value, here: &Value) -> Option<[String; 3]> {
     let (Value::Object(entries), Value::Object(others)) = (there, here) else {
         return (there != here).then(|| [String::new(), there.to_string(), here.to_string()]);

@@ -1,50 +1,24 @@
 //! Makes the runs of a study, or of a part of it, and writes their files.
 
+use std::collections::BTreeSet;
 use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
-use super::{Digest, JournalError, StudyReport, Traces};
+use super::rows::{RowFile, Rows, StudyHead};
+use super::traces::{self, Traces};
+use super::{Digest, StudyError, write};
 use crate::analysis::Channel;
-use crate::report::ReportError;
+use crate::report::{FileSet, RunFolder};
 use crate::scenario::StudyFile;
 use crate::simulate::Model;
 use crate::study::many::{Maker, Schedule, Shard, Unmade, work};
 
-/// Why a study did not come to its end, in words.
-#[derive(Debug, thiserror::Error)]
-pub enum MakeError {
-    /// Nothing can be made of its first values.
-    #[error("the first point of the study is no scenario: {0}")]
-    First(String),
-    /// The runs that an earlier attempt has kept cannot be gone on from.
-    #[error(transparent)]
-    Journal(#[from] JournalError),
-    /// A file cannot be written or drawn.
-    #[error(transparent)]
-    Report(#[from] ReportError),
-    /// The study has fewer parts.
-    #[error(
-        "there is no part {number} of {count}: the study can be divided into at most {most} parts"
-    )]
-    NoPart {
-        /// The part that was asked for.
-        number: u64,
-        /// Of how many.
-        count: u64,
-        /// How many there can be.
-        most: u64,
-    },
-    /// It was to stop, or the trace of a run cannot be kept.
-    #[error(transparent)]
-    Unmade(#[from] Unmade),
-}
-
 /// A checked study whose first run can be made.
 #[derive(Debug)]
 pub struct StudyRuns<'a> {
-    pub(super) study: &'a StudyFile,
+    study: &'a StudyFile,
     /// Its runs and in which order they are made.
     pub schedule: Schedule,
     /// The motion of its first run.
@@ -78,8 +52,8 @@ impl<'a> StudyRuns<'a> {
     /// The runs of a study.
     ///
     /// # Errors
-    /// [`MakeError::First`] where its first values make no scenario.
-    pub fn new(study: &'a StudyFile) -> Result<Self, MakeError> {
+    /// [`StudyError::First`] where its first values make no scenario.
+    pub fn new(study: &'a StudyFile) -> Result<Self, StudyError> {
         let plan = &study.plan;
         let points = plan.runs().unwrap_or(u64::MAX);
         let last = plan.axes.last().map_or(1, |axis| axis.length());
@@ -87,7 +61,7 @@ impl<'a> StudyRuns<'a> {
         Ok(Self {
             study,
             schedule: Schedule::new(points, last, study.sweep),
-            first: first.map_err(|error| MakeError::First(error.message))?,
+            first: first.map_err(|error| StudyError::First(error.message))?,
         })
     }
 
@@ -97,36 +71,104 @@ impl<'a> StudyRuns<'a> {
         runs.end - runs.start
     }
 
-    /// Makes the runs of one part, from those on that an earlier attempt has kept, and writes its files; returns their
+    /// What the rows of a part begin with.
+    fn head(&self, shard: Shard) -> StudyHead {
+        let study = self.study;
+        let moving = self.first.rotor.shaft.freedoms.axes().iter();
+        let displacements = moving.map(|axis| Channel::Displacement(*axis));
+        let [asked, base] = ["study", "base"].map(|key| study.echo[key].clone());
+        StudyHead {
+            jeffcott: env!("CARGO_PKG_VERSION").to_owned(),
+            title: study.title.clone(),
+            named: serde_json::from_value(asked["keep"]["numbers"].clone()).ok(),
+            study: asked,
+            base,
+            shard,
+            runs: self.schedule.runs_of(shard.chains(&self.schedule)),
+            axes: study.variables.clone(),
+            numbers: study.columns.iter().map(|own| own.column.name()).collect(),
+            displacements: displacements.collect(),
+            keep: study.keep,
+            drawn: study.plan.is_drawn(),
+            swept: study.sweep.is_some(),
+        }
+    }
+
+    /// Opens the folder and the rows of a part, behind those that an earlier attempt has kept.
+    ///
+    /// # Errors
+    /// [`StudyError`] where the folder cannot be written, or holds runs of another study.
+    pub(crate) fn open(&self, making: &Making<'_>) -> Result<(RunFolder, RowFile), StudyError> {
+        let shard = making.shard;
+        let (folder, name) = match shard {
+            Shard::WHOLE => {
+                let folder = RunFolder::open(making.folder, FileSet::RUNS)?;
+                (folder, "runs.jsonl".to_owned())
+            }
+            Shard { number, count } => {
+                let folder = RunFolder::open_for_part(making.folder, FileSet::RUNS)?;
+                (folder, format!("runs.part-{number}-of-{count}.jsonl"))
+            }
+        };
+        let rows = RowFile::open(&folder.path().join(name), self.head(shard), making.anew)?;
+        let (own, all) = (&rows.head.runs, self.schedule.runs());
+        let has_traces = traces::stand(folder.path())? || self.study.keep.traces;
+        traces::remove_unfinished(folder.path(), own, all)?;
+        if has_traces && rows.count == 0 {
+            // traces are put in place one by one: what sealed those of an earlier study goes before them
+            folder.unseal(&[FileSet::RUNS.seal])?;
+            traces::remove_stale(folder.path(), own, all)?;
+        }
+        Ok((folder, rows))
+    }
+
+    /// Makes the runs of one part, behind those that an earlier attempt has kept, and writes its files; returns their
     /// paths and, of a whole study, its digest.
     ///
     /// # Errors
-    /// [`MakeError`].
+    /// [`StudyError`].
     pub fn make(
         &self,
         making: &Making<'_>,
         watch: &mut StudyWatch<'_>,
-    ) -> Result<(Vec<PathBuf>, Option<Digest>), MakeError> {
-        let (study, shard) = (self.study, making.shard);
+    ) -> Result<(Vec<PathBuf>, Option<Digest>), StudyError> {
+        let Shard { number, count } = making.shard;
         let most = self.schedule.chains();
-        if shard.count > most.max(1) {
-            let Shard { number, count } = shard;
-            return Err(MakeError::NoPart {
+        if count > most.max(1) {
+            return Err(StudyError::NoPart {
                 number,
                 count,
                 most,
             });
         }
-        let mut report = StudyReport::open(self, making)?;
-        let chains = shard.chains(&self.schedule);
-        let count = chains.end - chains.start;
-        let kept = report.journal.done.clone();
-        let is_done = |chain: &u64| kept.holds(*chain);
-        let mut done = chains.clone().filter(is_done).count() as u64;
-        if done > 0 {
-            let runs = chains.clone().filter(is_done);
-            (watch.resumed)(runs.map(|chain| self.runs_of(chain..chain + 1)).sum());
+        let (folder, mut rows) = self.open(making)?;
+        if rows.count > 0 {
+            (watch.resumed)(rows.count);
         }
+        self.add_missing(&mut rows, making, watch)?;
+        let rows = Rows::of_one(rows);
+        if making.shard != Shard::WHOLE {
+            traces::sync(folder.path(), &rows)?;
+            return Ok((rows.synced()?, None));
+        }
+        let (paths, digest) = write(folder, &rows)?;
+        Ok((paths, Some(digest)))
+    }
+
+    /// Makes the runs of a part that have no row, and adds their rows.
+    fn add_missing(
+        &self,
+        rows: &mut RowFile,
+        making: &Making<'_>,
+        watch: &mut StudyWatch<'_>,
+    ) -> Result<(), StudyError> {
+        let (study, schedule) = (self.study, self.schedule);
+        let chains = making.shard.chains(&schedule);
+        let is_done = |chain: &u64| {
+            let mut runs = schedule.runs_of(*chain..chain + 1);
+            runs.all(|run| rows.holds(run))
+        };
+        let done: BTreeSet<u64> = chains.clone().filter(is_done).collect();
         let channels = || Channel::of_trace_in(&study.echo["base"], &self.first.rotor);
         let traces = study
             .keep
@@ -140,29 +182,27 @@ impl<'a> StudyRuns<'a> {
         let model = |values: &[f64]| study.model(values).map_err(|error| error.message);
         let maker = Maker {
             traces: traces.is_some().then_some(&keep),
-            ..study.maker(self.schedule, &model, watch.stop)
+            ..study.maker(schedule, &model, watch.stop)
         };
+        let all = self.runs_of(chains.clone()) as f64;
         work(
-            chains.filter(|chain| !is_done(chain)),
+            chains.filter(|chain| !done.contains(chain)),
             making.threads,
             watch.stop,
-            |chain| maker.chain(chain),
-            |chain, records| -> Result<(), MakeError> {
-                let records = match records {
-                    Ok(records) => records,
+            |chain, hand| maker.chain(chain, hand),
+            |row| -> Result<(), StudyError> {
+                match row {
                     // it is made again when the study goes on
                     Err(Unmade::Stopped) => return Ok(()),
-                    Err(unmade) => return Err(unmade.into()),
-                };
-                report.add(chain, &records)?;
-                done += 1;
-                (watch.progress)(done as f64 / count as f64);
+                    row => rows.add(&row?)?,
+                }
+                (watch.progress)(rows.count as f64 / all);
                 Ok(())
             },
         )?;
-        if done < count {
-            return Err(Unmade::Stopped.into());
+        match rows.missing() {
+            0 => Ok(()),
+            _ => Err(Unmade::Stopped.into()),
         }
-        Ok(report.finish()?)
     }
 }

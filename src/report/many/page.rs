@@ -5,8 +5,11 @@ use std::io::{self, Write};
 use serde_json::{Value, json};
 
 use super::digest::Digest;
+use super::tables::{run_names, run_row};
+use crate::report::FileSet;
 use crate::report::figure::Figure;
 use crate::report::page::{Frame, figures_json};
+use crate::report::variable::{axis_name, variable_column};
 
 const SCRIPT: &str = include_str!("page.js");
 
@@ -19,27 +22,28 @@ const ALWAYS_SHOWN: [&str; 2] = ["period_cycles", "measured_error"];
 ///
 /// It holds nothing that depends on threads, parts or the clock.
 pub(super) fn write_page(
-    title: &str,
-    identity: &Value,
     digest: &Digest,
     figures: &[Figure],
     out: &mut impl Write,
 ) -> io::Result<()> {
+    let head = &digest.head;
+    let shown = digest.shown().into_iter();
+    let shown: Vec<_> = shown.map(|shown| &head.numbers[shown.column]).collect();
     let data = json!({
-        "title": title,
-        "jeffcott": env!("CARGO_PKG_VERSION"),
-        "study": shortened(identity["study"].clone()),
-        "base": identity["base"],
-        "axes": digest.axes,
-        "labels": digest.labels.iter().map(|(label, _)| label.clone()).collect::<Value>(),
-        "digest": digest.summary(),
-        "shown": digest.shown().iter().map(|shown| digest.columns[shown.column].name.clone()).collect::<Value>(),
-        "rows": first_rows(digest, !identity["study"]["sweep"].is_null()),
+        "title": head.title,
+        "jeffcott": head.jeffcott,
+        "study": shortened(head.study.clone()),
+        "base": head.base,
+        "axes": head.axes.iter().map(|axis| variable_column(axis).name()).collect::<Value>(),
+        "labels": head.axes.iter().map(axis_name).collect::<Value>(),
+        "digest": digest.json(),
+        "shown": shown,
+        "rows": first_rows(digest),
         "figures": figures_json(figures),
     });
     let frame = Frame {
-        title,
-        sealed: "runs.json",
+        title: &head.title,
+        sealed: FileSet::RUNS.seal,
         styles: "",
         scripts: &[SCRIPT],
     };
@@ -60,9 +64,10 @@ fn shortened(mut study: Value) -> Value {
 }
 
 /// The first runs with the columns that say most.
-fn first_rows(digest: &Digest, swept: bool) -> Value {
-    let start = 2 + digest.axes.len();
-    let mut places: Vec<usize> = (0..start).filter(|k| swept || *k != 1).collect();
+fn first_rows(digest: &Digest) -> Value {
+    let head = &digest.head;
+    let start = 2 + head.axes.len();
+    let mut places: Vec<usize> = (0..start).filter(|k| head.swept || *k != 1).collect();
     let shown = digest.shown().into_iter().map(|shown| shown.column);
     let always = ALWAYS_SHOWN.iter().filter_map(|name| digest.column(name));
     for column in shown.chain(always) {
@@ -71,12 +76,7 @@ fn first_rows(digest: &Digest, swept: bool) -> Value {
         }
     }
     places.push(start + digest.columns.len());
-    let cells = |row: &csv::StringRecord| -> Value {
-        let cells = places.iter().map(|place| row.get(*place));
-        cells.map(Option::unwrap_or_default).collect()
-    };
-    json!({
-        "names": cells(&digest.names),
-        "cells": digest.first.iter().map(cells).collect::<Value>(),
-    })
+    let cells = |row: Vec<String>| -> Value { places.iter().map(|place| &*row[*place]).collect() };
+    let rows = digest.first.iter().map(|row| run_row(head, row));
+    json!({ "names": cells(run_names(head)), "cells": rows.map(cells).collect::<Value>() })
 }

@@ -1,21 +1,14 @@
 //! Stiffness over speed as the rotor dynamics program ROSS reads it: a `BearingElement` a file.
 
 use std::fmt::Write as _;
-use std::path::Path;
 
-use serde_json::Value;
-
-use super::digest::{Digest, Row};
-use super::{each_row, number_in};
-use crate::report::ReportError;
-use crate::study::many::BearingStiffness;
+use super::digest::{Digest, is_down};
+use super::rows::StudyHead;
+use crate::report::variable::variable_column;
+use crate::study::many::{BearingStiffness, RunRecord};
 
 /// Most files.
 const MOST_FILES: usize = 1000;
-/// Where the entries of K and C begin in a row of the table, behind run, bearing and speed.
-const START: usize = 3;
-/// Entries of K and of C.
-const ENTRIES: usize = BearingStiffness::ENTRIES.len();
 
 /// What one file holds: a bearing at one place of all axes but the speed.
 #[derive(Debug, PartialEq)]
@@ -23,78 +16,64 @@ struct Table {
     bearing: usize,
     /// Values of the axes but the speed, with their names.
     at: Vec<(String, f64)>,
-    /// Speed, and the entries of K and C there.
-    rows: Vec<(f64, [f64; 2 * ENTRIES])>,
+    /// Entries of K and C by the speed.
+    rows: Vec<BearingStiffness>,
 }
 
-/// Names and contents of the files of a grid, by the table `stiffness.csv`: a file a bearing and a place of
-/// all axes but the speed, numbered where there is more than one.
+/// Names and contents of the files of a grid: a file a bearing and a place of all axes but the speed, numbered where
+/// there is more than one.
 ///
 /// Read by `BearingElement.load` of ROSS 3: TOML, speeds of the rotor in rad/s, SI units. ROSS 2 calls them `frequency`, which in
 /// ROSS 3 is the frequency of whirl.
-pub(super) fn ross_files(
-    title: &str,
-    identity: &Value,
-    digest: &Digest,
-    stiffness: &Path,
-) -> Result<Vec<(String, String)>, ReportError> {
-    if digest.drawn || !digest.is_complete() {
-        return Ok(Vec::new());
+pub(super) fn ross_files(digest: &Digest) -> Vec<(String, String)> {
+    if digest.head.drawn || !digest.is_complete() {
+        return Vec::new();
     }
-    let tables = tables(identity, digest, stiffness)?;
+    let tables = tables(digest);
     let bearings = tables.iter().map(|table| table.bearing).max().unwrap_or(0);
     let mut places = vec![0; bearings];
     let alone = tables.len() <= bearings;
     let files = tables.into_iter().map(|mut table| {
-        table.rows.sort_by(|a, b| a.0.total_cmp(&b.0));
-        table.rows.dedup_by(|a, b| a.0 == b.0);
+        table.rows.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+        table.rows.dedup_by(|a, b| a.speed == b.speed);
         places[table.bearing - 1] += 1;
         let name = match places[table.bearing - 1] {
             _ if alone => format!("ross_bearing_{}.toml", table.bearing),
             place => format!("ross_bearing_{}_{place}.toml", table.bearing),
         };
-        (name, table.text(title))
+        (name, table.text(&digest.head.title))
     });
-    Ok(files.collect())
+    files.collect()
 }
 
-fn tables(identity: &Value, digest: &Digest, path: &Path) -> Result<Vec<Table>, ReportError> {
+fn tables(digest: &Digest) -> Vec<Table> {
     let mut tables: Vec<Table> = Vec::new();
-    each_row(path, |_, record| {
-        let number = |place: usize| number_in(&record, place);
-        let (run, bearing) = (number(0) as u64, number(1) as usize);
-        let Some(row) = digest.row(run).filter(|row| !row.down) else {
-            return;
-        };
-        let at = places(identity, digest, row);
-        let entries = std::array::from_fn(|k| number(START + k));
-        let entry = (number(2), entries);
-        let known = tables
-            .iter()
-            .rposition(|table| table.bearing == bearing && table.at == at);
-        match known {
-            Some(table) => tables[table].rows.push(entry),
-            None if bearing > 0 && tables.len() < MOST_FILES => tables.push(Table {
-                bearing,
-                at,
-                rows: vec![entry],
-            }),
-            None => {}
+    for row in digest.rows.iter().filter(|row| !is_down(row)) {
+        let at = places(&digest.head, row);
+        for entry in row.outcome.iter().flat_map(|outcome| &outcome.stiffness) {
+            let is_there = |table: &Table| table.bearing == entry.bearing && table.at == at;
+            match tables.iter().rposition(is_there) {
+                Some(table) => tables[table].rows.push(*entry),
+                None if (1..=MOST_FILES).contains(&entry.bearing) && tables.len() < MOST_FILES => {
+                    tables.push(Table {
+                        bearing: entry.bearing,
+                        at: at.clone(),
+                        rows: vec![*entry],
+                    });
+                }
+                None => {}
+            }
         }
-    })?;
-    Ok(tables)
+    }
+    tables
 }
 
 /// Values of a run's axes but the speed.
-fn places(identity: &Value, digest: &Digest, row: &Row) -> Vec<(String, f64)> {
-    let speed = |axis: usize| {
-        let key = identity["study"]["axis"][axis]["key"].as_str();
-        key.is_some_and(|key| key.starts_with("speed."))
-    };
-    let axes = digest.axes.iter().zip(&row.values).enumerate();
-    let others = axes.filter(|(axis, _)| !speed(*axis));
+fn places(head: &StudyHead, row: &RunRecord) -> Vec<(String, f64)> {
+    let axes = head.axes.iter().zip(&row.values);
+    let others = axes.filter(|(axis, _)| !axis.key.starts_with("speed."));
     others
-        .map(|(_, (name, value))| (name.clone(), *value))
+        .map(|(axis, value)| (variable_column(axis).name(), *value))
         .collect()
 }
 
@@ -119,12 +98,13 @@ impl Table {
             text,
             "[BearingElement_bearing_{bearing}]\nn = 0\ntag = \"bearing_{bearing}\""
         );
-        let speeds: Vec<f64> = self.rows.iter().map(|row| row.0).collect();
+        let speeds: Vec<f64> = self.rows.iter().map(|row| row.speed).collect();
         let _ = writeln!(text, "speed = {speeds:?}");
-        for (offset, letter) in [(0, 'k'), (ENTRIES, 'c')] {
+        let parts: [(char, fn(&BearingStiffness) -> &[f64]); 2] =
+            [('k', |row| &row.stiffness), ('c', |row| &row.damping)];
+        for (letter, part) in parts {
             for (place, (entry, _)) in BearingStiffness::ENTRIES.iter().enumerate() {
-                let column = self.rows.iter().map(|row| row.1[offset + place]);
-                let column: Vec<f64> = column.collect();
+                let column: Vec<f64> = self.rows.iter().map(|row| part(row)[place]).collect();
                 let _ = writeln!(text, "{letter}{entry} = {column:?}");
             }
         }

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use super::digest::{ColumnDigest, Digest};
+use super::digest::{ColumnDigest, Digest, is_down, number};
+use crate::report::variable::variable_column;
 
 /// Numbers whose peaks are told, by the end of their columns.
 const TOLD: [&str; 2] = ["_rms_m", "_order_1_m"];
@@ -32,7 +33,7 @@ pub(super) struct ResponsePeak {
 
 /// The peaks of a study of one axis on a grid.
 pub(super) fn peaks(digest: &Digest) -> Vec<ResponsePeak> {
-    if digest.axes.len() != 1 || !digest.is_complete() {
+    if digest.head.axes.len() != 1 || !digest.is_complete() {
         return Vec::new();
     }
     let columns = digest.columns.iter().enumerate();
@@ -41,9 +42,9 @@ pub(super) fn peaks(digest: &Digest) -> Vec<ResponsePeak> {
     });
     told.flat_map(|(index, column)| {
         [false, true].into_iter().flat_map(move |down| {
-            let rows = digest.rows.iter().filter(|row| row.down == down);
+            let rows = digest.rows.iter().filter(|row| is_down(row) == down);
             let mut curve: Vec<_> = rows
-                .map(|row| (row.values[0], row.numbers[index]))
+                .map(|row| (row.values[0], number(row, index)))
                 .collect();
             curve.retain(|(_, value)| value.is_finite());
             curve.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -132,17 +133,17 @@ pub(super) fn sensitivities(digest: &Digest) -> Vec<Sensitivity> {
         let known: Vec<_> = digest
             .rows
             .iter()
-            .filter(|row| !row.numbers[index].is_nan())
+            .filter(|row| !number(row, index).is_nan())
             .collect();
         let column = &digest.columns[index];
         if known.len() < FEWEST_RUNS || column.lowest == column.highest {
             return None;
         }
-        let numbers = ranks(known.iter().map(|row| row.numbers[index]));
-        let axes = digest.axes.iter().enumerate();
-        let axes = axes.map(|(axis, name)| {
+        let numbers = ranks(known.iter().map(|row| number(row, index)));
+        let axes = digest.head.axes.iter().enumerate();
+        let axes = axes.map(|(axis, variable)| {
             let values = ranks(known.iter().map(|row| row.values[axis]));
-            (name.clone(), correlation(&values, &numbers))
+            (variable_column(variable).name(), correlation(&values, &numbers))
         });
         Some(Sensitivity {
             number: column.name.clone(),

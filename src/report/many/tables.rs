@@ -1,20 +1,24 @@
 //! The tables of a study: a row a run, a row a line of its spectrum, a row a point.
 
-use std::io::{self, Write};
+use std::io;
+use std::path::PathBuf;
 
-use super::StudyRuns;
-use crate::analysis::Channel;
+use super::rows::StudyHead;
 use crate::report::spectra::amplitude_column;
-use crate::report::study::variable_column;
 use crate::report::table::{cell, number};
-use crate::study::many::{BearingStiffness, Keep, RunRecord, TraceSeal};
+use crate::report::variable::variable_column;
+use crate::report::{FileAction, PartialFile, ReportError, RunFolder, WholeFile};
+use crate::study::many::{BearingStiffness, Keep, Outcome, RunRecord, TraceSeal};
 
 /// What stands between two warnings of a run.
-pub(super) const BETWEEN_WARNINGS: &str = " | ";
+const BETWEEN_WARNINGS: &str = " | ";
+
+/// The cells of a row, as texts.
+type Cells = Vec<String>;
 
 /// A table of a study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Table {
+enum Table {
     /// Values and numbers of every run.
     Runs,
     /// Amplitudes of every run.
@@ -28,30 +32,13 @@ pub(super) enum Table {
 }
 
 impl Table {
-    /// All of them, in the order in which a journal holds them.
-    pub const ALL: [Self; 5] = [
+    const ALL: [Self; 5] = [
         Self::Runs,
         Self::Spectra,
         Self::Points,
         Self::Stiffness,
         Self::Traces,
     ];
-
-    /// File name without ending.
-    pub fn stem(self) -> &'static str {
-        match self {
-            Self::Runs => "runs",
-            Self::Spectra => "spectra",
-            Self::Points => "poincare",
-            Self::Stiffness => "stiffness",
-            Self::Traces => "traces",
-        }
-    }
-
-    /// Those that a study has.
-    pub fn kept(keep: &Keep) -> impl Iterator<Item = Self> {
-        Self::ALL.into_iter().filter(|table| table.is_kept(keep))
-    }
 
     fn is_kept(self, keep: &Keep) -> bool {
         match self {
@@ -62,105 +49,83 @@ impl Table {
             Self::Traces => keep.traces,
         }
     }
+
+    fn file(self) -> &'static str {
+        match self {
+            Self::Runs => "runs.csv",
+            Self::Spectra => "spectra.csv",
+            Self::Points => "poincare.csv",
+            Self::Stiffness => "stiffness.csv",
+            Self::Traces => "traces.csv",
+        }
+    }
+
+    /// The line of names.
+    fn names(self, head: &StudyHead) -> Cells {
+        let displacements = head.displacements.iter().copied();
+        let names: Cells = match self {
+            Self::Runs => return run_names(head),
+            Self::Spectra => ["frequency_Hz", "order"]
+                .map(str::to_owned)
+                .into_iter()
+                .chain(displacements.map(|of| amplitude_column(of).name()))
+                .collect(),
+            Self::Points => std::iter::once("time_s".to_owned())
+                .chain(displacements.map(|of| of.column().name()))
+                .collect(),
+            Self::Stiffness => stiffness_columns().collect(),
+            Self::Traces => ["bytes", "checksum"].map(str::to_owned).to_vec(),
+        };
+        std::iter::once("run".to_owned()).chain(names).collect()
+    }
+
+    /// The rows of a run, but for the table of runs, each without the number of the run.
+    fn rows(self, outcome: &Outcome) -> Vec<Cells> {
+        let row = |start: Cells, numbers: &[f64]| -> Cells {
+            let numbers = numbers.iter().copied().map(number);
+            start.into_iter().chain(numbers).collect()
+        };
+        match self {
+            Self::Runs => Vec::new(),
+            Self::Spectra => (outcome.spectrum.iter())
+                .map(|line| {
+                    let start = vec![number(line.frequency), cell(line.order)];
+                    row(start, &line.amplitudes)
+                })
+                .collect(),
+            Self::Points => (outcome.points.iter())
+                .map(|point| row(vec![number(point.time)], &point.displacement))
+                .collect(),
+            Self::Stiffness => (outcome.stiffness.iter())
+                .map(|of| {
+                    let start = vec![of.bearing.to_string(), number(of.speed)];
+                    row(start, &[of.stiffness, of.damping].concat())
+                })
+                .collect(),
+            Self::Traces => (outcome.trace.iter())
+                .map(|TraceSeal { bytes, checksum }| {
+                    vec![bytes.to_string(), format!("{checksum:016x}")]
+                })
+                .collect(),
+        }
+    }
 }
 
-/// The line of names of a table.
-pub(super) fn header(runs: &StudyRuns<'_>, table: Table) -> Vec<String> {
-    let axes = runs.first.rotor.shaft.freedoms.axes().iter();
-    let displacements = axes.copied().map(Channel::Displacement);
-    let mut names = vec!["run".to_owned()];
-    match table {
-        Table::Runs => {
-            names.push("direction".to_owned());
-            names.extend(
-                runs.study
-                    .variables
-                    .iter()
-                    .map(|of| variable_column(of).name()),
-            );
-            names.extend(runs.study.columns.iter().map(|number| number.column.name()));
-            names.extend(["status", "error", "warnings"].map(str::to_owned));
-        }
-        Table::Spectra => {
-            names.extend(["frequency_Hz", "order"].map(str::to_owned));
-            names.extend(displacements.map(|of| amplitude_column(of).name()));
-        }
-        Table::Points => {
-            names.push("time_s".to_owned());
-            names.extend(displacements.map(|of| of.column().name()));
-        }
-        Table::Stiffness => names.extend(stiffness_columns()),
-        Table::Traces => names.extend(["bytes", "checksum"].map(str::to_owned)),
-    }
+/// Names of the columns of the table of runs.
+pub(super) fn run_names(head: &StudyHead) -> Cells {
+    let start = ["run", "direction"].map(str::to_owned);
+    let end = ["status", "error", "warnings"].map(str::to_owned);
+    let axes = head.axes.iter().map(|axis| variable_column(axis).name());
+    let names = start.into_iter().chain(axes);
     names
+        .chain(head.numbers.iter().cloned())
+        .chain(end)
+        .collect()
 }
 
-/// The rows of some runs in all tables, as a journal holds them: the text of each in one line of JSON.
-pub(super) fn content(runs: &StudyRuns<'_>, records: &[RunRecord]) -> io::Result<String> {
-    let numbers = runs.study.columns.len();
-    let texts = Table::ALL.map(|table| rows(table, records, numbers));
-    let texts: io::Result<Vec<_>> = texts.into_iter().collect();
-    Ok(serde_json::to_string(&texts?)?)
-}
-
-fn rows(table: Table, records: &[RunRecord], numbers: usize) -> io::Result<String> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for record in records {
-        for row in rows_of(table, record, numbers) {
-            writer.write_record(row)?;
-        }
-    }
-    let bytes = writer.into_inner().map_err(|error| error.into_error())?;
-    String::from_utf8(bytes).map_err(io::Error::other)
-}
-
-/// The rows of a run in a table, each behind the number of the run; one that failed has `numbers` empty cells.
-fn rows_of(table: Table, record: &RunRecord, numbers: usize) -> Vec<Vec<String>> {
-    if table == Table::Runs {
-        return vec![run_row(record, numbers)];
-    }
-    let Ok(outcome) = &record.outcome else {
-        return Vec::new();
-    };
-    let run = record.turn.number.to_string();
-    let row = |start: &[String], numbers: &[f64]| -> Vec<String> {
-        let start = std::iter::once(&run).chain(start).cloned();
-        start.chain(numbers.iter().copied().map(number)).collect()
-    };
-    let spectrum = outcome.spectrum.iter();
-    let points = outcome.points.iter();
-    let bearings = outcome.stiffness.iter();
-    let traces = outcome.trace.iter();
-    match table {
-        Table::Runs => Vec::new(),
-        Table::Spectra => spectrum
-            .map(|line| {
-                let start = [number(line.frequency), cell(line.order)];
-                row(&start, &line.amplitudes)
-            })
-            .collect(),
-        Table::Points => points
-            .map(|point| row(&[number(point.time)], &point.displacement))
-            .collect(),
-        Table::Stiffness => bearings
-            .map(|of| {
-                let start = [of.bearing.to_string(), number(of.speed)];
-                row(&start, &[of.stiffness, of.damping].concat())
-            })
-            .collect(),
-        Table::Traces => traces
-            .map(|TraceSeal { bytes, checksum }| {
-                row(&[bytes.to_string(), format!("{checksum:016x}")], &[])
-            })
-            .collect(),
-    }
-}
-
-fn run_row(record: &RunRecord, numbers: usize) -> Vec<String> {
-    let mut row = vec![
-        record.turn.number.to_string(),
-        record.turn.direction.name().to_owned(),
-    ];
+/// A row of the table of runs.
+pub(super) fn run_row(head: &StudyHead, record: &RunRecord) -> Cells {
+    let mut row = vec![record.run.to_string(), record.direction.name().to_owned()];
     row.extend(record.values.iter().map(|value| number(*value)));
     match &record.outcome {
         Ok(outcome) => {
@@ -171,7 +136,7 @@ fn run_row(record: &RunRecord, numbers: usize) -> Vec<String> {
             row.extend(["done".to_owned(), String::new(), warnings]);
         }
         Err(message) => {
-            row.extend(vec![String::new(); numbers]);
+            row.extend(vec![String::new(); head.numbers.len()]);
             let message = message.replace(['\n', '\r'], " ");
             row.extend(["failed".to_owned(), message, String::new()]);
         }
@@ -190,16 +155,59 @@ fn stiffness_columns() -> impl Iterator<Item = String> {
     start.into_iter().chain(entries)
 }
 
-/// Writes the rows that a journal holds of a table.
-pub(super) fn write_rows(content: &str, table: Table, out: &mut impl Write) -> io::Result<()> {
-    let texts: Vec<String> = serde_json::from_str(content)?;
-    let rows = texts.get(table as usize);
-    out.write_all(rows.ok_or(io::ErrorKind::InvalidData)?.as_bytes())
+/// The tables of a study while they are written.
+pub(super) struct Tables<'a> {
+    head: &'a StudyHead,
+    files: Vec<(Table, PathBuf, csv::Writer<PartialFile>)>,
 }
 
-/// Writes the line of names of a table.
-pub(super) fn write_header(header: &[String], out: &mut impl Write) -> io::Result<()> {
-    let mut writer = csv::Writer::from_writer(out);
-    writer.write_record(header)?;
-    writer.flush()
+impl<'a> Tables<'a> {
+    /// Begins the tables that the study keeps.
+    pub fn begin(folder: &RunFolder, head: &'a StudyHead) -> Result<Self, ReportError> {
+        let kept = Table::ALL
+            .into_iter()
+            .filter(|table| table.is_kept(&head.keep));
+        let begin = |table: Table| {
+            let file = folder.create(table.file())?;
+            let path = file.path().to_owned();
+            let mut writer = csv::Writer::from_writer(file);
+            let written = writer.write_record(table.names(head));
+            written.map_err(refused(&path))?;
+            Ok((table, path, writer))
+        };
+        let files = kept.map(begin).collect::<Result<_, _>>()?;
+        Ok(Self { head, files })
+    }
+
+    /// Adds the rows of a run.
+    pub fn add(&mut self, record: &RunRecord) -> Result<(), ReportError> {
+        let run = record.run.to_string();
+        for (table, path, writer) in &mut self.files {
+            let written = match (&table, &record.outcome) {
+                (Table::Runs, _) => writer.write_record(run_row(self.head, record)),
+                (_, Err(_)) => Ok(()),
+                (_, Ok(outcome)) => table
+                    .rows(outcome)
+                    .iter()
+                    .try_for_each(|row| writer.write_record(std::iter::once(&run).chain(row))),
+            };
+            written.map_err(refused(path))?;
+        }
+        Ok(())
+    }
+
+    /// Ends them.
+    pub fn end(self) -> Result<Vec<WholeFile>, ReportError> {
+        let end = |(_, path, writer): (Table, PathBuf, csv::Writer<PartialFile>)| {
+            let file = writer.into_inner();
+            let file = file.map_err(|error| refused(&path)(error.into_error().into()))?;
+            file.close()
+        };
+        self.files.into_iter().map(end).collect()
+    }
+}
+
+fn refused(path: &std::path::Path) -> impl FnOnce(csv::Error) -> ReportError {
+    let refused = ReportError::file(FileAction::Write, path);
+    move |error| refused(io::Error::from(error))
 }

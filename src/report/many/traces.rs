@@ -1,13 +1,12 @@
 //! The traces of the runs, a file each.
 
-use std::fmt::Display;
 use std::fs;
 use std::io::{self, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use super::each_row;
-use super::part::MergeError;
+use super::StudyError;
+use super::rows::Rows;
 use crate::analysis::Channel;
 use crate::report::checksum::Checksum;
 use crate::report::folder::sync_folder;
@@ -16,7 +15,7 @@ use crate::report::{FileAction, FileSet, PartialFile, ReportError, RunFolder};
 use crate::rotor::Sample;
 use crate::scenario::open_regular;
 use crate::simulate::TraceSink;
-use crate::study::many::{KeptTrace, TraceSeal};
+use crate::study::many::{KeptTrace, RunRecord, TraceSeal};
 
 /// Folder of the traces in that of the study.
 const FOLDER: &str = "traces";
@@ -53,7 +52,7 @@ impl Traces {
     }
 }
 
-fn file_name(run: impl Display) -> String {
+fn file_name(run: u64) -> String {
     format!("trace-{run}.csv")
 }
 
@@ -69,7 +68,7 @@ fn other(error: ReportError) -> io::Error {
 ///
 /// # Errors
 /// [`ReportError::File`] where a link stands there in their place: what it leads to belongs to nobody here.
-pub(super) fn has_traces(study: &Path) -> Result<bool, ReportError> {
+pub(super) fn stand(study: &Path) -> Result<bool, ReportError> {
     let path = study.join(FOLDER);
     match fs::symlink_metadata(&path) {
         Ok(known) if known.is_symlink() => {
@@ -118,25 +117,31 @@ fn remove_where(
     Ok(())
 }
 
-/// Sees that the traces that a table of them names outlive a loss of power; one that has not outlived an
-/// earlier one is found by its length.
-pub(super) fn sync_traces(study: &Path, table: &Path) -> Result<(), ReportError> {
-    let mut traces = Vec::new();
-    each_row(table, |_, record| {
-        let [run, bytes] = [0, 1].map(|place| record.get(place).unwrap_or_default());
-        let path = study.join(FOLDER).join(file_name(run));
-        traces.push((path, bytes.to_owned()));
-    })?;
-    for (path, bytes) in traces {
-        sync_trace(&path, &bytes).map_err(ReportError::file(FileAction::Sync, &path))?;
+/// Sees that the traces of some rows outlive a loss of power; one that has not outlived an earlier one is found by its
+/// length.
+pub(super) fn sync(study: &Path, rows: &Rows) -> Result<(), ReportError> {
+    if !rows.head().keep.traces {
+        return Ok(());
     }
+    rows.each(|row| match traced(study, &row) {
+        Some((path, seal)) => {
+            sync_trace(&path, seal.bytes).map_err(ReportError::file(FileAction::Sync, &path))
+        }
+        None => Ok(()),
+    })?;
     sync_folder(&study.join(FOLDER))
 }
 
-fn sync_trace(path: &Path, bytes: &str) -> io::Result<()> {
+/// The trace of a run, and what it is known by.
+fn traced(study: &Path, row: &RunRecord) -> Option<(PathBuf, TraceSeal)> {
+    let seal = row.outcome.as_ref().ok()?.trace?;
+    Some((study.join(FOLDER).join(file_name(row.run)), seal))
+}
+
+fn sync_trace(path: &Path, bytes: u64) -> io::Result<()> {
     let file = fs::File::options().append(true).open(path)?;
     let there = file.metadata()?.len();
-    if there.to_string() != bytes {
+    if there != bytes {
         let message =
             format!("it has {there} of {bytes} bytes; begin the study anew with --restart");
         return Err(io::Error::other(message));
@@ -198,35 +203,30 @@ fn seal(sum: Checksum) -> TraceSeal {
     }
 }
 
-/// Looks whether the traces that a table of them names stand in the folder of a study, each as its run has
-/// written it.
-pub(super) fn check(study: &Path, table: &Path) -> Result<(), MergeError> {
-    let broken = |error: csv::Error| MergeError::Broken {
-        path: table.to_owned(),
-        reason: error.to_string(),
-    };
-    let file = open_regular(table, u64::MAX).map_err(|error| broken(error.into()))?;
-    let mut reader = csv::Reader::from_reader(file);
-    for record in reader.records() {
-        let record = record.map_err(broken)?;
-        let cell = |index: usize| record.get(index).unwrap_or_default();
-        let run = cell(0);
-        let path = study.join(FOLDER).join(file_name(run));
+/// Looks whether the traces of some rows stand in the folder of their study, each as its run has written it.
+///
+/// # Errors
+/// [`StudyError::Trace`] names the first that does not.
+pub(super) fn check(study: &Path, rows: &Rows) -> Result<(), StudyError> {
+    if !rows.head().keep.traces {
+        return Ok(());
+    }
+    rows.each(|row| {
+        let Some((path, seal)) = traced(study, &row) else {
+            return Ok(());
+        };
         let reason = match sealed(&path) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => "it is missing".to_owned(),
             Err(error) => error.to_string(),
-            Ok(found) if found.bytes.to_string() != cell(1) => {
-                format!("it has {} of {} bytes", found.bytes, cell(1))
+            Ok(found) if found.bytes != seal.bytes => {
+                format!("it has {} of {} bytes", found.bytes, seal.bytes)
             }
-            Ok(found) if format!("{:016x}", found.checksum) != cell(2) => {
-                "it is not what the run wrote".to_owned()
-            }
-            Ok(_) => continue,
+            Ok(found) if found != seal => "it is not what the run wrote".to_owned(),
+            Ok(_) => return Ok(()),
         };
-        let run = run.to_owned();
-        return Err(MergeError::Trace { run, path, reason });
-    }
-    Ok(())
+        let run = row.run;
+        Err(StudyError::Trace { run, path, reason })
+    })
 }
 
 /// What the file there is known by.

@@ -8,10 +8,13 @@ mod schedule;
 use std::io;
 use std::sync::atomic::AtomicBool;
 
+use serde::{Deserialize, Serialize};
+
 pub use numbers::{NumberColumn, number_columns};
-pub use record::{BearingStiffness, RunRecord, TraceSeal};
-use record::{Carried, Line, Outcome, Point, RunSink};
-pub use schedule::{Cycles, Schedule, Shard, Sweep, Turn, work};
+pub use record::{BearingStiffness, Line, Outcome, Point, RunRecord, TraceSeal};
+use record::{Carried, RunSink};
+use schedule::Turn;
+pub use schedule::{Cycles, Direction, Schedule, Shard, Sweep, work};
 
 use crate::analysis::{Channel, Motion, SectionKind, Spectrum};
 use crate::integrate::IntegrateError;
@@ -21,7 +24,7 @@ use crate::simulate::{
 use crate::study::plan::Plan;
 
 /// What is kept of every run, beside its numbers.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Keep {
     /// Highest order up to which the amplitudes of the displacements are kept; none where `None`.
     pub highest_order: Option<f64>,
@@ -78,14 +81,17 @@ pub struct Maker<'a> {
 }
 
 impl Maker<'_> {
-    /// Makes all runs of a chain.
-    ///
-    /// # Errors
-    /// [`Unmade`] where it was to stop before the last one was done, or a trace could not be kept.
-    pub fn chain(&self, chain: u64) -> Result<Vec<RunRecord>, Unmade> {
+    /// Makes all runs of a chain and hands each on, until it is answered that no more are taken; the last that it hands
+    /// on may be [`Unmade`], where it was to stop or a trace could not be kept.
+    pub fn chain(&self, chain: u64, hand: &dyn Fn(Result<RunRecord, Unmade>) -> bool) {
         let mut carried = None;
-        let turns = self.schedule.chain(chain);
-        turns.map(|turn| self.record(turn, &mut carried)).collect()
+        for turn in self.schedule.chain(chain) {
+            let record = self.record(turn, &mut carried);
+            let is_last = record.is_err();
+            if !hand(record) || is_last {
+                return;
+            }
+        }
     }
 
     fn record(&self, turn: Turn, carried: &mut Option<Carried>) -> Result<RunRecord, Unmade> {
@@ -93,7 +99,8 @@ impl Maker<'_> {
         let values = self.plan.values(turn.point);
         let outcome = self.run(turn, &values, carried, trace)?;
         Ok(RunRecord {
-            turn,
+            run: turn.number,
+            direction: turn.direction,
             values,
             outcome,
         })

@@ -3,16 +3,21 @@
 use std::f64::consts::TAU;
 use std::io;
 
-use super::{KeptTrace, Turn};
+use serde::{Deserialize, Serialize};
+
+use super::KeptTrace;
+use super::schedule::Direction;
 use crate::bearing::Support;
 use crate::rotor::{InitialPosition, InitialState, Sample};
 use crate::simulate::{Model, TraceSink};
 
-/// One run of a study.
-#[derive(Debug, Clone, PartialEq)]
+/// One run of a study: the row that all its tables, figures and statistics are made of.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RunRecord {
-    /// Its number, its point of the plan and how it was come to.
-    pub turn: Turn,
+    /// Its number, from 0 on.
+    pub run: u64,
+    /// Which way it was come to.
+    pub direction: Direction,
     /// Values of the axes, SI units.
     pub values: Vec<f64>,
     /// What came of it, or why nothing did.
@@ -20,24 +25,62 @@ pub struct RunRecord {
 }
 
 /// What came of a run.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Outcome {
     /// Its numbers in the order of the columns; NaN where it has none.
+    #[serde(with = "any_number")]
     pub numbers: Vec<f64>,
     /// Amplitudes of the displacements, m and rad, at frequencies in Hz; empty where none are kept.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub spectrum: Vec<Line>,
     /// Positions of the shaft; empty where none are kept.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub points: Vec<Point>,
     /// Stiffness of every bearing that has one of its own; empty where it is not kept.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub stiffness: Vec<BearingStiffness>,
     /// What its trace is known by, where it is kept.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub trace: Option<TraceSeal>,
     /// What a reader should know of it, each with its numbers.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<String>,
 }
 
+/// Numbers as JSON, which has none that is missing or infinite: `null` and a word stand for these.
+mod any_number {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    #[derive(Serialize, Deserialize)]
+    #[serde(untagged)]
+    enum Number {
+        Finite(f64),
+        Missing(()),
+        Infinite(String),
+    }
+
+    pub fn serialize<S: Serializer>(numbers: &[f64], to: S) -> Result<S::Ok, S::Error> {
+        to.collect_seq(numbers.iter().map(|number| match number {
+            missing if missing.is_nan() => Number::Missing(()),
+            infinite if infinite.is_infinite() => Number::Infinite(infinite.to_string()),
+            finite => Number::Finite(*finite),
+        }))
+    }
+
+    pub fn deserialize<'a, D: Deserializer<'a>>(from: D) -> Result<Vec<f64>, D::Error> {
+        let numbers = Vec::<Number>::deserialize(from)?.into_iter();
+        let numbers = numbers.map(|number| match number {
+            Number::Finite(finite) => finite,
+            Number::Missing(()) => f64::NAN,
+            Number::Infinite(word) => word.parse().unwrap_or(f64::NAN),
+        });
+        Ok(numbers.collect())
+    }
+}
+
 /// What the trace of a run is known by wherever it goes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct TraceSeal {
     /// Number of bytes.
     pub bytes: u64,
@@ -46,13 +89,16 @@ pub struct TraceSeal {
 }
 
 /// Amplitudes at one frequency.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Line {
     /// Frequency, Hz.
+    #[serde(rename = "f")]
     pub frequency: f64,
     /// Frequency over that of the shaft, where it turns.
+    #[serde(rename = "o")]
     pub order: Option<f64>,
     /// Amplitude of every displacement that moves.
+    #[serde(rename = "a")]
     pub amplitudes: Vec<f64>,
 }
 
@@ -60,7 +106,7 @@ pub struct Line {
 ///
 /// The entries [`BearingStiffness::ENTRIES`]: those that do not depend on which way the bearing faces, and that
 /// a bearing without tilts has.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct BearingStiffness {
     /// Number of the bearing, from 1 on.
     pub bearing: usize,
@@ -85,11 +131,13 @@ impl BearingStiffness {
 }
 
 /// Position of the shaft at one instant.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Point {
     /// Time, s.
+    #[serde(rename = "t")]
     pub time: f64,
     /// Displacements that move, m and rad.
+    #[serde(rename = "x")]
     pub displacement: Vec<f64>,
 }
 

@@ -26,7 +26,8 @@ pub enum Sweep {
 }
 
 /// Which way a run was come to along the last axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Direction {
     /// By itself.
     Alone,
@@ -141,7 +142,7 @@ impl Schedule {
 }
 
 /// One of several parts that a study is made in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Shard {
     /// Which part, from 1 on.
     pub number: u64,
@@ -169,7 +170,8 @@ impl Shard {
 /// Works on `tasks` on so many threads; `take` gets each result on the calling thread as it is ready, and ends the
 /// work by an error.
 ///
-/// A task is begun unless `stop` is set; those begun are finished.
+/// A task is begun unless `stop` is set; it hands its results on one by one, and ends early where it is told that no
+/// more are taken.
 ///
 /// # Errors
 /// What `take` answers.
@@ -177,8 +179,8 @@ pub fn work<R: Send, E>(
     tasks: impl Iterator<Item = u64> + Send,
     threads: usize,
     stop: &AtomicBool,
-    task: impl Fn(u64) -> R + Sync,
-    mut take: impl FnMut(u64, R) -> Result<(), E>,
+    task: impl Fn(u64, &dyn Fn(R) -> bool) + Sync,
+    mut take: impl FnMut(R) -> Result<(), E>,
 ) -> Result<(), E> {
     let (tasks, ended) = (Mutex::new(tasks), AtomicBool::new(false));
     let (sender, results) = mpsc::sync_channel(2 * threads.max(1));
@@ -188,19 +190,18 @@ pub fn work<R: Send, E>(
             // a thread that panicked held nothing half done: what it guards is whole
             let next = || tasks.lock().unwrap_or_else(PoisonError::into_inner).next();
             scope.spawn(move || {
+                let hand = |result| sender.send(result).is_ok() && !ended.load(Ordering::Relaxed);
                 while !(stop.load(Ordering::Relaxed) || ended.load(Ordering::Relaxed)) {
                     let Some(number) = next() else { return };
-                    if sender.send((number, task(number))).is_err() {
-                        return;
-                    }
+                    task(number, &hand);
                 }
             });
         }
         drop(sender);
         let mut outcome = Ok(());
-        for (number, result) in results {
+        for result in results {
             if outcome.is_ok() {
-                outcome = take(number, result);
+                outcome = take(result);
                 ended.store(outcome.is_err(), Ordering::Relaxed);
             }
         }

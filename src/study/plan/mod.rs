@@ -2,6 +2,8 @@
 
 mod distribution;
 
+use serde::{Deserialize, Serialize};
+
 use crate::rotor::load::SplitMix64;
 
 pub use distribution::{Distribution, Shape};
@@ -40,6 +42,11 @@ impl Plan {
             sampling,
             seed,
         }
+    }
+
+    /// Whether values are drawn instead of standing on a grid.
+    pub fn is_drawn(&self) -> bool {
+        self.sampling != Sampling::Grid
     }
 
     /// Number of runs; `None` where it is beyond 64 bits.
@@ -88,6 +95,26 @@ impl Plan {
             // a shift by the same amount modulo 1 keeps the sequence even
             Sampling::Sobol(_) => (sobol(run, axis) + random.uniform(u64::MAX)).fract(),
         }
+    }
+}
+
+/// The number that varies.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Variable {
+    /// Path of its key in the scenario, for instance `load[1].constant.z`.
+    pub key: String,
+    /// Its SI unit; empty for a plain number.
+    pub unit: String,
+    /// The unit that it was written in; empty for a plain number.
+    pub shown_unit: String,
+    /// That unit in SI units.
+    pub shown_size: f64,
+}
+
+impl Variable {
+    /// A value of SI unit in the unit that it was written in.
+    pub fn shown(&self, value: f64) -> f64 {
+        value / self.shown_size
     }
 }
 

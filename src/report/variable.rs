@@ -1,0 +1,74 @@
+//! The number that varies, as the name of a column and of an axis.
+
+use super::terminal::in_unit;
+use crate::study::Variable;
+use crate::table::Column;
+
+/// The column of the variable: `load_1_constant_z_N`.
+pub(super) fn variable_column(variable: &Variable) -> Column {
+    key_column(&variable.key, &variable.unit)
+}
+
+fn key_column(key: &str, unit: &str) -> Column {
+    let words = key.split(['.', '[', ']']);
+    let words: Vec<_> = words.filter(|word| !word.is_empty()).collect();
+    Column::number(words.join("_"), unit.to_owned())
+}
+
+/// The variable as the name of an axis: `load 1, z in N`.
+pub(super) fn axis_name(variable: &Variable) -> String {
+    in_words(&variable.key) + &in_unit(&variable.shown_unit)
+}
+
+/// The key of the variable in words: `speed`, `radial clearance of bearing 1`.
+pub(super) fn key_in_words(variable: &Variable) -> String {
+    in_words(&variable.key)
+}
+
+fn in_words(key: &str) -> String {
+    let (table, rest) = key.split_once('.').unwrap_or((key, "constant"));
+    let table = match table.trim_end_matches(']').split_once('[') {
+        Some((table, number)) => format!("{table} {number}"),
+        None => table.to_owned(),
+    };
+    let last = rest.rsplit('.').next().unwrap_or(rest).replace('_', " ");
+    let words = match (rest, last.as_str()) {
+        ("constant", _) => table,
+        (_, "x" | "y" | "z" | "tilt x" | "tilt y") => format!("{table}, {last}"),
+        _ => format!("{last} of {table}"),
+    };
+    words.replace('_', " ")
+}
+
+/// A value of the variable in the unit that it was written in: `200 N`.
+pub(super) fn shown(variable: &Variable, value: f64) -> String {
+    let number = variable.shown(value);
+    let rounded: f64 = format!("{number:.5e}").parse().unwrap_or(number);
+    format!("{rounded} {}", variable.shown_unit)
+        .trim_end()
+        .to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{in_words, key_column};
+
+    #[test]
+    fn a_key_is_told_in_words() {
+        let labels = [
+            ("speed.constant", "speed"),
+            ("load[1].constant.z", "load 1, z"),
+            ("shaft.mass", "mass of shaft"),
+            (
+                "bearing[2].geometry.radial_clearance",
+                "radial clearance of bearing 2",
+            ),
+            ("damping.ratio", "ratio of damping"),
+        ];
+        for (key, words) in labels {
+            assert_eq!(in_words(key), words);
+        }
+        let column = key_column("bearing[2].clearance_change", "m");
+        assert_eq!(column.name(), "bearing_2_clearance_change_m");
+    }
+}
