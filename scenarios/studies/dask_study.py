@@ -5,7 +5,7 @@
     python3 scenarios/studies/dask_study.py STUDY.toml --parts 256 --scheduler tcp://HOST:8786
 
 All workers see the folder of the study under the same path, and have `jeffcott`. A part whose worker dies is
-made by another one, from the journal that it left. The result has the bytes of `jeffcott study STUDY.toml`.
+made by another one, behind the rows that it left. The result has the bytes of `jeffcott study STUDY.toml`.
 """
 
 import argparse

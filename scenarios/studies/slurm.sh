@@ -4,7 +4,7 @@
 #   job=$(sbatch --parsable --array=1-64 scenarios/studies/slurm.sh scenarios/studies/map-6306.toml output)
 #   sbatch --dependency=afterok:$job --wrap "jeffcott study merge output/map-6306"
 #
-# A task that was killed goes on from its journal when it is started again:
+# A task that was killed goes on behind its last row when it is started again:
 # sbatch --array=17 would count one part instead of 64, so PARTS tells how many there are:
 #
 #   PARTS=64 sbatch --array=17 scenarios/studies/slurm.sh scenarios/studies/map-6306.toml output
