@@ -143,7 +143,10 @@ pub(super) fn sensitivities(digest: &Digest) -> Vec<Sensitivity> {
         let axes = digest.head.axes.iter().enumerate();
         let axes = axes.map(|(axis, variable)| {
             let values = ranks(known.iter().map(|row| row.values[axis]));
-            (variable_column(variable).name(), correlation(&values, &numbers))
+            (
+                variable_column(variable).name(),
+                correlation(&values, &numbers),
+            )
         });
         Some(Sensitivity {
             number: column.name.clone(),
