@@ -110,7 +110,7 @@ pub(super) fn waterfall_columns(waterfall: &Waterfall) -> Vec<Column> {
     let mut columns = [Channel::Time, Channel::Speed]
         .map(Channel::column)
         .to_vec();
-    columns.push(Column::number("f", "Hz"));
+    columns.push(Column::frequency());
     columns.extend(waterfall.channels.iter().copied().map(amplitude_column));
     columns
 }

@@ -17,7 +17,7 @@ use crate::analysis::Channel;
 use crate::shooting::Multipliers;
 use crate::simulate::Model;
 use crate::steady::{Base, Stability, Steady, SteadyLine, SteadyLines, Swing};
-use crate::table::Table;
+use crate::table::{Column, Table};
 
 /// A steady motion: its trace, its spectrum, its stability and its error.
 pub fn steady_findings(destination: &Destination<'_>, model: &Model, steady: &Steady) -> Findings {
@@ -59,7 +59,7 @@ pub fn steady_findings(destination: &Destination<'_>, model: &Model, steady: &St
 fn line_table(steady: &Steady, speed: f64) -> Table<'static> {
     let lines = || steady.lines.lines.iter();
     let mut table = Table::default();
-    table.numbers("f", "Hz", lines().map(|line| line.frequency));
+    table.add(Column::frequency(), lines().map(|line| line.frequency));
     if speed > 0.0 {
         table.numbers(
             "order",

@@ -118,6 +118,16 @@ impl Column {
         }
     }
 
+    /// Frequencies, which spectra stand over.
+    pub fn frequency() -> Self {
+        Self::number("f", "Hz")
+    }
+
+    /// Multiples of the frequency of the shaft.
+    pub fn order() -> Self {
+        Self::number("order", "")
+    }
+
     /// Phases of a quantity.
     pub fn phase(quantity: impl Into<Cow<'static, str>>) -> Self {
         Self {

@@ -109,13 +109,6 @@ impl<'a> Table<'a> {
         self.columns.push((column, values.collect()));
     }
 
-    /// The values of the column of a name.
-    pub fn column(&self, name: &str) -> Option<&[f64]> {
-        let mut columns = self.iter();
-        let found = columns.find(|(column, _)| column.name() == name);
-        found.map(|(_, values)| values)
-    }
-
     /// The columns.
     pub fn columns(&self) -> Vec<Column> {
         self.columns

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::table::Table;
+use super::table::Source;
 use super::{CompareError, Comparison, Rules, compare_tables};
 use crate::analysis::Spectrum;
 
@@ -28,11 +28,11 @@ impl<P: AsRef<Path> + ?Sized> From<&P> for ComparedSpectrum<'_> {
 }
 
 impl ComparedSpectrum<'_> {
-    fn table(&self, name: &str) -> Result<Table, CompareError> {
+    fn table(&self, name: &str) -> Result<Source<'_>, CompareError> {
         match self {
-            Self::Spectrum(spectrum) => Ok(Table::of_spectrum(name, spectrum)),
-            Self::Path(path) if path.is_dir() => Table::open(&path.join("spectrum.csv")),
-            Self::Path(path) => Table::open(path),
+            Self::Spectrum(spectrum) => Ok(Source::of_spectrum(name, spectrum)),
+            Self::Path(path) if path.is_dir() => Source::open(&path.join("spectrum.csv")),
+            Self::Path(path) => Source::open(path),
         }
     }
 }

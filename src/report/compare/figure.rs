@@ -3,10 +3,11 @@
 use std::f64::consts::{PI, TAU};
 use std::path::{Path, PathBuf};
 
-use super::table::Table;
+use super::table::Source;
 use super::{ColumnComparison, CompareError, Comparison, TableComparison, Worst};
 use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct, ends};
 use crate::report::{FigureFormat, write_whole};
+use crate::table::{Column, ColumnKind};
 
 /// Most columns that are shown.
 const MOST_COLUMNS: usize = 4;
@@ -47,7 +48,10 @@ pub(super) fn difference_figure(
                 path.to_owned()
             }
         };
-        let tables = [Table::open(&inside(first))?, Table::open(&inside(second))?];
+        let tables = [
+            Source::open(&inside(first))?,
+            Source::open(&inside(second))?,
+        ];
         panels.extend(both_panels(&tables, column));
     }
     let title = format!("{} and {}", first.display(), second.display());
@@ -67,7 +71,7 @@ fn furthest(comparison: &Comparison) -> Vec<(&TableComparison, &ColumnComparison
     let tables = comparison.tables.iter();
     let columns = tables.flat_map(|table| table.columns.iter().map(move |column| (table, column)));
     let mut shares: Vec<_> = columns
-        .filter(|(table, column)| table.known.first() != Some(&column.name))
+        .filter(|(table, column)| table.known.first() != Some(&column.column))
         .filter_map(|found| Some((share(found.1.worst()?), found)))
         .filter(|(share, _)| *share > 0.0)
         .collect();
@@ -77,17 +81,17 @@ fn furthest(comparison: &Comparison) -> Vec<(&TableComparison, &ColumnComparison
 }
 
 /// The panel of both curves and that of the difference.
-fn both_panels(tables: &[Table; 2], column: &ColumnComparison) -> [Panel; 2] {
-    let name = &column.name;
-    let curves = tables.each_ref().map(|table| points(table, name));
+fn both_panels(tables: &[Source<'_>; 2], column: &ColumnComparison) -> [Panel; 2] {
+    let of = &column.column;
+    let curves = tables.each_ref().map(|table| points(table, of));
     let axis = Axis::spanning(
-        tables[0].names[0].as_str(),
+        tables[0].axis().0.name(),
         curves.iter().flatten().map(|(at, _)| *at),
     );
     let marks = column.places.iter();
-    let marks = marks.map(|worst| (worst.at, apart(worst.first, worst.second, name)));
+    let marks = marks.map(|worst| (worst.at, apart(worst.first, worst.second, of)));
     let marks: Vec<Point> = marks.collect();
-    let mut difference = differences(&curves, name);
+    let mut difference = differences(&curves, of);
     if difference.len() < 2 {
         difference.clone_from(&marks);
     }
@@ -101,8 +105,8 @@ fn both_panels(tables: &[Table; 2], column: &ColumnComparison) -> [Panel; 2] {
         marks: scaled(marks).collect(),
         ..Curve::envelope(distinct(2), scaled(difference))
     };
-    let scale = tables[0].largest(name).max(tables[1].largest(name));
-    let (values, shown) = shown_values(name, scale);
+    let scale = tables[0].largest(of).max(tables[1].largest(of));
+    let (values, shown) = shown_values(of, scale);
     let curves = curves.iter().enumerate().map(|(index, curve)| {
         let points = curve.iter().map(|(at, value)| (*at, shown(*value)));
         Curve::envelope(distinct(index), points)
@@ -113,31 +117,27 @@ fn both_panels(tables: &[Table; 2], column: &ColumnComparison) -> [Panel; 2] {
     ]
 }
 
-fn points(table: &Table, name: &str) -> Vec<Point> {
-    let values = table.column(name).unwrap_or_default();
-    table
-        .axis()
-        .iter()
-        .copied()
-        .zip(values.iter().copied())
-        .collect()
+fn points(table: &Source<'_>, column: &Column) -> Vec<Point> {
+    let values = table.values(column).unwrap_or_default().iter().copied();
+    table.axis().1.iter().copied().zip(values).collect()
 }
 
 /// b − a where both stand at the same places.
-fn differences([first, second]: &[Vec<Point>; 2], name: &str) -> Vec<Point> {
+fn differences([first, second]: &[Vec<Point>; 2], column: &Column) -> Vec<Point> {
     let mut others = second.iter().peekable();
     let pairs = first.iter().filter_map(|(at, a)| {
         let near = SAME_PLACE * at.abs();
         while others.next_if(|(other, _)| *other < at - near).is_some() {}
         let (_, b) = others.next_if(|(other, _)| *other <= at + near)?;
-        Some((*at, apart(*a, *b, name)))
+        Some((*at, apart(*a, *b, column)))
     });
     pairs.collect()
 }
 
 /// What the axis of both curves shows: its name, and how a value stands there.
-fn shown_values(name: &str, scale: f64) -> (String, Box<dyn Fn(f64) -> f64>) {
-    if name.contains("_amplitude_") && scale > 0.0 {
+fn shown_values(column: &Column, scale: f64) -> (String, Box<dyn Fn(f64) -> f64>) {
+    let name = column.name();
+    if column.kind == ColumnKind::Lines("amplitude") && scale > 0.0 {
         let decibel = move |value: f64| 20.0 * (value / scale).max(SMALLEST).log10();
         return (format!("{name}, dB"), Box::new(decibel));
     }
@@ -146,8 +146,8 @@ fn shown_values(name: &str, scale: f64) -> (String, Box<dyn Fn(f64) -> f64>) {
 }
 
 /// b − a, of phases the shorter way round.
-fn apart(a: f64, b: f64, name: &str) -> f64 {
-    if name.ends_with("_phase_rad") {
+fn apart(a: f64, b: f64, column: &Column) -> f64 {
+    if column.kind == ColumnKind::Phase {
         (b - a + PI).rem_euclid(TAU) - PI
     } else {
         b - a

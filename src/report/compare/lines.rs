@@ -2,19 +2,10 @@
 
 use super::rows::{Scales, distance};
 use super::rules::Allowance;
-use super::table::Table;
+use super::table::Source;
 use super::text::short;
 use super::{ColumnComparison, Difference, Rules, TableComparison};
-
-/// What a column of amplitudes, powers or densities has in its name.
-const SCALINGS: [&str; 6] = [
-    "_amplitude_",
-    "_peak_",
-    "_rms_",
-    "_peak_to_peak_",
-    "_power_",
-    "_density_",
-];
+use crate::table::{Column, ColumnKind};
 
 /// Round-off of frequencies that are a bin apart.
 const ROUND_OFF: f64 = 1e-9;
@@ -27,14 +18,14 @@ struct Line {
 }
 
 /// Whether a column has lines.
-fn has_lines(name: &str) -> bool {
-    SCALINGS.iter().any(|scaling| name.contains(scaling))
+fn has_lines(column: &Column) -> bool {
+    matches!(column.kind, ColumnKind::Lines(_))
 }
 
 /// Whether a table has amplitudes, powers or densities over frequency or order.
-pub(super) fn is_spectrum(table: &Table) -> bool {
-    let names = &table.names;
-    ["f_Hz", "order"].contains(&names[0].as_str()) && names.iter().any(|name| has_lines(name))
+pub(super) fn is_spectrum(table: &Source<'_>) -> bool {
+    let axes = [Column::frequency(), Column::order()];
+    axes.contains(table.axis().0) && table.columns().any(has_lines)
 }
 
 /// Compares the `count` strongest lines of every column of amplitudes of either spectrum with the
@@ -43,38 +34,41 @@ pub(super) fn is_spectrum(table: &Table) -> bool {
 /// A line is a maximum between its neighbours that is beyond what is allowed of the column.
 pub(super) fn compare_lines(
     name: String,
-    spectra: &[Table; 2],
+    spectra: &[Source<'_>; 2],
     count: usize,
     rules: &Rules,
 ) -> TableComparison {
-    let mut differences = Table::alone(spectra, has_lines);
+    let mut differences = Source::alone(spectra, has_lines);
     let scales = Scales::of(spectra);
-    let names = spectra[0].names.iter().filter(|name| has_lines(name));
-    let shared = names.filter(|name| spectra[1].column(name).is_some());
+    let shared = spectra[0].columns().filter(|column| has_lines(column));
+    let shared = shared.filter(|column| spectra[1].values(column).is_some());
     let mut columns = Vec::new();
-    for name in shared {
-        let mut column = ColumnComparison::new(name, rules);
+    for column in shared {
+        let mut column = ColumnComparison::new(column, rules);
         differences.extend(compare_column(spectra, &scales, count, rules, &mut column));
         columns.push(column);
     }
-    TableComparison::new(name, columns, Table::known(spectra), differences, rules)
+    TableComparison::new(name, columns, Source::known(spectra), differences, rules)
 }
 
 /// Takes the pairs of one column; returns the lines without a partner.
 fn compare_column(
-    spectra: &[Table; 2],
+    spectra: &[Source<'_>; 2],
     scales: &Scales<'_>,
     count: usize,
     rules: &Rules,
-    column: &mut ColumnComparison,
+    found: &mut ColumnComparison,
 ) -> Vec<Difference> {
-    let name = column.name.clone();
-    let allowed = scales.allowance(&name, rules).total();
+    let column = found.column.clone();
+    let allowance = scales.allowance(&column, rules);
+    let allowed = allowance.total();
     let allowance = Allowance {
         more: 0.0,
-        ..scales.allowance(&name, rules)
+        ..allowance
     };
-    let lines = spectra.each_ref().map(|table| lines(table, &name, allowed));
+    let lines = spectra
+        .each_ref()
+        .map(|table| lines(table, &column, allowed));
     let [first_bin, second_bin] = spectra.each_ref().map(bin);
     let bin = first_bin.max(second_bin) * (1.0 + ROUND_OFF);
     let (mut taken, mut alone) = (Vec::new(), Vec::new());
@@ -84,8 +78,8 @@ fn compare_column(
             let is_near = |other: &&Line| (other.frequency - line.frequency).abs() <= bin;
             let Some(partner) = lines[other].iter().find(is_near).copied() else {
                 // the other may have it too, though as no maximum of its own or too weak for a line
-                if line.amplitude - near(&spectra[other], &name, line.frequency, bin) > allowed {
-                    alone.push(line.only_in(&spectra[own], &name));
+                if line.amplitude - near(&spectra[other], &column, line.frequency, bin) > allowed {
+                    alone.push(line.only_in(&spectra[own], &column));
                 }
                 continue;
             };
@@ -97,7 +91,7 @@ fn compare_column(
                 taken.push([first, second]);
                 let values = [first.amplitude, second.amplitude];
                 let apart = distance(values[0], values[1]);
-                column.take(rank, first.frequency, values, apart, allowance);
+                found.take(rank, first.frequency, values, apart, allowance);
             }
         }
     }
@@ -105,9 +99,10 @@ fn compare_column(
 }
 
 impl Line {
-    fn only_in(&self, spectrum: &Table, column: &str) -> Difference {
+    fn only_in(&self, spectrum: &Source<'_>, column: &Column) -> Difference {
         Difference::new(format!(
-            "{column}: only {} has the line at {} Hz, {:.4e}",
+            "{}: only {} has the line at {} Hz, {:.4e}",
+            column.name(),
             spectrum.path.display(),
             short(self.frequency),
             self.amplitude
@@ -116,24 +111,24 @@ impl Line {
 }
 
 /// Width of a bin, Hz.
-fn bin(spectrum: &Table) -> f64 {
-    match spectrum.axis() {
+fn bin(spectrum: &Source<'_>) -> f64 {
+    match spectrum.axis().1 {
         [first, second, ..] => second - first,
         _ => 0.0,
     }
 }
 
 /// Largest value of a column within a bin of a frequency.
-fn near(spectrum: &Table, name: &str, frequency: f64, bin: f64) -> f64 {
-    let values = spectrum.column(name).unwrap_or_default();
+fn near(spectrum: &Source<'_>, column: &Column, frequency: f64, bin: f64) -> f64 {
+    let values = spectrum.values(column).unwrap_or_default();
     let near = |(at, _): &(&f64, &f64)| (*at - frequency).abs() <= bin;
-    let near = spectrum.axis().iter().zip(values).filter(near);
+    let near = spectrum.axis().1.iter().zip(values).filter(near);
     near.fold(0.0, |largest, (_, value)| f64::max(largest, *value))
 }
 
 /// Maxima beyond a limit, the strongest first; the first and the last have one neighbour.
-fn lines(spectrum: &Table, name: &str, limit: f64) -> Vec<Line> {
-    let values = spectrum.column(name).unwrap_or_default();
+fn lines(spectrum: &Source<'_>, column: &Column, limit: f64) -> Vec<Line> {
+    let values = spectrum.values(column).unwrap_or_default();
     let at = |place: Option<usize>| place.and_then(|place| values.get(place)).copied();
     let stands_out = |place: &usize| {
         let before = at(place.checked_sub(1)).unwrap_or(f64::NEG_INFINITY);
@@ -143,7 +138,7 @@ fn lines(spectrum: &Table, name: &str, limit: f64) -> Vec<Line> {
     };
     let places = (0..values.len()).filter(stands_out);
     let line = |place: usize| Line {
-        frequency: spectrum.axis()[place],
+        frequency: spectrum.axis().1[place],
         amplitude: values[place],
     };
     let mut lines: Vec<Line> = places.map(line).collect();

@@ -47,7 +47,7 @@ use serde_json::Value;
 
 use self::lines::{compare_lines, is_spectrum};
 use self::rows::compare_rows;
-use self::table::Table;
+use self::table::Source;
 use crate::scenario::open_regular;
 
 pub use assertion::{ComparedSpectrum, spectra_close};
@@ -77,7 +77,7 @@ pub fn compare(first: &Path, second: &Path, rules: &Rules) -> Result<Comparison,
         (true, true) => return compare_folders(first, second, rules),
         (false, false) => {
             let name = first.display().to_string();
-            let tables = [Table::open(first)?, Table::open(second)?];
+            let tables = [Source::open(first)?, Source::open(second)?];
             let table = compare_tables(name, &tables, rules)?;
             return Comparison::new(vec![table], Vec::new(), rules);
         }
@@ -93,7 +93,7 @@ pub fn compare(first: &Path, second: &Path, rules: &Rules) -> Result<Comparison,
 /// Compares two tables, by lines where that is asked for; `name` is what the result calls them.
 fn compare_tables(
     name: String,
-    tables: &[Table; 2],
+    tables: &[Source<'_>; 2],
     rules: &Rules,
 ) -> Result<TableComparison, CompareError> {
     let Some(count) = rules.lines else {
@@ -141,7 +141,7 @@ fn compare_folders(first: &Path, second: &Path, rules: &Rules) -> Result<Compari
         let (left, right) = (first.join(name), second.join(name));
         match (left.exists(), right.exists()) {
             (true, true) => {
-                let both = [Table::open(&left)?, Table::open(&right)?];
+                let both = [Source::open(&left)?, Source::open(&right)?];
                 tables.push(compare_tables((*name).to_owned(), &both, rules)?);
             }
             (true, false) => partial.push(only(&left)),

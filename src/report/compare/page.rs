@@ -6,12 +6,13 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 use super::figure::difference_figure;
-use super::table::Table;
+use super::table::Source;
 use super::{CompareError, Comparison, sealed};
 use crate::report::envelope::Decimator;
 use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct, ends};
 use crate::report::page::AnswerPage;
 use crate::report::terminal::{Lines, MICRO, MILLI, digits, or_dash};
+use crate::table::Column;
 
 /// Height of a plot, px.
 const HEIGHT: u32 = 190;
@@ -37,8 +38,8 @@ const SPECTRA: [(&str, &str, f64); 3] = [
 /// A run as its folder has it.
 struct Folder {
     name: String,
-    trace: Option<Table>,
-    spectrum: Option<Table>,
+    trace: Option<Source<'static>>,
+    spectrum: Option<Source<'static>>,
     summary: Value,
 }
 
@@ -46,7 +47,7 @@ impl Folder {
     fn open(path: &Path) -> Result<Self, CompareError> {
         let table = |name: &str| {
             let file = path.join(name);
-            file.exists().then(|| Table::open(&file)).transpose()
+            file.exists().then(|| Source::open(&file)).transpose()
         };
         let name = path.file_name().unwrap_or(path.as_os_str());
         Ok(Self {
@@ -168,21 +169,24 @@ fn figure(
     over: &str,
     runs: &[Folder],
     columns: &[(&str, &str, f64)],
-    table: fn(&Folder) -> &Option<Table>,
+    table: fn(&Folder) -> &Option<Source<'static>>,
 ) -> Option<Figure> {
     let is_spectrum = file == "spectra";
-    let tables: Vec<Option<&Table>> = runs.iter().map(|run| table(run).as_ref()).collect();
+    let tables: Vec<Option<&Source<'_>>> = runs.iter().map(|run| table(run).as_ref()).collect();
     let shown = columns.iter().filter(|(column, ..)| {
         let mut tables = tables.iter().flatten();
-        tables.any(|table| table.largest(column) > 0.0)
+        tables.any(|table| table.largest(&Column::from_name(column)) > 0.0)
     });
-    let axes = tables.iter().flatten().flat_map(|table| table.axis());
+    let axes = tables.iter().flatten().flat_map(|table| table.axis().1);
     let [first, last] = ends(axes.copied())?;
     let panels = shown.map(|(column, name, factor)| {
         let curves = tables.iter().enumerate().filter_map(|(index, table)| {
             let table = (*table)?;
-            let values = table.column(column)?.iter().map(|value| factor * value);
-            let points = table.axis().iter().copied().zip(values);
+            let values = table
+                .values(&Column::from_name(column))?
+                .iter()
+                .map(|value| factor * value);
+            let points = table.axis().1.iter().copied().zip(values);
             // the mean stands apart from what vibrates
             let points = points.filter(|(at, _)| !is_spectrum || *at > 0.0);
             let points = thinned(points, MOST_POINTS / runs.len());

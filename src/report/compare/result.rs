@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 
 use super::rules::Allowance;
 use super::{CompareError, Rules};
+use crate::table::Column;
 
 /// What the comparison of two results found; shown as a table by `Display`.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,12 +30,17 @@ impl Comparison {
         partial: Vec<Difference>,
         rules: &Rules,
     ) -> Result<Self, CompareError> {
-        let known = || tables.iter().flat_map(|table| &table.known);
+        let known = || {
+            tables
+                .iter()
+                .flat_map(|table| &table.known)
+                .map(Column::name)
+        };
         for (name, _) in &rules.tolerances.columns {
-            if !known().any(|column| column == name) {
+            if !known().any(|column| column == *name) {
                 return Err(CompareError::UnknownColumn {
                     name: name.clone(),
-                    known: known().cloned().collect(),
+                    known: known().collect(),
                 });
             }
         }
@@ -109,8 +115,8 @@ pub struct TableComparison {
     pub differences: Vec<Difference>,
     /// What only one of them has and is not asked for.
     pub left_out: Vec<Difference>,
-    /// Names of the columns of both tables.
-    pub(super) known: Vec<String>,
+    /// The columns of both tables.
+    pub(super) known: Vec<Column>,
 }
 
 impl TableComparison {
@@ -118,7 +124,7 @@ impl TableComparison {
     pub(super) fn new(
         name: String,
         columns: Vec<ColumnComparison>,
-        known: Vec<String>,
+        known: Vec<Column>,
         mut differences: Vec<Difference>,
         rules: &Rules,
     ) -> Self {
@@ -154,8 +160,8 @@ impl TableComparison {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct ColumnComparison {
-    /// Name of the column.
-    pub name: String,
+    /// Its column.
+    pub column: Column,
     /// The worst places, the worst first; none where nothing was compared, as with phases of nothing.
     pub places: Vec<Worst>,
     /// Number of rows beyond what is allowed.
@@ -193,9 +199,9 @@ impl Worst {
 
 impl ColumnComparison {
     /// Nothing compared so far.
-    pub(super) fn new(name: &str, rules: &Rules) -> Self {
+    pub(super) fn new(column: &Column, rules: &Rules) -> Self {
         Self {
-            name: name.to_owned(),
+            column: column.clone(),
             places: Vec::new(),
             failures: 0,
             needed: 0.0,
@@ -247,7 +253,7 @@ impl ColumnComparison {
 
     fn to_json(&self) -> Value {
         json!({
-            "name": self.name,
+            "name": self.column,
             "agrees": self.agrees(),
             "failures": self.failures,
             "relative_needed": self.needed,

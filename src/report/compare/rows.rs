@@ -3,40 +3,44 @@
 use std::f64::consts::{PI, TAU};
 
 use super::rules::Allowance;
-use super::table::Table;
+use super::table::Source;
 use super::{ColumnComparison, Difference, Rules, TableComparison};
 use crate::analysis::{Channel, NoiseFloor};
-use crate::table::Column;
+use crate::table::{Column, ColumnKind};
 
 /// Compares two tables row by row; `name` is what the result calls them.
-pub(super) fn compare_rows(name: String, tables: &[Table; 2], rules: &Rules) -> TableComparison {
-    let mut differences = Table::alone(tables, |_| true);
+pub(super) fn compare_rows(
+    name: String,
+    tables: &[Source<'_>; 2],
+    rules: &Rules,
+) -> TableComparison {
+    let mut differences = Source::alone(tables, |_| true);
     let rows = MatchedRows::of(tables);
     differences.extend(rows.difference(tables));
     let scales = Scales::of(tables);
-    let shared = tables[0].names.iter();
-    let shared = shared.filter_map(|name| Some((name, pair(tables, name)?)));
+    let shared = tables[0].columns();
+    let shared = shared.filter_map(|column| Some((column, pair(tables, column)?)));
     let columns: Vec<_> = shared
-        .map(|(name, values)| {
-            let mut column = ColumnComparison::new(name, rules);
-            rows.compare(&mut column, tables, values, &scales, rules);
-            column
+        .map(|(column, values)| {
+            let mut found = ColumnComparison::new(column, rules);
+            rows.compare(&mut found, tables, values, &scales, rules);
+            found
         })
         .collect();
-    let known = Table::known(tables);
+    let known = Source::known(tables);
     let axis = columns.first().filter(|column| !column.agrees());
-    if let Some(axis) = axis.filter(|axis| known.first() == Some(&axis.name)) {
+    if let Some(axis) = axis.filter(|axis| known.first() == Some(&axis.column)) {
         differences.push(Difference::new(format!(
             "the axes {} differ: rows are matched by number and stand for different places",
-            axis.name
+            axis.column.name()
         )));
     }
     TableComparison::new(name, columns, known, differences, rules)
 }
 
 /// A column that both tables have.
-fn pair<'a>([first, second]: &'a [Table; 2], name: &str) -> Option<[&'a [f64]; 2]> {
-    Some([first.column(name)?, second.column(name)?])
+fn pair<'a>([first, second]: &'a [Source<'_>; 2], column: &Column) -> Option<[&'a [f64]; 2]> {
+    Some([first.values(column)?, second.values(column)?])
 }
 
 /// Which rows of two tables stand for each other: every so many of either.
@@ -47,8 +51,8 @@ struct MatchedRows {
 
 impl MatchedRows {
     /// More than one of a trace where the other is one of every so many of its samples.
-    fn of(tables: &[Table; 2]) -> Self {
-        let rows = tables.each_ref().map(|table| table.axis().len());
+    fn of(tables: &[Source<'_>; 2]) -> Self {
+        let rows = tables.each_ref().map(|table| table.axis().1.len());
         let [first, second] = tables.each_ref().map(step);
         let steps = match first.zip(second) {
             Some((first, second)) => [
@@ -60,7 +64,7 @@ impl MatchedRows {
         Self { steps, rows }
     }
 
-    fn difference(&self, tables: &[Table; 2]) -> Option<Difference> {
+    fn difference(&self, tables: &[Source<'_>; 2]) -> Option<Difference> {
         let [first, second] = self.rows;
         match self.steps {
             [1, 1] if first == second => None,
@@ -79,15 +83,14 @@ impl MatchedRows {
     /// Judges the values of a column; a phase modulo 2π, where its amplitude is significant.
     fn compare(
         &self,
-        column: &mut ColumnComparison,
-        tables: &[Table; 2],
+        found: &mut ColumnComparison,
+        tables: &[Source<'_>; 2],
         values: [&[f64]; 2],
         scales: &Scales<'_>,
         rules: &Rules,
     ) {
-        let name = column.name.clone();
-        let allowance = scales.allowance(&name, rules);
-        let amplitude = amplitude_of(&name, tables);
+        let allowance = scales.allowance(&found.column, rules);
+        let amplitude = amplitude_of(&found.column, tables);
         let amplitude =
             amplitude.map(|(amplitude, sizes)| (sizes, scales.allowance(amplitude, rules).total()));
         let counts = [0, 1].map(|table| self.rows[table].div_ceil(self.steps[table]));
@@ -112,25 +115,29 @@ impl MatchedRows {
                     (turn(distance(a, b)), turned)
                 }
             };
-            let place = tables[0].axis()[at[0]];
-            column.take(row as u64 + 1, place, [a, b], difference, allowance);
+            let place = tables[0].axis().1[at[0]];
+            found.take(row as u64 + 1, place, [a, b], difference, allowance);
         }
     }
 }
 
 /// The amplitude that a phase belongs to.
-fn amplitude_of<'a>(name: &str, tables: &'a [Table; 2]) -> Option<(&'a str, [&'a [f64]; 2])> {
-    let prefix = format!("{}_amplitude_", name.strip_suffix("_phase_rad")?);
-    let mut names = tables[0].names.iter();
-    let found = names.find(|name| name.starts_with(&prefix) && pair(tables, name).is_some())?;
+fn amplitude_of<'a>(
+    column: &Column,
+    tables: &'a [Source<'_>; 2],
+) -> Option<(&'a Column, [&'a [f64]; 2])> {
+    let is_amplitude = |known: &&Column| {
+        known.kind == ColumnKind::Lines("amplitude") && known.quantity == column.quantity
+    };
+    let mut columns = tables[0].columns();
+    let found = columns.find(|known| column.kind == ColumnKind::Phase && is_amplitude(known))?;
     Some((found, pair(tables, found)?))
 }
 
 /// Time between two samples of a trace, s.
-fn step(table: &Table) -> Option<f64> {
-    let is_trace = table.names.first().is_some_and(|axis| axis == "t_s");
+fn step(table: &Source<'_>) -> Option<f64> {
     match table.axis() {
-        [first, second, ..] if is_trace => Some(second - first),
+        (axis, [first, second, ..]) if *axis == Channel::Time.column() => Some(second - first),
         _ => None,
     }
 }
@@ -144,23 +151,19 @@ fn thinning(ratio: f64, [rows, others]: [usize; 2]) -> usize {
 
 /// What the columns of two tables are measured by.
 pub(super) struct Scales<'a> {
-    tables: &'a [Table; 2],
+    tables: &'a [Source<'a>; 2],
     /// What of them is round-off.
     floor: NoiseFloor,
 }
 
 impl<'a> Scales<'a> {
     /// Of all their columns.
-    pub fn of(tables: &'a [Table; 2]) -> Self {
+    pub fn of(tables: &'a [Source<'a>; 2]) -> Self {
         let rates = tables.iter().filter_map(step).filter(|step| *step > 0.0);
         let rate = rates.map(f64::recip).fold(0.0, f64::max);
-        let names = tables.iter().flat_map(|table| &table.names);
-        let channels = names.filter_map(|name| {
-            Some((
-                Channel::of_column(&Column::from_name(name))?,
-                largest(tables, name),
-            ))
-        });
+        let columns = tables.iter().flat_map(Source::columns);
+        let channels = columns
+            .filter_map(|column| Some((Channel::of_column(column)?, largest(tables, column))));
         Self {
             floor: NoiseFloor::of(channels, rate),
             tables,
@@ -168,12 +171,12 @@ impl<'a> Scales<'a> {
     }
 
     /// What values of a column may differ by: its tolerance, and round-off unless equal values are asked for.
-    pub fn allowance(&self, name: &str, rules: &Rules) -> Allowance {
-        let tolerance = rules.tolerances.of(name);
+    pub fn allowance(&self, column: &Column, rules: &Rules) -> Allowance {
+        let tolerance = rules.tolerances.of(&column.name());
         Allowance {
             tolerance,
-            scale: largest(self.tables, name),
-            more: match Channel::of_column(&Column::from_name(name)) {
+            scale: largest(self.tables, column),
+            more: match Channel::of_column(column) {
                 Some(channel) if !tolerance.is_exact() => self.floor.below(channel),
                 _ => 0.0,
             },
@@ -181,8 +184,8 @@ impl<'a> Scales<'a> {
     }
 }
 
-fn largest([first, second]: &[Table; 2], name: &str) -> f64 {
-    first.largest(name).max(second.largest(name))
+fn largest([first, second]: &[Source<'_>; 2], column: &Column) -> f64 {
+    first.largest(column).max(second.largest(column))
 }
 
 /// |a − b|; zero for equal infinities and for two NaN, infinite where only one is a number.

@@ -1,4 +1,4 @@
-//! A table of numbers in memory: a CSV file, or a spectrum.
+//! A table that is compared: a CSV file, or a spectrum.
 
 use std::collections::HashSet;
 use std::fs::File;
@@ -8,32 +8,29 @@ use super::{CompareError, Difference};
 use crate::analysis::Spectrum;
 use crate::report::spectra::spectrum_table;
 use crate::scenario::open_regular;
+use crate::table::{Column, Table};
 
 /// Most bytes of a file.
 const LARGEST: u64 = 4 << 30;
 
-/// A table with a header and numbers below, at least one row.
-pub(super) struct Table {
+/// A table of numbers, of at least one row, and where it comes from.
+pub(super) struct Source<'a> {
     /// Its file, or what messages call it.
     pub path: PathBuf,
-    /// Names of the columns.
-    pub names: Vec<String>,
-    /// Numbers column by column; NaN where one is missing.
-    columns: Vec<Vec<f64>>,
+    pub table: Table<'a>,
 }
 
-impl Table {
+impl Source<'static> {
     /// Reads a file.
     pub fn open(path: &Path) -> Result<Self, CompareError> {
         let bad = |source| bad_csv(path, source);
         let mut reader = reader(path)?;
-        let header = reader.headers().map_err(bad)?;
-        let names: Vec<String> = header.iter().map(str::to_owned).collect();
+        let names = reader.headers().map_err(bad)?.clone();
         let mut earlier = HashSet::new();
         if let Some(twice) = names.iter().find(|name| !earlier.insert(*name)) {
             return Err(CompareError::Duplicate {
                 path: path.to_owned(),
-                column: twice.clone(),
+                column: twice.to_owned(),
             });
         }
         let mut columns = vec![Vec::new(); names.len()];
@@ -48,62 +45,68 @@ impl Table {
                 path: path.to_owned(),
             });
         }
-        Ok(Self {
-            path: path.to_owned(),
-            names,
-            columns,
-        })
+        let mut table = Table::default();
+        for (name, values) in names.iter().zip(columns) {
+            table.add(Column::from_name(name), values);
+        }
+        let path = path.to_owned();
+        Ok(Self { path, table })
     }
+}
 
+impl<'a> Source<'a> {
     /// The table of a spectrum, as its file would be; `name` is what messages call it.
-    pub fn of_spectrum(name: &str, spectrum: &Spectrum) -> Self {
-        let table = spectrum_table(spectrum);
-        let columns = table
-            .iter()
-            .map(|(column, values)| (column.name(), values.to_vec()));
-        let (names, columns) = columns.unzip();
+    pub fn of_spectrum(name: &str, spectrum: &'a Spectrum) -> Self {
         Self {
             path: PathBuf::from(name),
-            names,
-            columns,
+            table: spectrum_table(spectrum),
         }
     }
 
-    /// The first column: times or frequencies.
-    pub fn axis(&self) -> &[f64] {
-        &self.columns[0]
+    /// The columns.
+    pub fn columns(&self) -> impl Iterator<Item = &Column> {
+        self.table.iter().map(|(column, _)| column)
     }
 
-    /// A column by its name.
-    pub fn column(&self, name: &str) -> Option<&[f64]> {
-        let place = self.names.iter().position(|known| known == name)?;
-        Some(&self.columns[place])
+    /// The first column: times, frequencies or orders.
+    pub fn axis(&self) -> (&Column, &[f64]) {
+        let first = self.table.iter().next();
+        first.expect("a table that is compared has a column")
+    }
+
+    /// Values of a column that it has.
+    pub fn values(&self, column: &Column) -> Option<&[f64]> {
+        let found = self.table.iter().find(|(known, _)| *known == column);
+        found.map(|(_, values)| values)
     }
 
     /// Largest finite magnitude of a column; zero where there is none.
-    pub fn largest(&self, name: &str) -> f64 {
-        let values = self.column(name).unwrap_or_default().iter();
+    pub fn largest(&self, column: &Column) -> f64 {
+        let values = self.values(column).unwrap_or_default().iter();
         let sizes = values.map(|value| value.abs());
         sizes.filter(|size| size.is_finite()).fold(0.0, f64::max)
     }
 
     /// Columns that count and that only one of two tables has.
-    pub fn alone([first, second]: &[Self; 2], counts: fn(&str) -> bool) -> Vec<Difference> {
+    pub fn alone(both: &[Self; 2], counts: fn(&Column) -> bool) -> Vec<Difference> {
+        let [first, second] = both;
         let alone = |own: &Self, other: &Self| {
-            let names = own.names.iter();
-            let names = names.filter(|name| counts(name) && !other.names.contains(name));
+            let columns = own.columns().filter(|column| counts(column));
+            let columns = columns.filter(|column| other.values(column).is_none());
             let path = own.path.display();
-            let only = |name| Difference::partial(format!("only {path} has the column {name}"));
-            names.map(only).collect::<Vec<_>>()
+            let only = |column: &Column| {
+                Difference::partial(format!("only {path} has the column {}", column.name()))
+            };
+            columns.map(only).collect::<Vec<_>>()
         };
         [alone(first, second), alone(second, first)].concat()
     }
 
-    /// Names of the columns of both tables, in the order of the first.
-    pub fn known([first, second]: &[Self; 2]) -> Vec<String> {
-        let further = second.names.iter();
-        let further = further.filter(|name| !first.names.contains(name));
-        first.names.iter().chain(further).cloned().collect()
+    /// The columns of both tables, in the order of the first.
+    pub fn known([first, second]: &[Self; 2]) -> Vec<Column> {
+        let further = second.columns();
+        let further = further.filter(|column| first.values(column).is_none());
+        first.columns().chain(further).cloned().collect()
     }
 }
 

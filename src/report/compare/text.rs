@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::{ColumnComparison, Comparison, Difference, TableComparison, Worst};
 use crate::report::terminal::{Lines, table, wrapped};
+use crate::table::Column;
 
 impl fmt::Display for Comparison {
     /// A table of the worst places, what keeps the results from being compared, the verdict and, where
@@ -42,7 +43,7 @@ impl Comparison {
             lines.put(&table.name);
             if !table.columns.is_empty() {
                 let (header, rows) = worst_places(table);
-                lines.table(header, rows);
+                lines.table(header.iter().map(String::as_str), rows);
             }
             differences(lines, &table.differences);
             differences(lines, &table.left_out);
@@ -80,7 +81,7 @@ fn advice(table: &TableComparison, column: &ColumnComparison) -> String {
     let Some(worst) = column.worst() else {
         return String::new();
     };
-    let (name, at) = (&column.name, short(worst.at));
+    let (name, at) = (column.column.name(), short(worst.at));
     let place = format!(": most of all {name}, at {} = {at}", axis(table));
     let needed = rounded_up(column.needed);
     if !needed.is_finite() {
@@ -112,28 +113,22 @@ fn write_table(f: &mut fmt::Formatter<'_>, found: &TableComparison) -> fmt::Resu
         return Ok(());
     }
     let (header, rows) = worst_places(found);
-    writeln!(f, "{}", table(header, rows))
+    writeln!(f, "{}", table(header.iter().map(String::as_str), rows))
 }
 
 /// The worst places of every column, with the heads of their table.
-fn worst_places(found: &TableComparison) -> ([&str; 7], Vec<Vec<String>>) {
-    let header = [
-        "column",
-        "|a−b|",
-        "allowed",
-        axis(found),
-        "a",
-        "b",
-        "differs in",
-    ];
+fn worst_places(found: &TableComparison) -> ([String; 7], Vec<Vec<String>>) {
+    let axis = axis(found);
+    let header = ["column", "|a−b|", "allowed", &axis, "a", "b", "differs in"];
+    let header = header.map(str::to_owned);
     let rows = found.columns.iter().flat_map(|column| {
         let places = column.places.iter().enumerate();
         let mut rows: Vec<_> = places
             .map(|(index, worst)| worst_place(column, worst, index == 0))
             .collect();
         if rows.is_empty() {
-            let mut row = vec![String::new(); header.len()];
-            row[0].clone_from(&column.name);
+            let mut row = vec![String::new(); 7];
+            row[0] = column.column.name();
             row[6] = "not significant".to_owned();
             rows.push(row);
         }
@@ -142,8 +137,9 @@ fn worst_places(found: &TableComparison) -> ([&str; 7], Vec<Vec<String>>) {
     (header, rows.collect())
 }
 
-fn axis(table: &TableComparison) -> &str {
-    table.known.first().map_or("row", String::as_str)
+fn axis(table: &TableComparison) -> String {
+    let first = table.known.first();
+    first.map_or_else(|| "row".to_owned(), Column::name)
 }
 
 /// The row of a place; the first of a column names it.
@@ -155,7 +151,7 @@ fn worst_place(column: &ColumnComparison, worst: &Worst, first: bool) -> Vec<Str
     };
     let only_first = |text: String| if first { text } else { String::new() };
     vec![
-        only_first(column.name.clone()),
+        only_first(column.column.name()),
         format!("{:.1e}", worst.difference),
         format!("{:.1e}", worst.allowed),
         short(worst.at),

@@ -23,16 +23,19 @@ pub(in crate::report) fn table_name(spectrum: &EstimatedSpectrum) -> String {
 /// column.
 pub(in crate::report) fn estimated_table(spectrum: &EstimatedSpectrum) -> Table<'_> {
     let rows = || 0..spectrum.bins();
-    let frequencies = ("f", "Hz", rows().map(|k| spectrum.frequency(k)).collect());
-    let orders = ("order", "", rows().map(|k| spectrum.order(k)).collect());
-    let axes: [(_, _, Vec<Option<f64>>); 2] = match spectrum.request.axis {
+    let frequencies = (
+        Column::frequency(),
+        rows().map(|k| spectrum.frequency(k)).collect(),
+    );
+    let orders = (Column::order(), rows().map(|k| spectrum.order(k)).collect());
+    let axes: [(_, Vec<Option<f64>>); 2] = match spectrum.request.axis {
         Axis::Frequency => [frequencies, orders],
         Axis::Order => [orders, frequencies],
     };
     let mut table = Table::default();
-    for (quantity, unit, places) in axes {
+    for (column, places) in axes {
         if places.first().is_some_and(Option::is_some) {
-            table.numbers(quantity, unit, places);
+            table.add(column, places);
         }
     }
     for of in &spectrum.columns {

@@ -31,9 +31,9 @@ pub fn write_spectrum(spectrum: &Spectrum, writer: impl Write) -> io::Result<()>
 pub(in crate::report) fn spectrum_table(spectrum: &Spectrum) -> Table<'_> {
     let bins = || 0..spectrum.bins();
     let mut table = Table::default();
-    table.numbers("f", "Hz", bins().map(|k| spectrum.frequency(k)));
+    table.add(Column::frequency(), bins().map(|k| spectrum.frequency(k)));
     if spectrum.order(0).is_some() {
-        table.numbers("order", "", bins().map(|k| spectrum.order(k)));
+        table.add(Column::order(), bins().map(|k| spectrum.order(k)));
     }
     for entry in &spectrum.channels {
         table.borrowed(amplitude_column(entry.channel), &entry.amplitude);
@@ -65,8 +65,8 @@ pub(in crate::report) fn peak_table(peaks: &[Peak], spectrum: &Spectrum) -> Tabl
     let mut table = Table::default();
     table.words("channel", peaks().map(|peak| peak.channel));
     table.words("unit", peaks().map(|peak| peak.unit));
-    table.numbers("f", "Hz", peaks().map(|peak| peak.frequency));
-    table.numbers("order", "", peaks().map(|peak| peak.order));
+    table.add(Column::frequency(), peaks().map(|peak| peak.frequency));
+    table.add(Column::order(), peaks().map(|peak| peak.order));
     table.numbers("amplitude", "", peaks().map(|peak| peak.amplitude));
     table.numbers("phase", "rad", peaks().map(|peak| peak.phase));
     table.words(
