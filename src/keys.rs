@@ -7,6 +7,8 @@ use std::fmt::Display;
 use nalgebra::Complex;
 use serde::{Serialize, Serializer};
 
+use crate::table::Column;
+
 /// Number of freedoms of the inner ring: x, y, z, θx, θy.
 const FREEDOMS: usize = 5;
 /// A stiffness matrix.
@@ -15,38 +17,49 @@ type Matrix5 = nalgebra::SMatrix<f64, FREEDOMS, FREEDOMS>;
 /// What comes of writing a value.
 type Serialized<S> = Result<<S as Serializer>::Ok, <S as Serializer>::Error>;
 
-/// Displacements and tilts with their units.
-pub(crate) const DISPLACEMENT: [&str; FREEDOMS] = ["x_m", "y_m", "z_m", "tilt_x_rad", "tilt_y_rad"];
-/// Forces and moments with their units.
-pub(crate) const FORCE: [&str; FREEDOMS] = [
-    "force_x_N",
-    "force_y_N",
-    "force_z_N",
-    "moment_x_N_m",
-    "moment_y_N_m",
-];
-/// The diagonal of a stiffness matrix.
-pub(crate) const DIAGONAL: [&str; FREEDOMS] = [
-    "K_x_N_m",
-    "K_y_N_m",
-    "K_z_N_m",
-    "K_tilt_x_N_m_rad",
-    "K_tilt_y_N_m_rad",
-];
 /// Names of the freedoms.
 pub(crate) const AXES: [&str; FREEDOMS] = ["x", "y", "z", "tilt_x", "tilt_y"];
+/// Displacements and tilts with their units.
+pub(crate) const DISPLACEMENT: [(&str, &str); FREEDOMS] = [
+    (AXES[0], "m"),
+    (AXES[1], "m"),
+    (AXES[2], "m"),
+    (AXES[3], "rad"),
+    (AXES[4], "rad"),
+];
+/// Forces and moments with their units.
+pub(crate) const FORCE: [(&str, &str); FREEDOMS] = [
+    ("force_x", "N"),
+    ("force_y", "N"),
+    ("force_z", "N"),
+    ("moment_x", "N m"),
+    ("moment_y", "N m"),
+];
+
+/// The columns of the diagonal of a stiffness matrix: `K_x_N_m` ….
+pub(crate) fn diagonal_columns() -> [Column; FREEDOMS] {
+    std::array::from_fn(|axis| {
+        let unit = format!("{}/{}", FORCE[axis].1, DISPLACEMENT[axis].1);
+        Column::number(format!("K_{}", AXES[axis]), unit)
+    })
+}
+
+/// Quantities with their units as keys.
+fn named(quantities: [(&'static str, &'static str); FREEDOMS]) -> [String; FREEDOMS] {
+    quantities.map(|(quantity, unit)| Column::number(quantity, unit).name())
+}
 
 /// `{"x_m": …, "y_m": …, …}`.
 pub(crate) fn displacement<S: Serializer>(
     values: &[f64; FREEDOMS],
     serializer: S,
 ) -> Serialized<S> {
-    serializer.collect_map(DISPLACEMENT.iter().zip(values))
+    serializer.collect_map(named(DISPLACEMENT).iter().zip(values))
 }
 
 /// `{"force_x_N": …, …}`.
 pub(crate) fn force<S: Serializer>(values: &[f64; FREEDOMS], serializer: S) -> Serialized<S> {
-    serializer.collect_map(FORCE.iter().zip(values))
+    serializer.collect_map(named(FORCE).iter().zip(values))
 }
 
 /// `{"x": …, "y": …, …}`: one value each of the first freedoms.
@@ -76,8 +89,8 @@ pub(crate) fn rows<S: Serializer>(
     #[derive(Serialize)]
     struct Named<'a> {
         meaning: &'a str,
-        rows: [&'a str; FREEDOMS],
-        columns: [&'a str; FREEDOMS],
+        rows: [String; FREEDOMS],
+        columns: [String; FREEDOMS],
         matrix: &'a [[f64; FREEDOMS]; FREEDOMS],
         #[serde(serialize_with = "diagonal")]
         named: Matrix5,
@@ -85,8 +98,8 @@ pub(crate) fn rows<S: Serializer>(
     let named = Named {
         meaning: "forces and moments that the bearings need per displacement and tilt at the static \
                   equilibrium; the unit of an entry is that of its row over that of its column",
-        rows: FORCE,
-        columns: DISPLACEMENT,
+        rows: named(FORCE),
+        columns: named(DISPLACEMENT),
         matrix: rows,
         named: Matrix5::from_fn(|row, column| rows[row][column]),
     };
@@ -95,8 +108,8 @@ pub(crate) fn rows<S: Serializer>(
 
 /// The diagonal of a stiffness matrix: `{"K_x_N_m": …, …}`.
 pub(crate) fn diagonal<S: Serializer>(matrix: &Matrix5, serializer: S) -> Serialized<S> {
-    let value = |(axis, name)| (name, matrix[(axis, axis)]);
-    serializer.collect_map(DIAGONAL.iter().enumerate().map(value))
+    let columns = diagonal_columns().into_iter().enumerate();
+    serializer.collect_map(columns.map(|(axis, column)| (column, matrix[(axis, axis)])))
 }
 
 /// Complex numbers with their magnitudes.

@@ -10,8 +10,12 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use serde_json::Value;
 
-use crate::rotor::{Freedoms, MOST_BEARINGS, MOST_HOUSINGS, RotorDefinition, Sample};
-use crate::table::{Column, ColumnKind};
+use crate::keys::{DISPLACEMENT, FORCE};
+use crate::rotor::{
+    DriveMoments, EnergyBalance, FREEDOMS, Freedoms, MOST_BEARINGS, MOST_HOUSINGS, RotorDefinition,
+    Sample,
+};
+use crate::table::{Column, ColumnKind, Named};
 
 /// A column of the table of samples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -35,7 +39,7 @@ pub enum Channel {
     LargestBallLoad,
     /// Number of balls in contact, all bearings together.
     BallsLoaded,
-    /// A term of the energy balance: kinetic, stored, then the works of `rotor::Works::values`.
+    /// A term of the energy balance: kinetic, stored, then the works.
     Energy(usize),
     /// Motion of the housing of a bearing, from 0, along axis 0 … 2.
     Housing {
@@ -69,6 +73,8 @@ pub enum HousingQuantity {
 }
 
 impl HousingQuantity {
+    const ALL: [Self; 3] = [Self::Displacement, Self::Velocity, Self::Acceleration];
+
     /// Its time derivative, where that is known.
     pub(super) fn rate(self) -> Option<Self> {
         match self {
@@ -79,96 +85,50 @@ impl HousingQuantity {
     }
 }
 
-/// A quantity with its name and its unit.
-type Entry = (Channel, &'static str, &'static str);
-
-/// The columns of shaft and bearings, in the order in which the tables show them.
-const COLUMNS: [Entry; 41] = [
-    (Channel::Time, "t", "s"),
-    (Channel::Angle, "angle", "rad"),
-    (Channel::Speed, "speed", "rad/s"),
-    (Channel::Displacement(0), "x", "m"),
-    (Channel::Displacement(1), "y", "m"),
-    (Channel::Displacement(2), "z", "m"),
-    (Channel::Displacement(3), "tilt_x", "rad"),
-    (Channel::Displacement(4), "tilt_y", "rad"),
-    (Channel::Velocity(0), "x_velocity", "m/s"),
-    (Channel::Velocity(1), "y_velocity", "m/s"),
-    (Channel::Velocity(2), "z_velocity", "m/s"),
-    (Channel::Velocity(3), "tilt_x_velocity", "rad/s"),
-    (Channel::Velocity(4), "tilt_y_velocity", "rad/s"),
-    (Channel::Acceleration(0), "x_acceleration", "m/s^2"),
-    (Channel::Acceleration(1), "y_acceleration", "m/s^2"),
-    (Channel::Acceleration(2), "z_acceleration", "m/s^2"),
-    (Channel::Acceleration(3), "tilt_x_acceleration", "rad/s^2"),
-    (Channel::Acceleration(4), "tilt_y_acceleration", "rad/s^2"),
-    (Channel::Force(0), "force_x", "N"),
-    (Channel::Force(1), "force_y", "N"),
-    (Channel::Force(2), "force_z", "N"),
-    (Channel::Force(3), "moment_x", "N m"),
-    (Channel::Force(4), "moment_y", "N m"),
-    (Channel::LargestBallLoad, "largest_ball_load", "N"),
-    (Channel::BallsLoaded, "balls_loaded", ""),
-    (Channel::KINETIC_ENERGY, "kinetic", "J"),
-    (Channel::STORED_ENERGY, "stored", "J"),
-    (Channel::Energy(2), "loads", "J"),
-    (Channel::Energy(3), "unbalance", "J"),
-    (Channel::Energy(4), "rotation", "J"),
-    (Channel::Energy(5), "viscous_damping", "J"),
-    (Channel::Energy(6), "contact_damping", "J"),
-    (Channel::Energy(7), "bearings", "J"),
-    (Channel::Energy(8), "drive", "J"),
-    (Channel::Energy(9), "load_torque", "J"),
-    (Channel::Energy(10), "bearing_friction", "J"),
-    (Channel::Drive(0), "drive_torque", "N m"),
-    (Channel::Drive(1), "load_torque", "N m"),
-    (Channel::Drive(2), "friction_moment", "N m"),
-    (Channel::Drive(3), "vibration_torque", "N m"),
-    (Channel::Drive(4), "twist", "rad"),
+/// The terms of the energy balance.
+const ENERGY: [Named<EnergyBalance>; 11] = [
+    ("kinetic", "J", |energy| energy.kinetic),
+    ("stored", "J", |energy| energy.stored),
+    ("loads", "J", |energy| energy.works.loads),
+    ("unbalance", "J", |energy| energy.works.unbalance),
+    ("rotation", "J", |energy| energy.works.rotation),
+    ("viscous_damping", "J", |energy| energy.works.viscous),
+    ("contact_damping", "J", |energy| energy.works.contact),
+    ("bearings", "J", |energy| energy.works.bearings),
+    ("drive", "J", |energy| energy.works.drive),
+    ("load_torque", "J", |energy| energy.works.load_torque),
+    ("bearing_friction", "J", |energy| energy.works.friction),
 ];
 
-/// Every column: after those of the shaft those of the housings and the forces, bearing by bearing.
-static ALL: LazyLock<Vec<Entry>> = LazyLock::new(|| {
-    let housings = (0..MOST_HOUSINGS).flat_map(housing_columns);
-    let forces = (0..MOST_BEARINGS).flat_map(force_columns);
-    COLUMNS.into_iter().chain(housings).chain(forces).collect()
+/// The quantities of a driven shaft.
+const DRIVE: [Named<DriveMoments>; 5] = [
+    ("drive_torque", "N m", |drive| drive.drive),
+    ("load_torque", "N m", |drive| drive.load),
+    ("friction_moment", "N m", |drive| drive.friction),
+    ("vibration_torque", "N m", |drive| drive.vibration),
+    ("twist", "rad", |drive| drive.twist),
+];
+
+/// Every quantity with its column, in the order in which the tables show them; after those of the shaft those of the
+/// housings and the forces, bearing by bearing.
+static ALL: LazyLock<Vec<(Channel, Column)>> = LazyLock::new(|| {
+    use Channel::*;
+    let of = |quantity: fn(usize) -> Channel| (0..FREEDOMS).map(quantity);
+    let housings = (0..MOST_HOUSINGS).flat_map(|bearing| Channel::of_housing(bearing, 3));
+    let forces = (0..MOST_BEARINGS)
+        .flat_map(|bearing| (0..FREEDOMS).map(move |freedom| BearingForce { bearing, freedom }));
+    let all = [Time, Angle, Speed].into_iter();
+    let all = all.chain(of(Displacement)).chain(of(Velocity));
+    let all = all.chain(of(Acceleration)).chain(of(Force));
+    let all = all.chain([LargestBallLoad, BallsLoaded]);
+    let all = all.chain((0..ENERGY.len()).map(Energy));
+    let all = all.chain((0..DRIVE.len()).map(Drive));
+    let all = all.chain(housings).chain(forces);
+    all.map(|channel| (channel, channel.column())).collect()
 });
 
 /// Names of the forces of the bearings behind the first, as a regular expression.
 const FURTHER: &str = "^bearing([2-9]|[1-5][0-9]|6[0-4])_(force_[xyz]|moment_[xy])$";
-
-fn force_columns(bearing: usize) -> impl Iterator<Item = Entry> {
-    COLUMNS.into_iter().filter_map(move |(total, name, unit)| {
-        let Channel::Force(freedom) = total else {
-            return None;
-        };
-        let name = format!("bearing{}_{name}", bearing + 1);
-        let channel = Channel::BearingForce { bearing, freedom };
-        Some((channel, &*name.leak(), unit))
-    })
-}
-
-fn housing_columns(bearing: usize) -> impl Iterator<Item = Entry> {
-    let quantities = [
-        (HousingQuantity::Displacement, "", "m"),
-        (HousingQuantity::Velocity, "_velocity", "m/s"),
-        (HousingQuantity::Acceleration, "_acceleration", "m/s^2"),
-    ];
-    quantities
-        .into_iter()
-        .flat_map(move |(quantity, of, unit)| {
-            let axes = ["x", "y", "z"].into_iter().enumerate();
-            axes.map(move |(axis, name)| {
-                let channel = Channel::Housing {
-                    bearing,
-                    quantity,
-                    axis,
-                };
-                let name = format!("housing{}_{name}{of}", bearing + 1);
-                (channel, &*name.leak(), unit)
-            })
-        })
-}
 
 impl Channel {
     /// Kinetic energy of the shaft.
@@ -333,13 +293,6 @@ impl Channel {
         matches!(self, Self::BearingForce { bearing: 1.., .. })
     }
 
-    /// What is known of it.
-    fn entry(self) -> &'static Entry {
-        let mut all = ALL.iter();
-        all.find(|(channel, ..)| *channel == self)
-            .expect("every quantity is a column")
-    }
-
     /// Schema of the names that lists leave out.
     pub(crate) fn further_schema() -> Schema {
         json_schema!({
@@ -351,12 +304,18 @@ impl Channel {
 
     /// Name as in the files: `x`, `tilt_x`, `x_velocity`, `force_x`, `moment_x` ….
     pub fn name(self) -> &'static str {
-        self.entry().1
+        &self.listed().quantity
     }
 
     /// Unit: `m`, `rad/s^2`, `N m` …; empty of a number.
     pub fn unit(self) -> &'static str {
-        self.entry().2
+        &self.listed().unit
+    }
+
+    fn listed(self) -> &'static Column {
+        let mut all = ALL.iter();
+        let found = all.find(|(channel, _)| *channel == self);
+        &found.expect("every quantity is listed").1
     }
 
     /// Value in a sample; none where it was not observed.
@@ -372,19 +331,8 @@ impl Channel {
             Self::BearingForce { bearing, freedom } => sample.bearing_forces.get(bearing)?[freedom],
             Self::LargestBallLoad => sample.largest_ball_load?,
             Self::BallsLoaded => f64::from(sample.balls_loaded?),
-            Self::KINETIC_ENERGY => sample.energy?.kinetic,
-            Self::STORED_ENERGY => sample.energy?.stored,
-            Self::Energy(term) => sample.energy?.works.values()[term - 2],
-            Self::Drive(quantity) => {
-                let drive = sample.drive?;
-                [
-                    drive.drive,
-                    drive.load,
-                    drive.friction,
-                    drive.vibration,
-                    drive.twist,
-                ][quantity]
-            }
+            Self::Energy(term) => (ENERGY[term].2)(&sample.energy?),
+            Self::Drive(quantity) => (DRIVE[quantity].2)(&sample.drive?),
             Self::Housing {
                 bearing,
                 quantity,
@@ -402,10 +350,43 @@ impl Channel {
 
     /// Its column in the files, named `x_m`, `force_x_N`, `x_velocity_m_s`, `balls_loaded`.
     pub fn column(self) -> Column {
-        match self {
-            Self::BallsLoaded => Column::count(self.name()),
-            _ => Column::number(self.name(), self.unit()),
-        }
+        let rate = |(quantity, unit), what, per| {
+            Column::number(format!("{quantity}_{what}"), format!("{unit}/{per}"))
+        };
+        let (quantity, unit) = match self {
+            Self::Time => ("t", "s"),
+            Self::Angle => ("angle", "rad"),
+            Self::Speed => ("speed", "rad/s"),
+            Self::Displacement(freedom) => DISPLACEMENT[freedom],
+            Self::Velocity(freedom) => return rate(DISPLACEMENT[freedom], "velocity", "s"),
+            Self::Acceleration(freedom) => {
+                return rate(DISPLACEMENT[freedom], "acceleration", "s^2");
+            }
+            Self::Force(freedom) => FORCE[freedom],
+            Self::LargestBallLoad => ("largest_ball_load", "N"),
+            Self::BallsLoaded => return Column::count("balls_loaded"),
+            Self::Energy(term) => (ENERGY[term].0, ENERGY[term].1),
+            Self::Drive(quantity) => (DRIVE[quantity].0, DRIVE[quantity].1),
+            Self::Housing {
+                bearing,
+                quantity,
+                axis,
+            } => {
+                let of_shaft = match quantity {
+                    HousingQuantity::Displacement => Self::Displacement(axis),
+                    HousingQuantity::Velocity => Self::Velocity(axis),
+                    HousingQuantity::Acceleration => Self::Acceleration(axis),
+                };
+                return of_shaft
+                    .column()
+                    .of_part(&format!("housing{}", bearing + 1));
+            }
+            Self::BearingForce { bearing, freedom } => {
+                let total = Self::Force(freedom).column();
+                return total.of_part(&format!("bearing{}", bearing + 1));
+            }
+        };
+        Column::number(quantity, unit)
     }
 
     /// The quantity that a column of a trace or of a spectrum is of, in the unit of the quantity itself.
@@ -413,8 +394,10 @@ impl Channel {
         if column.kind == ColumnKind::Phase {
             return None;
         }
-        Self::all()
-            .find(|channel| channel.name() == column.quantity && channel.unit() == column.unit)
+        let mut all = ALL.iter();
+        let found =
+            all.find(|(_, known)| known.quantity == column.quantity && known.unit == column.unit);
+        found.map(|(channel, _)| *channel)
     }
 
     /// Name and unit as a value of a result.
@@ -448,8 +431,12 @@ impl Channel {
 
     /// Columns of the housing of a bearing, from 0, that moves along the first `axes` of x, y, z.
     pub(crate) fn of_housing(bearing: usize, axes: usize) -> impl Iterator<Item = Self> {
-        Self::all().filter(move |channel| {
-            matches!(channel, Self::Housing { bearing: own, axis, .. } if *own == bearing && *axis < axes)
+        HousingQuantity::ALL.into_iter().flat_map(move |quantity| {
+            (0..axes).map(move |axis| Self::Housing {
+                bearing,
+                quantity,
+                axis,
+            })
         })
     }
 
@@ -515,8 +502,7 @@ impl JsonSchema for Channel {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::keys;
-    use crate::rotor::{DriveMoments, EnergyBalance, FREEDOMS, HousingMotion};
+    use crate::rotor::HousingMotion;
 
     #[test]
     fn every_column_has_a_value_in_a_sample_that_is_wholly_observed() {
@@ -542,15 +528,6 @@ mod tests {
             Channel::all().count(),
             41 + 9 * MOST_HOUSINGS + 5 * MOST_BEARINGS
         );
-    }
-
-    #[test]
-    fn keys_of_results_are_names_of_columns() {
-        for freedom in 0..FREEDOMS {
-            let names = [Channel::Displacement(freedom), Channel::Force(freedom)]
-                .map(|of| of.column().name());
-            assert_eq!(names, [keys::DISPLACEMENT[freedom], keys::FORCE[freedom]]);
-        }
     }
 
     #[test]

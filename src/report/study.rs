@@ -114,9 +114,9 @@ fn answers(variable: &Variable, rows: &[StudyRow]) -> Table<'static> {
         let values = rows.iter().map(|row| row.answer.force[axis]);
         table.add(Channel::Force(axis).column(), values);
     }
-    for (axis, name) in keys::DIAGONAL.into_iter().enumerate() {
+    for (axis, column) in keys::diagonal_columns().into_iter().enumerate() {
         let values = rows.iter().map(|row| row.answer.stiffness[(axis, axis)]);
-        table.add(Column::from_name(name), values);
+        table.add(column, values);
     }
     table.named("", &SHAFT, rows.iter().map(|row| Some(&row.answer)));
     let bearings = rows.iter().map(|row| row.answer.bearings.len()).max();

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 /// Lowest first; `simulate` and `quasi_static` are single files. The integrator knows no rotor: it is
 /// the rotor that implements the integrator's trait.
 const FLOORS: [&str; 17] = [
-    "keys",
     "table",
+    "keys",
     "registers",
     "panels",
     "physics",
