@@ -13,7 +13,7 @@ use crate::keys;
 use crate::quasi_static::{QuasiStatic, Twist};
 use crate::rotor::FREEDOMS;
 use crate::study::{Study, StudyRow, Variable};
-use crate::table::{Column, Named, Table};
+use crate::table::{Named, Table};
 
 /// The answers of a study, and the bearings all around; the numbers stand in the tables alone.
 pub fn study_findings(destination: &Destination<'_>, study: &Study, rows: &[StudyRow]) -> Findings {

@@ -5,8 +5,6 @@ use std::borrow::Cow;
 use serde::{Serialize, Serializer};
 
 /// Units of columns. A unit that results are to be measured in is added here.
-///
-/// Where two are written alike in names, as `N m` and `N/m`, a name is read as the first.
 const UNITS: [&str; 25] = [
     "s",
     "h",
@@ -34,6 +32,9 @@ const UNITS: [&str; 25] = [
     "m^2/s^4",
     "rad^2/s^4",
 ];
+
+/// Words of the quantities whose names end with `N_m` for N/m; elsewhere that is N m.
+const STIFFNESSES: [&str; 2] = ["stiffness", "K"];
 
 /// What densities are divided by.
 const PER: [&str; 2] = ["Hz", "order"];
@@ -171,9 +172,11 @@ impl Column {
         let units = UNITS.iter().map(|unit| (*unit).to_owned());
         let read = units.chain(densities).filter_map(|unit| {
             let quantity = before(name, &suffix(&unit))?;
-            Some((quantity.to_owned(), unit))
+            let is_stiffness = quantity.split('_').any(|word| STIFFNESSES.contains(&word));
+            let other = if is_stiffness { "N m" } else { "N/m" };
+            (unit != other).then(|| (quantity.to_owned(), unit))
         });
-        // what is left is shortest where the unit is the longest; of equals the first counts
+        // what is left is shortest where the unit is the longest
         let read = read.min_by_key(|(quantity, _)| quantity.len());
         let (quantity, unit) = read.unwrap_or_else(|| (name.to_owned(), String::new()));
         if let Some(quantity) = before(&quantity, "phase").filter(|_| unit == "rad") {
@@ -220,6 +223,8 @@ mod tests {
             Column::number("x_velocity", "m/s"),
             Column::number("tilt_x_acceleration", "rad/s^2"),
             Column::number("moment_x", "N m"),
+            Column::number("stiffness_x", "N/m"),
+            Column::number("K_tilt_x", "N m/rad"),
             Column::number("order", ""),
             Column::lines("x", "amplitude", "m"),
             Column::lines("force_x", "density", "N^2/Hz"),
