@@ -10,6 +10,7 @@ mod run;
 mod run_up;
 mod sampling;
 mod severity;
+mod spalls;
 mod spectra;
 mod tables;
 mod warnings;
@@ -32,6 +33,7 @@ pub use run_up::{Extreme, RunUp};
 pub(crate) use sampling::RunSize;
 pub(crate) use severity::Machine;
 pub(crate) use severity::VibrationSeverity;
+pub(crate) use spalls::SpallPassage;
 pub(crate) use tables::TableUse;
 pub(crate) use warnings::{of_speed, speed_warnings};
 pub use watch::{Monitor, SimulateError, TraceSink};
@@ -152,7 +154,7 @@ fn answer(
     let recording = observers.recording.as_ref();
     let analysis = sampling::analyse(model, rotor, recording, &causes);
     let estimated = spectra::estimated(model, recording, &causes, rotor.is_random());
-    let (motion, maps, run_up, spalls) = observers.recorders.finish();
+    let (motion, maps, run_up) = observers.recorders.finish();
     let (spectrum, peaks) = analysis.map_or_else(Default::default, |analysis| {
         (Some(analysis.spectrum), analysis.peaks)
     });
@@ -196,7 +198,7 @@ fn answer(
         motion,
         maps,
         run_up,
-        spalls,
+        spalls: steady.map_or_else(Vec::new, |speed| spalls::spall_passages(rotor, speed)),
         spectra: estimated
             .into_iter()
             .filter_map(|(_, found)| found.ok())

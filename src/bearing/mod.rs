@@ -71,5 +71,5 @@ pub use state::{
 pub use static_rating::{PERMISSIBLE_PRESSURE, permissible_static_load};
 pub(crate) use support::Support;
 pub use surface::Surface;
-pub(crate) use surface::{CageJitter, Defect, Imperfections, Passing, RacePass, SideView, Wave};
+pub(crate) use surface::{CageJitter, Defect, Imperfections, Passing, RaceSpall, SideView, Wave};
 pub(crate) use surface::{DefectProfile, ImperfectionError};

@@ -7,7 +7,7 @@ use super::number::LANES;
 use super::ring::side_by_side;
 use super::support::Support;
 use super::surface::{ImperfectSurfaces, TurningSurfaces};
-use super::{BallLaw, BearingRotation, Passing, RacePass, Vector5};
+use super::{BallLaw, BearingRotation, Passing, RaceSpall, Vector5};
 
 impl Support {
     /// Whether any surface of the bearing differs from a perfect one.
@@ -21,12 +21,11 @@ impl Support {
         surfaces.map_or(&[], |surfaces| &surfaces.passings)
     }
 
-    /// Spalls of the races whose edges alone balls meet, at equal angles of a cage that turns evenly; none of one that wanders.
-    pub(crate) fn race_passes(&self) -> impl Iterator<Item = RacePass> + '_ {
+    /// Spalls of the races whose edges alone balls meet.
+    pub(crate) fn race_spalls(&self) -> impl Iterator<Item = RaceSpall> + '_ {
         let own = &self.definition;
         let defects = own.imperfections.defects.iter();
-        let defects = defects.filter(|_| self.cage_jitter().is_none());
-        defects.filter_map(|defect| defect.race_pass(&own.bearing, own.first_ball, own.position))
+        defects.filter_map(|defect| defect.race_spall(&own.bearing))
     }
 
     /// Which of its surfaces turn.

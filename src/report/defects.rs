@@ -1,27 +1,23 @@
-//! The figure of defects: each drawn from the side, and what the shaft feels of those of the races.
+//! The figure of defects: each drawn from the side.
 
-use super::figure::{Axis, Curve, Figure, GREY, Mark, Name, PLOT_WIDTH, Panel, Point, distinct};
-use crate::analysis::SpallSignal;
+use super::figure::{Axis, Curve, Figure, Name, PLOT_WIDTH, Panel, Point, distinct};
 use crate::bearing::{Defect, Geometry, SideView, Surface};
-use crate::simulate::{Model, Run};
+use crate::simulate::Model;
 
 /// Defects that are drawn, the first ones.
 const MOST_DRAWN: usize = 4;
-/// Height of a drawing and of a signal, px.
+/// Height of a drawing, px.
 const SIDE_HEIGHT: u32 = 260;
-const SIGNAL_HEIGHT: u32 = 220;
 /// Least width of a drawing in lengths of its defect.
 const WIDTH: f64 = 1.8;
 /// Room below the surface and above it, in depths, of those deeper than long in lengths.
 const BELOW: f64 = 1.25;
 const ABOVE: f64 = 0.6;
-/// Times from entry to impact on either side of the impact in the enlarged signal.
-const ENLARGED: f64 = 3.0;
 /// Points of a curve of a drawing.
 const POINTS: u32 = 600;
 
-/// The figure of the defects of a run; none where bearings have none.
-pub(super) fn figure(title: &str, model: &Model, run: &Run) -> Option<Figure> {
+/// The figure of the defects of a model; none where bearings have none.
+pub(super) fn figure(title: &str, model: &Model) -> Option<Figure> {
     let bearings = model.rotor.bearings.iter().enumerate();
     let defects = bearings.flat_map(|(number, own)| {
         let defects = own.imperfections.defects.iter();
@@ -29,8 +25,7 @@ pub(super) fn figure(title: &str, model: &Model, run: &Run) -> Option<Figure> {
     });
     let drawings = defects.take(MOST_DRAWN);
     let drawings = drawings.map(|(number, geometry, defect)| side_view(number, geometry, defect));
-    let signals = run.spalls.iter().take(MOST_DRAWN).flat_map(signals);
-    let panels: Vec<_> = drawings.chain(signals).collect();
+    let panels: Vec<_> = drawings.collect();
     let title = format!("{title}: defects");
     (!panels.is_empty()).then(|| Figure::new("defects.svg", &title, 1, panels))
 }
@@ -154,69 +149,6 @@ impl<'a> Drawing<'a> {
 fn sagitta(radius: f64, along: f64) -> Option<f64> {
     let square = radius * radius - along * along;
     (square >= 0.0).then(|| along * along / (radius + square.sqrt()))
-}
-
-/// The signal of a spall over a ball pass, and enlarged around the impact.
-fn signals(spall: &SpallSignal) -> [Panel; 2] {
-    let times = spall.signal.iter().map(|(time, _)| 1e3 * time);
-    let half = times.fold(0.0, |most: f64, time| most.max(time.abs()));
-    let near = (1e3 * ENLARGED * spall.known).min(half);
-    let spall_name = format!("bearing {}, {}", spall.bearing, spall.on);
-    let passes = format!("{spall_name}: one ball pass, mean of {:.0}", spall.passes);
-    let found = match spall.measured {
-        None => "entry and impact are not seen".to_owned(),
-        Some(found) => format!(
-            "from entry to impact {:.1} µs, by kinematics {:.1} µs",
-            1e6 * found.apart,
-            1e6 * spall.known
-        ),
-    };
-    let enlarged = format!("{spall_name}: {found}");
-    [(passes, half), (enlarged, near)].map(|(title, half)| signal(spall, title, half))
-}
-
-fn signal(spall: &SpallSignal, title: String, half: f64) -> Panel {
-    let points = spall
-        .signal
-        .iter()
-        .map(|(time, value)| (1e3 * time, *value));
-    let points: Vec<Point> = points.filter(|(time, _)| time.abs() <= half).collect();
-    let near = |time: f64| -> Point {
-        let apart = |point: &&Point| (point.0 - time).abs();
-        let nearest = points.iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));
-        nearest.copied().unwrap_or_default()
-    };
-    let dots = |colour, times: [f64; 2], mark| Curve {
-        mark,
-        ..Curve::dots(colour, times.map(|time| near(1e3 * time)).to_vec())
-    };
-    let names = vec![
-        Name::new("acceleration of the shaft towards the defect", distinct(0)),
-        Name {
-            mark: Some(Mark::Disc),
-            ..Name::new("entry and impact by kinematics", GREY)
-        },
-        Name {
-            mark: Some(Mark::Triangle),
-            ..Name::new("in the signal", distinct(1))
-        },
-    ];
-    let known = dots(GREY, [-spall.known, 0.0], Mark::Disc);
-    let mut curves = vec![Curve::line(distinct(0), points.clone()), known];
-    let mut peaks = Vec::new();
-    if let Some(found) = spall.measured {
-        let times = [found.entry, found.impact];
-        curves.push(dots(distinct(1), times, Mark::Triangle));
-        let named = [(found.impact, "impact"), (found.entry, "entry")];
-        peaks.extend(named.map(|(time, name)| (near(1e3 * time), name.to_owned())));
-    }
-    let time = Axis::over("time from the known impact in ms", -half..half);
-    Panel {
-        title,
-        names,
-        peaks,
-        ..Panel::of(time, "acceleration in m/s²", SIGNAL_HEIGHT, curves)
-    }
 }
 
 #[cfg(test)]

@@ -166,7 +166,7 @@ impl RunReport {
         let mut files = Vec::new();
         let histories = self.histories.as_ref();
         let mut figures = figures(&self.title, run, histories, self.campbell.as_ref());
-        figures.extend(defects::figure(&self.title, model, run));
+        figures.extend(defects::figure(&self.title, model));
         let streamed = self.tables.into_iter().map(|table| table.files);
         for table in streamed.chain(self.balls).chain(self.events) {
             files.extend(table.close()?);

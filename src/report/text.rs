@@ -11,11 +11,11 @@ use super::terminal::{
     Lines, MICRO, clearance_text, decimals, displacement_text, listed, mark_estimated,
     measured_text, of_bearing, significant,
 };
-use crate::analysis::{Peak, SpallSignal, Spectrum};
+use crate::analysis::{Peak, Spectrum};
 use crate::integrate::{ChangeReason, Method, MethodUse};
 use crate::simulate::{
-    BearingHistory, EventCount, EventKind, Model, NaturalFrequency, Reduction, Run, Spread,
-    StaticState, TableUse,
+    BearingHistory, EventCount, EventKind, Model, NaturalFrequency, Reduction, Run, SpallPassage,
+    Spread, StaticState, TableUse,
 };
 use crate::study::campbell::Campbell;
 use crate::study::{ContactChoice, FidelityDifference};
@@ -130,21 +130,14 @@ fn natural(state: &StaticState) -> String {
     listed(modes.map(text).chain(rest))
 }
 
-/// `bearing 1, the outer race: 151.6 µs from entry to impact in 53 averaged ball passes, 151.3 µs by kinematics (+0.2 %)`.
-fn spall_text(spall: &SpallSignal) -> String {
-    let known = MICRO * spall.known;
-    let where_it_is = format!("bearing {}, {}", spall.bearing, spall.on);
-    match spall.measured {
-        None => format!(
-            "{where_it_is}: {known:.1} µs from entry to impact by kinematics; the acceleration does not show it"
-        ),
-        Some(found) => format!(
-            "{where_it_is}: {:.1} µs from entry to impact in {:.0} averaged ball passes, {known:.1} µs by kinematics ({:+.1} %)",
-            MICRO * found.apart,
-            spall.passes,
-            100.0 * found.deviation,
-        ),
-    }
+/// `bearing 1, the outer race: 151.3 µs from entry to impact`.
+fn spall_text(spall: &SpallPassage) -> String {
+    format!(
+        "bearing {}, {}: {:.1} µs from entry to impact",
+        spall.bearing,
+        spall.on,
+        MICRO * spall.entry_to_impact
+    )
 }
 
 /// The strongest peaks of x, y and z, which have one unit and so one order.

@@ -46,9 +46,8 @@ impl<'a> Observers<'a> {
         let recording = sampling::recording(model, rotor);
         let recorded = recording.as_ref();
         let recorders = Recorders::new(model, rotor, &grid);
-        let accelerations = sink.needs_acceleration()
-            || recorders.need_acceleration()
-            || recorded.is_some_and(Recording::needs_acceleration);
+        let accelerations =
+            sink.needs_acceleration() || recorded.is_some_and(Recording::needs_acceleration);
         Self {
             grid,
             start: match whole_run {

@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use super::run_up::{RunUp, RunUpRecorder};
 use super::{Analyses, Model, MotionAnalysis};
 use crate::analysis::{
-    Channel, Motion, MotionRecorder, MotionSettings, OrderTracks, SectionKind, SpallRecorder,
-    SpallSignal, TrackRecorder, TrackedOrder, Waterfall, WaterfallRecorder,
+    Channel, Motion, MotionRecorder, MotionSettings, OrderTracks, SectionKind, TrackRecorder,
+    TrackedOrder, Waterfall, WaterfallRecorder,
 };
 use crate::integrate::Grid;
 use crate::physics::velocity_band;
@@ -44,7 +44,6 @@ pub(super) struct Recorders {
     motion: Option<MotionRecorder>,
     maps: Option<(WaterfallRecorder, TrackRecorder)>,
     run_up: Option<RunUpRecorder>,
-    spalls: Vec<SpallRecorder>,
 }
 
 impl Recorders {
@@ -56,7 +55,6 @@ impl Recorders {
             motion: steady.map(|speed| MotionRecorder::new(settings(model, rotor, grid, speed))),
             maps: maps.then(|| maps_of(model, rotor, 1.0 / grid.interval)),
             run_up: RunUpRecorder::new(model, rotor),
-            spalls: spalls(model, rotor, grid),
         }
     }
 
@@ -72,55 +70,16 @@ impl Recorders {
         if let Some(run_up) = &mut self.run_up {
             run_up.record(sample);
         }
-        for spall in &mut self.spalls {
-            spall.record(sample);
-        }
     }
 
-    /// Whether samples must come with their accelerations.
-    pub fn need_acceleration(&self) -> bool {
-        !self.spalls.is_empty()
-    }
-
-    pub fn finish(
-        self,
-    ) -> (
-        Option<Motion>,
-        Option<Maps>,
-        Option<RunUp>,
-        Vec<SpallSignal>,
-    ) {
+    pub fn finish(self) -> (Option<Motion>, Option<Maps>, Option<RunUp>) {
         let maps = self.maps.map(|(waterfall, tracks)| Maps {
             waterfall: waterfall.finish(),
             tracks: tracks.finish(),
         });
         let motion = self.motion.and_then(MotionRecorder::finish);
-        let spalls = self.spalls.into_iter();
-        (
-            motion,
-            maps,
-            self.run_up.and_then(RunUpRecorder::finish),
-            spalls.filter_map(SpallRecorder::finish).collect(),
-        )
+        (motion, maps, self.run_up.and_then(RunUpRecorder::finish))
     }
-}
-
-/// The signals of the spalls of the races, where spectra are asked for and the speed is constant.
-fn spalls(model: &Model, rotor: &Rotor, grid: &Grid) -> Vec<SpallRecorder> {
-    let steady = rotor.steady_from(model.settle);
-    let Some(speed) = steady.filter(|_| model.spectrum.is_some()) else {
-        return Vec::new();
-    };
-    let samples = (model.duration - model.settle) / grid.interval;
-    let supports = rotor.supports().iter().enumerate();
-    let passes = supports.flat_map(|(bearing, support)| {
-        let ratio = support.cage_ratio();
-        let passes = support.race_passes();
-        passes.map(move |pass| {
-            SpallRecorder::new(bearing, pass, ratio, speed, [model.settle, samples])
-        })
-    });
-    passes.flatten().collect()
 }
 
 fn settings(model: &Model, rotor: &Rotor, grid: &Grid, speed: f64) -> MotionSettings {

@@ -7,12 +7,12 @@ use std::sync::atomic::AtomicBool;
 use serde::Serialize;
 
 use super::{
-    BearingHistory, EnergyReport, Event, Maps, Model, Monitor, RunUp, SimulateError, TableUse,
-    TraceSink, VibrationSeverity, sampling, simulate,
+    BearingHistory, EnergyReport, Event, Maps, Model, Monitor, RunUp, SimulateError, SpallPassage,
+    TableUse, TraceSink, VibrationSeverity, sampling, simulate,
 };
 use crate::analysis::{
-    Channel, ChannelSpectrum, EstimateError, EstimatedSpectrum, Motion, Peak, SpallSignal,
-    Spectrum, SpectrumRequest, estimate,
+    Channel, ChannelSpectrum, EstimateError, EstimatedSpectrum, Motion, Peak, Spectrum,
+    SpectrumRequest, estimate,
 };
 use crate::bearing::BearingState;
 use crate::integrate::{Counters, MethodUse};
@@ -172,10 +172,9 @@ pub struct Run {
     /// others.
     #[serde(skip)]
     pub spectra: Vec<EstimatedSpectrum>,
-    /// Signals of the spalls of the races, with the time between entry and impact, where spectra are asked for and the speed
-    /// is constant.
+    /// Spalls of the races with the time between entry and impact, where the speed is constant.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub(crate) spalls: Vec<SpallSignal>,
+    pub(crate) spalls: Vec<SpallPassage>,
     /// What the reader of the results should know, each with its numbers.
     pub warnings: Vec<String>,
 }

@@ -7,7 +7,7 @@ mod surfaces;
 mod waves;
 
 pub use cage_jitter::CageJitter;
-pub use passing::{Passing, RacePass, SideView};
+pub use passing::{Passing, RaceSpall, SideView};
 pub use slot::DefectProfile;
 pub use surfaces::TurningSurfaces;
 pub(super) use surfaces::{ImperfectSurfaces, rolling_ratio};

@@ -1,4 +1,4 @@
-//! When balls pass a place of a surface, what passes a defect, and what it looks like from the side.
+//! When balls pass a place of a surface, what they meet of a defect, and what it looks like from the side.
 
 use super::{Defect, DefectProfile, Surface};
 use crate::bearing::{Bearing, Geometry};
@@ -53,24 +53,17 @@ impl Passing {
 
 /// A spall of a race with sharp edges and no floor in reach, as balls pass it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RacePass {
+pub struct RaceSpall {
     /// The race.
     pub on: Surface,
     /// Of its middle, rad.
     pub angle: f64,
     /// Length along the race, m.
     pub length: f64,
-    /// Position of the bearing along the shaft, m.
-    pub position: f64,
-    /// When balls pass its middle, where they strike the far edge.
-    pub middle: Passing,
-}
-
-impl RacePass {
-    /// Angle of the race from the edge to the middle, rad.
-    pub fn half_angle(&self) -> f64 {
-        0.5 * self.length / self.middle.radius
-    }
+    /// Angle of the race from the edge to the middle, where balls strike the far edge, rad.
+    pub half_angle: f64,
+    /// Part of the shaft's angle by which the race turns back under the balls.
+    pub by_shaft: f64,
 }
 
 /// A defect from the side, in the plane in which a ball rolls; lengths in m.
@@ -87,32 +80,20 @@ pub struct SideView {
 }
 
 impl Defect {
-    /// Balls that pass it, of a bearing at a position whose ball 0 starts at an azimuth in rad; none of a defect of a ball, of
-    /// another profile, or of a slot whose floor balls reach.
-    pub(in crate::bearing) fn race_pass(
-        &self,
-        bearing: &Bearing,
-        first_ball: f64,
-        position: f64,
-    ) -> Option<RacePass> {
+    /// What balls meet of it; none of a defect of a ball, of another profile, or of a slot whose floor balls reach.
+    pub(in crate::bearing) fn race_spall(&self, bearing: &Bearing) -> Option<RaceSpall> {
         if let Surface::Ball(_) = self.on {
             return None;
         }
-        let (geometry, by_shaft) = (&bearing.geometry, self.on.by_shaft(bearing.rotating_ring));
+        let geometry = &bearing.geometry;
         let kinks = self.slot(geometry, self.on == Surface::Inner).kinks();
         let meets_edges = self.profile == DefectProfile::Edges && kinks.len() == 3;
-        meets_edges.then(|| RacePass {
+        meets_edges.then(|| RaceSpall {
             on: self.on,
             angle: self.angle,
             length: self.length,
-            position,
-            middle: Passing {
-                offset: first_ball - self.angle,
-                by_cage: 1.0,
-                by_shaft,
-                period: std::f64::consts::TAU / geometry.balls() as f64,
-                radius: self.on.radius(geometry),
-            },
+            half_angle: 0.5 * self.length / self.on.radius(geometry),
+            by_shaft: self.on.by_shaft(bearing.rotating_ring),
         })
     }
 

@@ -2,7 +2,6 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::analysis::Window;
 use crate::bearing::{ContactDamping, Defect, MountedBearing, Surface};
 use crate::integrate::{Method, Settings};
 use crate::rotor::{Damping, Drive, Freedoms, Rotor, RotorDefinition, Sample};
@@ -223,37 +222,17 @@ fn the_account_of_energy_closes_over_defects() {
     }
 }
 
-/// The signal of the golden run, sampled at 24 kHz: a sample every 42 µs resolves neither instant, the mean of the passes does.
+/// 151.48 µs for 0.021 in, and in proportion to the length.
 #[test]
-fn entry_and_impact_stand_in_the_signal_where_kinematics_has_them() {
+fn entry_and_impact_are_as_far_apart_as_kinematics_has_them() {
     let spalls = |defects| {
-        let model = Model {
-            spectrum: Some(Window::Hann),
-            settle: 0.1,
-            integrator: settings(1e-8),
-            ..model(golden(defects), 0.6, 24_000.0)
-        };
+        let model = model(golden(defects), 0.01, 24_000.0);
         try_run(&model, 0.0).0.expect("a run").spalls
     };
-    // 151.48 µs for 0.021 in, and in proportion to the length; in the longest slot balls lose contact, and return to it late,
-    // for the shaft has moved away from them
-    for (thou, known, apart) in [
-        (21.0, 151.48e-6, 0.15),
-        (14.0, 100.99e-6, 0.03),
-        (7.0, 50.49e-6, 0.03),
-    ] {
+    for (thou, known) in [(21.0, 151.48e-6), (14.0, 100.99e-6), (7.0, 50.49e-6)] {
         let found = spalls(outer(thou));
-        let [spall] = &found[..] else {
-            unreachable!("{found:?}");
-        };
-        assert_near("known", spall.known, known, 1e-8);
-        assert_near("passes", spall.passes, 0.5 * 107.364_305_84, 0.01);
-        let measured = spall.measured.expect("instants");
-        assert!(measured.impact.abs() < apart * known, "{measured:?}");
-        assert!(measured.deviation.abs() < apart, "{measured:?}");
+        assert_eq!(found.len(), 1, "{found:?}");
+        assert_near("known", found[0].entry_to_impact, known, 1e-8);
     }
     assert_eq!(spalls(Vec::new()), []);
-    // what no ball strikes under load is not seen
-    let above = spalls(vec![fault(Surface::Outer, FRAC_PI_2, 21.0)]);
-    assert!(above[0].measured.is_none(), "{above:?}");
 }
