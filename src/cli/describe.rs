@@ -3,7 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
-use clap::{Arg, CommandFactory};
+use clap::CommandFactory;
 use clap_complete::Shell;
 use clap_mangen::Man;
 
@@ -85,63 +85,9 @@ pub fn manual(arguments: &Manual) -> io::Result<Outcome> {
     Ok(Outcome::Done)
 }
 
-/// The page of a verb or of the command, with the names of values in its synopsis.
+/// The page of a verb or of the command.
 fn page(command: clap::Command) -> io::Result<Vec<u8>> {
-    let synopsis = synopsis(&command);
     let mut page = Vec::new();
     Man::new(command).render(&mut page)?;
-    let page = String::from_utf8_lossy(&page);
-    let mut lines: Vec<_> = page.lines().collect();
-    if let Some(heading) = lines.iter().position(|line| *line == ".SH SYNOPSIS") {
-        lines[heading + 1] = &synopsis;
-    }
-    Ok((lines.join("\n") + "\n").into_bytes())
-}
-
-/// How a verb is called, in roff: `jeffcott campbell [--from SPEED] --to SPEED FILE...`.
-fn synopsis(command: &clap::Command) -> String {
-    let name = command.get_bin_name().unwrap_or(command.get_name());
-    let options = command.get_opts().chain(flags(command));
-    let all = options.chain(command.get_positionals());
-    let arguments: String = all
-        .map(|argument| format!(" {}", usage(argument)))
-        .collect();
-    let verb = match command.has_subcommands() {
-        true => " \\fICOMMAND\\fR",
-        false => "",
-    };
-    format!("\\fB{name}\\fR{arguments}{verb}")
-}
-
-/// Options that take no value.
-fn flags(command: &clap::Command) -> impl Iterator<Item = &Arg> {
-    let all = command.get_arguments();
-    all.filter(|argument| !argument.is_positional() && !argument.get_action().takes_values())
-}
-
-/// `[--from SPEED]` in roff.
-fn usage(argument: &Arg) -> String {
-    let short = argument
-        .get_short()
-        .map(|short| format!("\\fB\\-{short}\\fR"));
-    let long = argument.get_long().map(|long| long.replace('-', "\\-"));
-    let long = long.map(|long| format!("\\fB\\-\\-{long}\\fR"));
-    let names: Vec<_> = short.into_iter().chain(long).collect();
-    let mut usage = names.join("|");
-    if argument.get_action().takes_values() {
-        let values = argument.get_value_names().into_iter().flatten();
-        let values: Vec<_> = values.map(|value| format!("\\fI{value}\\fR")).collect();
-        let blank = if usage.is_empty() { "" } else { " " };
-        usage += &format!("{blank}{}", values.join(" "));
-    }
-    let count = argument
-        .get_num_args()
-        .map_or(1, |range| range.max_values());
-    if argument.is_positional() && count > 1 {
-        usage += "...";
-    }
-    match argument.is_required_set() {
-        true => usage,
-        false => format!("[{usage}]"),
-    }
+    Ok(page)
 }
