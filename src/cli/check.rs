@@ -12,7 +12,7 @@ use super::{Outcome, terminal};
 use crate::quasi_static::quasi_static;
 use crate::report::many::StudyRuns;
 use crate::report::scene::scene_figure;
-use crate::report::{FigureFormat, write_whole};
+use crate::report::write_whole;
 use crate::rotor::RotorDefinition;
 use crate::scenario::{self, Issue, Loaded, ScenarioError};
 
@@ -80,8 +80,8 @@ fn draw(checked: &Checked, file: &Path) -> bool {
         terminal::refuse("--figure draws the shaft of a scenario, and this is a study");
         return false;
     };
-    let drawn = scene_figure(&checked.title, scene).bytes(FigureFormat::of(file));
-    let written = drawn.and_then(|bytes| write_whole(file, &bytes));
+    let drawn = scene_figure(&checked.title, scene).svg();
+    let written = write_whole(file, drawn.as_bytes());
     if let Err(error) = &written {
         terminal::refuse(error);
     }

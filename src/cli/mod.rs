@@ -28,8 +28,6 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use crate::report::{FigureFormat, write_figures_as};
-
 /// Simulates a shaft on ball bearings: transient response and spectra.
 #[derive(Debug, Parser)]
 #[command(
@@ -42,10 +40,6 @@ struct Arguments {
     /// CSV file of your own bearings; also $JEFFCOTT_CATALOGUE
     #[arg(long, global = true, value_name = "FILE")]
     catalogue: Option<PathBuf>,
-    /// Formats of all figures that are written, any of svg, png and pdf
-    #[arg(long, global = true, value_name = "FORMATS", value_delimiter = ',', default_value = "svg",
-          value_parser = figure_format)]
-    figure_format: Vec<FigureFormat>,
     #[command(subcommand)]
     verb: Verb,
     #[command(flatten)]
@@ -68,18 +62,6 @@ enum Verb {
     Schema(describe::Schema),
     Completions(describe::Completions),
     Man(describe::Manual),
-}
-
-/// A format of figures that this build writes.
-fn figure_format(text: &str) -> Result<FigureFormat, &'static str> {
-    let named = FigureFormat::ALL
-        .into_iter()
-        .find(|format| format.name() == text);
-    let known = named.ok_or("the formats are svg, png and pdf, as in --figure-format svg,pdf")?;
-    match known.is_built() {
-        true => Ok(known),
-        false => Err("this build writes figures as SVG alone; build it with `--features figures`"),
-    }
 }
 
 /// How a verb ended.
@@ -118,7 +100,6 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         verb,
         manner,
         catalogue,
-        figure_format,
     } = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
         Err(usage) => {
@@ -133,7 +114,6 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
     };
     manner.set();
-    write_figures_as(&figure_format);
     if !catalogue::add_own(catalogue.as_deref()) {
         return Outcome::WrongInput.into();
     }

@@ -6,10 +6,14 @@ use crate::scenario::way_left;
 
 const RUN_AGAIN: &str = "a run is made in one go: run it again, or with a shorter `duration`; studies go on where they ended";
 
-const REMOVED: [(&str, &str); 4] = [
+const REMOVED: [(&str, &str); 5] = [
     (
         "report",
         "`jeffcott compare A B ... --report FILE.html` puts two and more runs on one page",
+    ),
+    (
+        "--figure-format",
+        "figures are written as SVG; the page saves each as PNG (600 pixels an inch), and printed by a browser it is a PDF",
     ),
     ("--stop-at", RUN_AGAIN),
     ("--restartable", RUN_AGAIN),

@@ -364,7 +364,7 @@ fn methods_figure(title: &str, accuracy: &Accuracy) -> Figure {
     } else {
         "uncertainty of the reference"
     };
-    let figure = Figure::new("accuracy.svg", title, 2, panels.to_vec());
+    let figure = Figure::new("accuracy", title, 2, panels.to_vec());
     figure.with_names(names.chain([Name::new(grey, GREY)]))
 }
 
@@ -422,16 +422,13 @@ fn ladder_figure(title: &str, accuracy: &Accuracy) -> Figure {
         .iter()
         .map(|(_, found)| difference(&found.1))
         .collect();
-    let names = levels
-        .iter()
-        .map(|(configuration, _)| configuration.to_string());
-    // the names stand once, to the left
-    let blank = levels.iter().map(|_| String::new());
+    let names = levels.iter();
+    let names = Axis::names(names.map(|(configuration, _)| configuration.to_string()));
     let panels = vec![
-        levels_panel("ms per simulated second", Axis::names(names), &costs, 0),
-        levels_panel(name, Axis::names(blank), &differences, 1),
+        levels_panel("ms per simulated second", names.clone(), &costs, 0),
+        levels_panel(name, names, &differences, 1),
     ];
-    Figure::new("ladder.svg", title, 2, panels)
+    Figure::new("ladder", title, 2, panels)
 }
 
 /// A disc a level over one logarithmic axis; a level whose value is zero has none.

@@ -2,10 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use plotters::style::RGBColor;
 use serde_json::{Value, json};
 
-use super::figure::{Axis, Curve, Figure, GREY, Name, Panel, distinct, round_ticks};
+use super::figure::{Axis, Colour, Curve, Figure, GREY, Name, Panel, distinct};
 use super::shaft_shapes::shapes_at;
 use super::terminal::{Lines, PER_MINUTE, PER_SECOND, decimals, or_dash, rounded};
 use super::{Destination, FileSet, Findings};
@@ -160,21 +159,12 @@ const HEIGHT: u32 = 322;
 
 /// Frequencies with the orders and critical speeds above, damping ratios below.
 pub(super) fn figure(title: &str, campbell: &Campbell) -> Figure {
-    let present = |whirl: &Whirl| {
-        let mut branches = campbell.branches.iter();
-        branches.any(|branch| branch.whirl() == *whirl)
-    };
-    let present = WHIRLS.into_iter().filter(present);
-    let mut names: Vec<Name> = present
-        .map(|whirl| Name::new(whirl.to_string(), colour(whirl)))
-        .collect();
+    let whirls = WHIRLS.map(|whirl| Name::new(whirl.to_string(), colour(whirl)));
     let orders = campbell.orders.iter();
     let orders: Vec<String> = orders.map(|order| rounded(*order, 2).to_string()).collect();
-    if !orders.is_empty() {
-        names.push(Name::new(format!("orders {}", orders.join(", ")), GREY));
-    }
+    let orders = Name::new(format!("orders {}", orders.join(", ")), GREY);
     let panels = vec![frequencies(campbell), damping(campbell)];
-    Figure::new("campbell.svg", title, 1, panels).with_names(names)
+    Figure::new("campbell", title, 1, panels).with_names(whirls.into_iter().chain([orders]))
 }
 
 /// In the order of their colours.
@@ -185,7 +175,7 @@ const WHIRLS: [Whirl; 4] = [
     Whirl::Axial,
 ];
 
-fn colour(whirl: Whirl) -> RGBColor {
+fn colour(whirl: Whirl) -> Colour {
     distinct(WHIRLS.iter().position(|known| *known == whirl).unwrap_or(0))
 }
 
@@ -218,7 +208,12 @@ fn frequencies(campbell: &Campbell) -> Panel {
             ..Curve::dots(colour(critical.whirl), vec![place])
         }
     }));
-    Panel::of(speeds(campbell), "natural frequency in Hz", HEIGHT, curves)
+    Panel::of(
+        speeds(campbell),
+        ("natural frequency", "Hz"),
+        HEIGHT,
+        curves,
+    )
 }
 
 /// From zero on, so that what hardly changes looks so.
@@ -235,15 +230,9 @@ fn ends(campbell: &Campbell) -> [f64; 2] {
     ends.map(|speed| speed.copied().unwrap_or(0.0))
 }
 
-/// Round speeds between the first and the last, which end the axis.
 fn speeds(campbell: &Campbell) -> Axis {
     let [first, last] = ends(campbell).map(|speed| PER_MINUTE * speed);
-    let near = 1e-6 * (last - first);
-    let mut ticks = round_ticks(first, last);
-    ticks.retain(|tick| (first + near..last - near).contains(tick));
-    ticks.insert(0, first);
-    ticks.push(last);
-    Axis::ticked("speed in 1/min", &ticks)
+    Axis::over(("speed", "1/min"), first..last)
 }
 
 /// Every branch, cut where it has no mode.

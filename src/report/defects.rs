@@ -1,13 +1,13 @@
 //! The figure of defects: each drawn from the side.
 
-use super::figure::{Axis, Curve, Figure, Name, PLOT_WIDTH, Panel, Point, distinct};
+use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
 use crate::bearing::{Defect, Geometry, SideView, Surface};
 use crate::simulate::Model;
 
 /// Defects that are drawn, the first ones.
 const MOST_DRAWN: usize = 4;
-/// Height of a drawing, px.
-const SIDE_HEIGHT: u32 = 260;
+/// Width of a drawing in heights of it.
+const SIDE_ASPECT: f64 = 3.2;
 /// Least width of a drawing in lengths of its defect.
 const WIDTH: f64 = 1.8;
 /// Room below the surface and above it, in depths, of those deeper than long in lengths.
@@ -27,7 +27,7 @@ pub(super) fn figure(title: &str, model: &Model) -> Option<Figure> {
     let drawings = drawings.map(|(number, geometry, defect)| side_view(number, geometry, defect));
     let panels: Vec<_> = drawings.collect();
     let title = format!("{title}: defects");
-    (!panels.is_empty()).then(|| Figure::new("defects.svg", &title, 1, panels))
+    (!panels.is_empty()).then(|| Figure::new("defects", &title, 1, panels))
 }
 
 /// A defect with the ball in its middle, where it strikes the far edge or rests on the floor.
@@ -51,8 +51,8 @@ fn side_view(number: usize, geometry: &Geometry, defect: &Defect) -> Panel {
     };
     let half = 1e3 * drawing.half_width;
     let heights = [-BELOW * drawing.deep, ABOVE * drawing.deep].map(|height| 1e3 * height);
-    let along = Axis::over("along the surface in mm", -half..half);
-    let height = Axis::over("height in mm", heights[0]..heights[1]);
+    let along = Axis::over(("along the surface", "mm"), -half..half);
+    let height = Axis::over(("height", "mm"), heights[0]..heights[1]);
     Panel {
         title,
         names: Name::each([surface, mate]),
@@ -60,7 +60,8 @@ fn side_view(number: usize, geometry: &Geometry, defect: &Defect) -> Panel {
             Curve::line(distinct(0), drawing.surface()),
             Curve::line(distinct(1), drawing.mate()),
         ],
-        ..Panel::new(along, height, SIDE_HEIGHT)
+        aspect: Some(drawing.exaggeration),
+        ..Panel::new(along, height, 0)
     }
 }
 
@@ -78,8 +79,7 @@ struct Drawing<'a> {
 impl<'a> Drawing<'a> {
     fn new(defect: &'a Defect, view: SideView) -> Self {
         let deep = defect.depth.min(defect.length).max(view.drop);
-        let aspect = f64::from(PLOT_WIDTH) / f64::from(SIDE_HEIGHT);
-        let to_scale = 0.5 * (BELOW + ABOVE) * deep * aspect;
+        let to_scale = 0.5 * (BELOW + ABOVE) * deep * SIDE_ASPECT;
         let half_width = to_scale.max(0.5 * WIDTH * defect.length);
         Self {
             defect,

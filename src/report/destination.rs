@@ -45,7 +45,7 @@ impl Destination<'_> {
             files.extend(folder.write_table(stem, table)?);
         }
         for figure in &findings.figures {
-            files.extend(folder.write_figure(figure)?);
+            files.push(folder.write_figure(figure)?);
         }
         if self.page {
             let page = AnswerPage {
@@ -91,16 +91,13 @@ impl Findings {
 
     /// Names of the figures, without ending.
     pub fn figures(&self) -> impl Iterator<Item = &str> {
-        self.figures.iter().map(Figure::name)
+        self.figures.iter().map(|figure| figure.name.as_str())
     }
 
     /// A figure by its name as SVG; none where no figure is called so.
-    ///
-    /// # Errors
-    /// [`ReportError::Draw`] where the drawing library fails.
-    pub fn figure(&self, name: &str) -> Result<Option<String>, ReportError> {
-        let found = self.figures.iter().find(|figure| figure.name() == name);
-        found.map(Figure::svg).transpose()
+    pub fn figure(&self, name: &str) -> Option<String> {
+        let found = self.figures.iter().find(|figure| figure.name == name);
+        found.map(Figure::svg)
     }
 }
 

@@ -57,14 +57,6 @@ pub enum ReportError {
         /// The folder.
         folder: PathBuf,
     },
-    /// A figure could not be drawn.
-    #[error("cannot draw {figure}")]
-    Draw {
-        /// File name of the figure.
-        figure: String,
-        /// What the drawing library says.
-        source: Box<dyn std::error::Error + Send + Sync>,
-    },
 }
 
 impl ReportError {

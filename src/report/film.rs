@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use serde_json::{Value, json};
 
-use super::page::narrow;
+use super::figure::narrow;
 use super::terminal::{MICRO, MILLI};
 use crate::bearing::Support;
 use crate::rotor::{BallContacts, RotorDefinition, Sample};

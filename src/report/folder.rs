@@ -9,7 +9,7 @@ use std::thread;
 
 use serde_json::Value;
 
-use super::figure::{Figure, FigureFormat, figure_formats};
+use super::figure::Figure;
 use super::table::{Origin, TableFiles};
 use super::{FileAction, ReportError};
 use crate::scenario::TableFormat;
@@ -180,13 +180,7 @@ impl FileSet {
             TableFormat::ALL.map(|format| format!("{stem}.{}", format.extension()))
         });
         let others = self.others.iter().filter(move |name| **name != self.seal);
-        let others = others.flat_map(|name| match name.strip_suffix(".svg") {
-            Some(stem) => FigureFormat::ALL
-                .map(|format| format!("{stem}.{}", format.name()))
-                .to_vec(),
-            None => vec![(*name).to_owned()],
-        });
-        tables.chain(others)
+        tables.chain(others.map(|name| (*name).to_owned()))
     }
 }
 
@@ -322,14 +316,9 @@ impl RunFolder {
         file.close()
     }
 
-    /// Draws a figure into a file of each format.
-    pub(super) fn write_figure(&self, figure: &Figure) -> Result<Vec<WholeFile>, ReportError> {
-        let formats = figure_formats().iter();
-        let files = formats.map(|format| {
-            let name = format!("{}.{}", figure.name(), format.name());
-            self.write(&name, &figure.bytes(*format)?)
-        });
-        files.collect()
+    /// Draws a figure into a file.
+    pub(super) fn write_figure(&self, figure: &Figure) -> Result<WholeFile, ReportError> {
+        self.write(&format!("{}.svg", figure.name), figure.svg().as_bytes())
     }
 
     /// Writes the table `stem` in every format.

@@ -2,19 +2,14 @@
 
 use std::collections::VecDeque;
 
-use serde_json::{Value, json};
-
 use super::envelope::{Decimator, SCREEN_BUCKETS};
 use super::figure::{Axis, Curve, Figure, Panel, distinct};
-use super::page::{PagePanel, curve, narrow};
-use super::terminal::{MICRO, NAMES, shown_unit};
+use super::terminal::{shown_name, shown_unit};
 use crate::analysis::Channel;
 use crate::rotor::{Freedoms, Sample};
 
-/// Height of up to three panels of a figure together, px.
-const HEIGHT: u32 = 486;
-/// Height of a panel of more, px.
-const PANEL_HEIGHT: u32 = 120;
+/// Height of up to four panels of a figure together, px.
+const HEIGHT: u32 = 440;
 /// Samples at the end that are shown one by one.
 const LAST: usize = 2048;
 /// Samples before and after an event that are.
@@ -43,13 +38,13 @@ struct Place {
     band: [f64; 2],
 }
 
-/// What is drawn beside displacements and forces, with its name on the page.
-const FURTHER: [(Channel, &str); 5] = [
-    (Channel::LargestBallLoad, "largest ball load"),
-    (Channel::BallsLoaded, "loaded balls"),
-    (Channel::Speed, "speed"),
-    (Channel::KINETIC_ENERGY, "kinetic energy"),
-    (Channel::STORED_ENERGY, "stored energy"),
+/// What is drawn beside displacements and forces.
+const FURTHER: [Channel; 5] = [
+    Channel::LargestBallLoad,
+    Channel::BallsLoaded,
+    Channel::Speed,
+    Channel::KINETIC_ENERGY,
+    Channel::STORED_ENERGY,
 ];
 
 /// Every quantity that figure and page draw over time.
@@ -66,7 +61,6 @@ impl Histories {
     /// For the freedoms that move.
     pub fn new(freedoms: Freedoms) -> Self {
         let moving = Channel::of_freedoms(freedoms).into_iter();
-        let further = FURTHER.iter().map(|(channel, _)| *channel);
         let history = |channel| History {
             channel,
             envelope: Decimator::new(SCREEN_BUCKETS),
@@ -74,7 +68,7 @@ impl Histories {
             segments: Vec::new(),
         };
         Self {
-            histories: moving.chain(further).map(history).collect(),
+            histories: moving.chain(FURTHER).map(history).collect(),
             time: None,
             open: 0,
         }
@@ -107,35 +101,17 @@ impl Histories {
         self.open = self.open.saturating_sub(1);
     }
 
-    /// A panel for each displacement, one below the other over the same time, which the last one names.
-    pub(crate) fn figure(&self, file: &str, title: &str) -> Figure {
+    /// A panel for each displacement, one below the other over the same time.
+    pub(crate) fn figure(&self, name: &str, title: &str) -> Figure {
         let displacements = self.histories.iter();
         let displacements =
             displacements.filter(|history| matches!(history.channel, Channel::Displacement(_)));
-        let displacements: Vec<_> = displacements.collect();
-        let time = match self.time {
-            Some([start, end]) if end > start => start..end,
-            _ => 0.0..1.0,
-        };
-        let count = displacements.len();
-        let height = match count {
-            0..=3 => HEIGHT / count.max(1) as u32,
-            _ => PANEL_HEIGHT,
-        };
-        let panels = displacements.iter().enumerate().map(|(index, history)| {
-            let name = if index + 1 == count { "time in s" } else { "" };
-            let points = history.envelope.points();
-            let points = points.map(|(time, value)| (time, MICRO * value));
-            let curve = Curve::line(distinct(index), points.collect());
-            let time = Axis::over(name, time.clone());
-            Panel::of(time, axis_name(history.channel), height, vec![curve])
-        });
-        Figure::new(file, title, 1, panels.collect())
+        self.panels(name, title, displacements.collect())
     }
 
-    /// One panel of the page each, but for what is unknown and for what does not change: no more than round-off
+    /// The figure of a page: a panel each but for what is unknown and for what does not change, no more than round-off
     /// beside the largest value of its unit.
-    pub(super) fn page_panels(&self) -> Vec<Value> {
+    pub(super) fn page_figure(&self) -> Figure {
         let histories = || self.histories.iter();
         let magnitude = |unit: &str| {
             let alike = histories().filter(|history| history.channel.unit() == unit);
@@ -147,7 +123,22 @@ impl Histories {
             let range = history.envelope.range();
             range.is_some_and(|[low, high]| high - low > round_off)
         });
-        changing.map(History::page_panel).collect()
+        self.panels("histories", "", changing.collect())
+    }
+
+    fn panels(&self, name: &str, title: &str, histories: Vec<&History>) -> Figure {
+        let time = match self.time {
+            Some([start, end]) if end > start => start..end,
+            _ => 0.0..1.0,
+        };
+        let height = HEIGHT / histories.len().clamp(1, 4) as u32;
+        let panels = histories.iter().enumerate().map(|(index, history)| {
+            let (unit, scale) = shown_unit(history.channel.unit());
+            let label = (shown_name(history.channel), unit);
+            let time = Axis::over(("time", "s"), time.clone());
+            Panel::of(time, label, height, vec![history.curve(index, scale)])
+        });
+        Figure::new(name, title, 1, panels.collect())
     }
 }
 
@@ -221,46 +212,23 @@ impl History {
         })
     }
 
-    fn page_panel(&self) -> Value {
-        let named = FURTHER.iter().find(|(channel, _)| *channel == self.channel);
-        let name = named.map_or(self.channel.name(), |(_, name)| name);
-        let (unit, scale) = shown_unit(self.channel.unit());
-        let mut points: Vec<_> = self.envelope.points().collect();
-        let mut band = None;
+    /// Its values times `scale`: all of a short one, of a long one what is known one by one and the band elsewhere.
+    fn curve(&self, index: usize, scale: f64) -> Curve {
         if self.envelope.is_whole() {
-            points.dedup();
-        } else {
-            let places = self.places();
-            points = places
-                .iter()
-                .map(|place| (place.time, place.value))
-                .collect();
-            let edge = |side: usize| narrow(places.iter().map(|place| scale * place.band[side]));
-            band = Some(json!({ "low": edge(0), "high": edge(1) }));
+            let points = self.envelope.points();
+            let points = points.map(|(time, value)| (time, scale * value));
+            return Curve::line(distinct(index), points.collect());
         }
-        let points = points
-            .into_iter()
-            .map(|(time, value)| (time, scale * value));
-        json!(PagePanel {
-            name,
-            unit: &unit,
-            over: ["time", "s"],
-            shown: None,
-            logarithmic: false,
-            curves: vec![curve(name, points)],
-            marks: Vec::new(),
-            band,
-        })
+        let places = self.places();
+        let points = places.iter().map(|place| (place.time, scale * place.value));
+        let band = places
+            .iter()
+            .map(|place| place.band.map(|edge| scale * edge));
+        Curve {
+            band: band.collect(),
+            ..Curve::line(distinct(index), points.collect())
+        }
     }
-}
-
-/// Quantity and unit, as `x in µm`.
-fn axis_name(channel: Channel) -> String {
-    let name = match channel {
-        Channel::Displacement(freedom) => NAMES[freedom],
-        other => other.name(),
-    };
-    format!("{name} in µ{}", channel.unit())
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::destination::with_keys;
-use super::figure::{Axis, Curve, Figure, Name, PLOT_WIDTH, Panel, Point, distinct};
+use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
 use super::terminal::{Lines, MICRO, MILLI, listed, significant};
 use crate::analysis::{
     Channel, ChannelLevel, Kind, LONGEST_PERIOD, Motion, Section, SectionKind, VelocityLevel,
@@ -179,9 +179,6 @@ pub(super) fn poincare_table(motion: &Motion) -> Table<'static> {
 /// Most points of a section that are drawn: the last ones.
 const MOST_POINTS: usize = 600;
 
-/// Height of the plot, px.
-const HEIGHT: u32 = 598;
-
 /// y over x in µm at one scale, both from their means.
 pub(super) fn orbit_figure(title: &str, motion: &Motion) -> Figure {
     let centre = [0, 1].map(|axis| MICRO * motion.statistics[axis].moments.mean());
@@ -196,13 +193,9 @@ pub(super) fn orbit_figure(title: &str, motion: &Motion) -> Figure {
         .iter()
         .fold(0.0, |reach: f64, (x, y)| reach.max(x.abs()).max(y.abs()));
     let up = if reach > 0.0 { 1.08 * reach } else { 1.0 };
-    // the same length for a micrometre both ways
-    let across = up * f64::from(PLOT_WIDTH) / f64::from(HEIGHT);
-    let [x, y] = [("x", centre[0], across), ("y", centre[1], up)].map(|(name, mean, reach)| {
-        Axis::over(
-            format!("{name} from its mean {mean:.4} µm in µm"),
-            -reach..reach,
-        )
+    let [x, y] = [("x", centre[0]), ("y", centre[1])].map(|(name, mean)| {
+        let quantity = format!("{name} from its mean {mean:.4} µm");
+        Axis::over((quantity, "µm"), -up..up)
     });
     let mut names = vec![Name::new("orbit", distinct(0))];
     let mut curves = vec![path];
@@ -219,10 +212,10 @@ pub(super) fn orbit_figure(title: &str, motion: &Motion) -> Figure {
     }
     let panel = Panel {
         curves,
-        equal: true,
-        ..Panel::new(x, y, HEIGHT)
+        aspect: Some(1.0),
+        ..Panel::new(x, y, 0)
     };
-    Figure::new("orbit.svg", title, 1, vec![panel]).with_names(names)
+    Figure::new("orbit", title, 1, vec![panel]).with_names(names)
 }
 
 /// One period and a little more where the motion repeats, else all that was kept.

@@ -127,17 +127,14 @@ impl RunFindings {
     /// Names of the figures that the run has.
     pub fn figures(&self) -> Vec<String> {
         let figures = self.drawn();
-        figures.iter().map(|one| one.name().to_owned()).collect()
+        figures.into_iter().map(|figure| figure.name).collect()
     }
 
     /// A figure by its name as SVG; none where the run has none of it.
-    ///
-    /// # Errors
-    /// [`ReportError::Draw`] where the drawing library fails.
-    pub fn figure(&self, name: &str) -> Result<Option<String>, ReportError> {
+    pub fn figure(&self, name: &str) -> Option<String> {
         let figures = self.drawn();
-        let found = figures.iter().find(|figure| figure.name() == name);
-        found.map(Figure::svg).transpose()
+        let found = figures.iter().find(|figure| figure.name == name);
+        found.map(Figure::svg)
     }
 
     fn drawn(&self) -> Vec<Figure> {

@@ -1,9 +1,8 @@
 //! Branches of steady motions over a parameter.
 
-use plotters::style::RGBColor;
 use serde_json::json;
 
-use super::figure::{Axis, Curve, Figure, GREY, Name, Panel, Point, distinct};
+use super::figure::{Axis, Colour, Curve, Figure, GREY, Name, Panel, Point, distinct};
 use super::terminal::{Lines, MICRO};
 use super::variable::{axis_name, shown, variable_column};
 use super::{Destination, FileSet, Findings};
@@ -160,7 +159,10 @@ fn figure(title: &str, variable: &Variable, branches: &[Response]) -> Figure {
         .map(|swing| swing.channel)
         .filter(|channel| matches!(channel, Channel::Displacement(_)));
     let panels = displacements.enumerate().map(|(index, channel)| {
-        let name = format!("{channel} peak to peak in µ{}", channel.unit());
+        let name = (
+            format!("{channel} peak to peak"),
+            format!("µ{}", channel.unit()),
+        );
         let all = branches.iter().enumerate();
         let curves = all.flat_map(|(number, branch)| {
             curves(branch, distinct(number), |point| {
@@ -174,12 +176,12 @@ fn figure(title: &str, variable: &Variable, branches: &[Response]) -> Figure {
     let multiples = branches.iter().map(|branch| branch.multiple);
     let names = Name::each(multiples.map(|multiple| format!("{multiple} × the period")));
     let unstable = Name::new("not stable", GREY);
-    let figure = Figure::new("response.svg", title, 1, panels.collect());
+    let figure = Figure::new("response", title, 1, panels.collect());
     figure.with_names(names.into_iter().chain([unstable]))
 }
 
 /// A branch cut where its stability changes.
-fn curves(branch: &Response, colour: RGBColor, at: impl Fn(&ResponsePoint) -> Point) -> Vec<Curve> {
+fn curves(branch: &Response, colour: Colour, at: impl Fn(&ResponsePoint) -> Point) -> Vec<Curve> {
     let mut drawn = Vec::<Curve>::new();
     for pair in branch.points.windows(2) {
         let colour = if pair[1].stable { colour } else { GREY };

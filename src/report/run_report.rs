@@ -181,13 +181,13 @@ impl RunReport {
             files.extend(TableFiles::write(folder, "waterfall", &columns, rows)?);
         }
         for figure in figures.iter().filter(|_| self.output.figures) {
-            files.extend(folder.write_figure(figure)?);
+            files.push(folder.write_figure(figure)?);
         }
         if let Some(histories) = self.histories.filter(|_| self.output.report) {
             let scene = scene_figure(&self.title, &model.rotor);
             let shown = figures.iter().chain([&scene]);
             let figures: Vec<_> = shown
-                .filter(|figure| ON_PAGE.contains(&figure.name()))
+                .filter(|figure| ON_PAGE.contains(&figure.name.as_str()))
                 .collect();
             let film = self.film.and_then(|film| film.json(&model.rotor));
             let write = |file: &mut PartialFile| {

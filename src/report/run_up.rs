@@ -1,9 +1,11 @@
 //! A run whose speed changes: its waterfall and its order tracks.
 
+use std::ops::Range;
+
 use serde_json::{Map as Object, Value, json};
 
 use super::destination::with_keys;
-use super::figure::{Axis, Curve, Figure, Map, Name, Panel, Point, WHITE, distinct, graded};
+use super::figure::{Axis, Curve, Figure, Label, Map, Name, Panel, Point, WHITE, distinct};
 use super::spectra::{amplitude_column, phase_column};
 use super::terminal::{
     Lines, MICRO, PER_MINUTE, PER_SECOND, decimals, listed, shown_unit, significant,
@@ -129,15 +131,20 @@ pub(super) fn waterfall_rows(waterfall: &Waterfall) -> impl Iterator<Item = Vec<
 /// Height of a plot, px.
 const WATERFALL_HEIGHT: u32 = 242;
 /// Name of the file.
-const FILE: &str = "waterfall.svg";
+const FILE: &str = "waterfall";
 
 /// The spectra of several runs over what differs between them: a raster with its name a row.
-pub(in crate::report) fn runs_figure(title: &str, over: &str, rows: &[(String, Raster)]) -> Figure {
+pub(in crate::report) fn runs_figure(
+    title: &str,
+    over: impl Into<Label>,
+    rows: &[(String, Raster)],
+) -> Figure {
+    let over = over.into();
     let panels = rows.iter().map(|(name, raster)| {
-        let loudest = raster.loudest();
-        panel(raster, loudest, with_loudest(over, name, loudest), 1.0)
+        let x = Axis::over(over.clone(), raster.range(1.0));
+        panel(raster, name, raster.loudest(), x)
     });
-    Figure::new(FILE, title, 1, panels.collect()).with_names(levels())
+    Figure::new(FILE, title, 1, panels.collect())
 }
 
 /// Every channel that moves over time and, with its orders, over speed.
@@ -149,29 +156,28 @@ fn waterfall_figure(title: &str, maps: &Maps) -> Figure {
     let loudest: Vec<f64> = over_time.iter().map(Raster::loudest).collect();
     let panels = moving(&loudest).flat_map(|channel| {
         let (name, loudest) = (waterfall.channels[channel].name(), loudest[channel]);
-        let time = with_loudest("time in s", name, loudest);
-        let time = panel(&over_time[channel], loudest, time, 1.0);
-        let speed = Raster::over_speed(waterfall, channel);
-        let mut speed = panel(&speed, loudest, "speed in 1/min".to_owned(), PER_MINUTE);
+        let [time, speed] = [&over_time[channel], &Raster::over_speed(waterfall, channel)];
+        let seconds = Axis::over(("time", "s"), time.range(1.0));
+        let speeds = Axis::over(("speed", "1/min"), speed.range(PER_MINUTE));
+        let time = panel(time, name, loudest, seconds);
+        let mut speed = panel(speed, name, loudest, speeds);
         draw_orders(&mut speed, maps);
         [time, speed]
     });
-    Figure::new(FILE, title, 2, panels.collect()).with_names(levels())
+    Figure::new(FILE, title, 2, panels.collect())
 }
 
-/// What is below, with the loudest amplitude in m.
-fn with_loudest(below: &str, name: &str, loudest: f64) -> String {
-    format!("{below} ({name}: loudest {:.3e} µm)", MICRO * loudest)
-}
-
-/// A raster over an axis that shows its ends times `scale`.
-fn panel(raster: &Raster, loudest: f64, below: String, scale: f64) -> Panel {
-    let [left, right] = raster.ends.map(|end| scale * end);
+/// A raster over an axis that it fills.
+fn panel(raster: &Raster, name: &str, loudest: f64, x: Axis) -> Panel {
     let [low, high] = raster.frequencies;
-    let x = Axis::over(below, left..right);
-    let y = Axis::over("frequency in Hz", low..high);
+    let y = Axis::over(("frequency", "Hz"), low..high);
+    let is_seen = x.ends[1] > x.ends[0] && loudest > 0.0;
+    let top = (MICRO * loudest).log10();
+    let amplitudes =
+        || Axis::of_logarithms((format!("{name} amplitude"), "µm"), top - DECADES..top);
     Panel {
-        map: (right > left && loudest > 0.0).then(|| raster.map(loudest)),
+        map: is_seen.then(|| raster.map(loudest)),
+        bar: is_seen.then(amplitudes),
         ..Panel::new(x, y, WATERFALL_HEIGHT)
     }
 }
@@ -193,20 +199,6 @@ fn draw_orders(panel: &mut Panel, maps: &Maps) {
         let name = order.name.clone();
         panel.labels.push(((near, at(near)), name, WHITE));
     }
-}
-
-/// What the colours mean: some decades below the loudest cell up to it.
-fn levels() -> Vec<Name> {
-    let decades = DECADES as usize;
-    let level = |decade: usize| {
-        let text = match decades - decade {
-            0 => "1".to_owned(),
-            below if below == decades => format!("1e-{below} of the loudest of each row"),
-            below => format!("1e-{below}"),
-        };
-        Name::new(text, graded(decade, decades + 1))
-    };
-    (0..=decades).map(level).collect()
 }
 
 /// Most cells along an axis: more cannot be seen.
@@ -282,6 +274,11 @@ impl Raster {
         }
     }
 
+    /// What the first axis shows, in a unit of which `scale` make one of its own.
+    fn range(&self, scale: f64) -> Range<f64> {
+        scale * self.ends[0]..scale * self.ends[1]
+    }
+
     /// Loudest cell but for the mean, m.
     pub fn loudest(&self) -> f64 {
         let cells = self
@@ -306,9 +303,6 @@ impl Raster {
         Map {
             width: self.columns.len(),
             levels: pixels.collect(),
-            top: MICRO * loudest,
-            decades: DECADES,
-            unit: "µm",
         }
     }
 }
@@ -388,12 +382,12 @@ fn order_figure(title: &str, tracks: &OrderTracks) -> Figure {
         [amplitudes(tracks, row), phases]
     });
     let names = tracks.tracked.iter().map(|order| order.name.as_str());
-    let figure = Figure::new("order_tracks.svg", title, 2, panels.collect());
+    let figure = Figure::new("order_tracks", title, 2, panels.collect());
     figure.with_names(Name::each(names))
 }
 
 fn amplitudes(tracks: &OrderTracks, row: usize) -> Panel {
-    let name = format!("amplitude of {} in µm", tracks.channels[row]);
+    let name = (format!("amplitude of {}", tracks.channels[row]), "µm");
     let curve = |order: usize| {
         let points = over_speed(tracks, row, order, |track| Some(MICRO * track.amplitude));
         Curve::line(distinct(order), points)
@@ -404,7 +398,7 @@ fn amplitudes(tracks: &OrderTracks, row: usize) -> Panel {
 
 /// Where an order is louder than `least`, m.
 fn phases(tracks: &OrderTracks, row: usize, least: f64) -> Panel {
-    let name = format!("phase of {} in deg", tracks.channels[row]);
+    let name = (format!("phase of {}", tracks.channels[row]), "deg");
     let phase = |track: &Track| (track.amplitude > least).then(|| track.phase.to_degrees());
     // dots, for a line would run across the figure where the angle begins anew
     let curve = |order| Curve::dots(distinct(order), over_speed(tracks, row, order, phase));
@@ -430,5 +424,5 @@ fn over_speed(
 
 fn speeds(tracks: &OrderTracks) -> Axis {
     let speeds = tracks.points.iter().map(|point| PER_MINUTE * point.speed);
-    Axis::spanning("speed in 1/min", speeds)
+    Axis::spanning(("speed", "1/min"), speeds)
 }

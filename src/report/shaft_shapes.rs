@@ -36,11 +36,11 @@ fn static_shape(title: &str, shape: &ShaftShape<f64>) -> Figure {
     let panels = panels.map(|(index, (name, deflections))| {
         let deflected = deflections.iter().map(|own| own * MICRO);
         let curves = vec![undeformed(shape), along(shape, deflected, index)];
-        let deflection = format!("deflection along {name} in µm");
+        let deflection = (format!("deflection along {name}"), "µm");
         Panel::of(positions(shape), deflection, HEIGHT, curves)
     });
     let names = [Name::new("undeformed", GREY)];
-    Figure::new("deflection.svg", title, 1, panels.collect()).with_names(names)
+    Figure::new("deflection", title, 1, panels.collect()).with_names(names)
 }
 
 /// The lowest modes of bending at a speed, each in the moment when it deflects most and a quarter of a period later.
@@ -74,7 +74,7 @@ fn mode_shapes(title: &str, modes: &[(Mode, ShaftShape<Complex<f64>>)]) -> Figur
     });
     let names = Name::each(["x", "y"]).into_iter();
     let names = names.chain([Name::new("thin: a quarter of a period later", GREY)]);
-    Figure::new("mode_shapes.svg", title, 2, panels.collect()).with_names(names)
+    Figure::new("mode_shapes", title, 2, panels.collect()).with_names(names)
 }
 
 /// The factor that makes the largest deflection real, and its size.
@@ -89,7 +89,7 @@ fn largest(shape: &ShaftShape<Complex<f64>>) -> (Complex<f64>, f64) {
 fn positions<T>(shape: &ShaftShape<T>) -> Axis {
     let range = [shape.positions.first(), shape.positions.last()];
     let [first, last] = range.map(|end| MILLI * end.copied().unwrap_or(0.0));
-    Axis::over("position in mm", first..last)
+    Axis::over(("position", "mm"), first..last)
 }
 
 fn along<T>(shape: &ShaftShape<T>, deflections: impl Iterator<Item = f64>, colour: usize) -> Curve {

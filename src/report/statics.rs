@@ -377,21 +377,22 @@ fn balls_figure(title: &str, answer: &QuasiStatic) -> Figure {
     let panels = bearings
         .flat_map(|(index, state)| panels(&of_bearing(index, answer.bearings.len()), state));
     let names = Name::each(["inner race", "outer race"]);
-    Figure::new("balls.svg", title, 2, panels.collect()).with_names(names)
+    Figure::new("balls", title, 2, panels.collect()).with_names(names)
 }
 
 fn panels(bearing: &str, state: &BearingState) -> [Panel; 2] {
-    let panel = |name: &str, value: fn(&RaceContact) -> f64| {
+    let panel = |name: &str, unit: &str, value: fn(&RaceContact) -> f64| {
         // the outer race first: where both agree, the inner one is seen
         let curves = vec![
             curve(&state.balls, 1, |line| value(&line.outer)),
             curve(&state.balls, 0, |line| value(&line.inner)),
         ];
-        Panel::of(Axis::azimuth(), format!("{bearing}{name}"), HEIGHT, curves)
+        let label = (format!("{bearing}{name}"), unit);
+        Panel::of(Axis::azimuth(), label, HEIGHT, curves)
     };
     [
-        panel("ball load Q in N", |contact| contact.load),
-        panel("contact angle α in deg", |contact| {
+        panel("ball load Q", "N", |contact| contact.load),
+        panel("contact angle α", "deg", |contact| {
             contact.angle.to_degrees()
         }),
     ]

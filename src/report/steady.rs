@@ -46,7 +46,7 @@ pub fn steady_findings(destination: &Destination<'_>, model: &Model, steady: &St
             ("steady_spectrum", line_table(steady, model.rotor.speed)),
         ],
         figures: vec![
-            histories.figure("steady_trace.svg", title),
+            histories.figure("steady_trace", title),
             spectrum(title, &steady.lines),
         ],
         document: destination.document(with_keys(steady, further)),
@@ -89,30 +89,32 @@ fn spectrum(title: &str, lines: &SteadyLines) -> Figure {
     let lengths = lengths(lines);
     let all = || lengths.iter().flat_map(|(index, _)| tips(lines, *index));
     let strongest = all().map(|(_, amplitude)| amplitude).fold(0.0, f64::max);
-    let amplitudes = Axis::below("amplitude in µm", strongest);
+    let amplitudes = Axis::below(("amplitude", "µm"), strongest);
     let floor = amplitudes.least();
     let shown = all().filter(|(_, amplitude)| *amplitude > floor);
     let highest = shown.map(|(frequency, _)| frequency).fold(0.0, f64::max);
     let limit = if highest > 0.0 { 1.05 * highest } else { 1.0 };
     let strokes = lengths.iter().enumerate().flat_map(|(place, (index, _))| {
-        // strokes of the same frequency stand side by side
-        let beside = limit * 1.5e-3 * place as f64;
         let shown = tips(lines, *index).filter(|(_, amplitude)| *amplitude > floor);
         shown.map(move |(frequency, amplitude)| {
-            let ends = [floor, amplitude].map(|end| (frequency + beside, end));
-            Curve::line(distinct(place), ends.to_vec())
+            let ends = [floor, amplitude].map(|end| (frequency, end));
+            Curve {
+                // strokes of the same frequency stand side by side
+                beside: 2 * place as u8,
+                ..Curve::line(distinct(place), ends.to_vec())
+            }
         })
     });
     let panel = Panel {
         curves: strokes.collect(),
         ..Panel::new(
-            Axis::over("frequency in Hz", 0.0..limit),
+            Axis::over(("frequency", "Hz"), 0.0..limit),
             amplitudes,
             HEIGHT,
         )
     };
     let names = Name::each(lengths.iter().map(|(_, channel)| channel.name()));
-    Figure::new("steady_spectrum.svg", title, 1, vec![panel]).with_names(names)
+    Figure::new("steady_spectrum", title, 1, vec![panel]).with_names(names)
 }
 
 /// The displacements that are lengths, with their places among all channels.

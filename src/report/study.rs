@@ -246,7 +246,7 @@ fn stiffness(title: &str, variable: &Variable, rows: &[StudyRow]) -> Figure {
         panel("K_θx, K_θy in N m/mrad", &[3, 4]),
     ];
     let names = Name::each(["K_x", "K_y", "K_z", "K_θx", "K_θy"]);
-    Figure::new("stiffness.svg", title, 2, panels).with_names(names)
+    Figure::new("stiffness", title, 2, panels).with_names(names)
 }
 
 /// Diagonal term `axis` of K against the variable.
@@ -269,7 +269,7 @@ fn deformation(title: &str, variable: &Variable, rows: &[StudyRow]) -> Figure {
         let change = less_mean(&curves, "δ less its mean in µm");
         [panel(rows, index, "deformation δ in µm", curves), change]
     });
-    let figure = Figure::new("deformation.svg", title, 2, panels.collect());
+    let figure = Figure::new("deformation", title, 2, panels.collect());
     figure.with_names(values(variable, rows))
 }
 
@@ -289,7 +289,7 @@ fn contact_angle(title: &str, variable: &Variable, rows: &[StudyRow]) -> Figure 
         ];
         whole.into_iter().chain(changes)
     });
-    let figure = Figure::new("contact_angle.svg", title, 2, panels.collect());
+    let figure = Figure::new("contact_angle", title, 2, panels.collect());
     figure.with_names(values(variable, rows))
 }
 

@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use comfy_table::{CellAlignment, Table, presets};
 use serde::Serialize;
 
+use crate::analysis::Channel;
 use crate::bearing::Clearance;
 use crate::rotor::FREEDOMS;
 
@@ -313,6 +314,14 @@ pub(super) fn shown_unit(unit: &str) -> (String, f64) {
         "m" => ("µm".to_owned(), MICRO),
         "rad" => ("µrad".to_owned(), MICRO),
         _ => (unit.replace("^2", "²"), 1.0),
+    }
+}
+
+/// What a channel is called in figures: `θx`, `force x`.
+pub(super) fn shown_name(channel: Channel) -> String {
+    match channel {
+        Channel::Displacement(freedom) => NAMES[freedom].to_owned(),
+        other => other.name().replace('_', " "),
     }
 }
 

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use super::table::Source;
 use super::{ColumnComparison, CompareError, Comparison, TableComparison, Worst};
 use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct, ends};
-use crate::report::{FigureFormat, write_whole};
+use crate::report::write_whole;
 use crate::table::{Column, ColumnKind};
 
 /// Most columns that are shown.
@@ -28,7 +28,7 @@ pub(crate) fn write_figure(
     file: &Path,
 ) -> Result<(), CompareError> {
     let figure = difference_figure("comparison", comparison, compared)?;
-    write_whole(file, &figure.bytes(FigureFormat::of(file))?)?;
+    write_whole(file, figure.svg().as_bytes())?;
     Ok(())
 }
 

@@ -19,20 +19,23 @@ const HEIGHT: u32 = 190;
 /// Points of all curves of a quantity together, so that the page stays small.
 const MOST_POINTS: usize = 40_000;
 
-/// What is drawn of the traces: column, its name, and how many of its unit make one of the column's.
-const TRACES: [(&str, &str, f64); 6] = [
-    ("x_m", "x in µm", MICRO),
-    ("y_m", "y in µm", MICRO),
-    ("z_m", "z in µm", MICRO),
-    ("tilt_x_rad", "θx in µrad", MICRO),
-    ("tilt_y_rad", "θy in µrad", MICRO),
-    ("largest_ball_load_N", "largest ball load in N", 1.0),
+/// A column that is drawn, its quantity with the unit that it is drawn in, and how many of that make one of its own.
+type Shown = (&'static str, (&'static str, &'static str), f64);
+
+/// What is drawn of the traces.
+const TRACES: [Shown; 6] = [
+    ("x_m", ("x", "µm"), MICRO),
+    ("y_m", ("y", "µm"), MICRO),
+    ("z_m", ("z", "µm"), MICRO),
+    ("tilt_x_rad", ("θx", "µrad"), MICRO),
+    ("tilt_y_rad", ("θy", "µrad"), MICRO),
+    ("largest_ball_load_N", ("largest ball load", "N"), 1.0),
 ];
-/// The same of the spectra.
-const SPECTRA: [(&str, &str, f64); 3] = [
-    ("x_amplitude_m", "amplitude of x in µm", MICRO),
-    ("y_amplitude_m", "amplitude of y in µm", MICRO),
-    ("z_amplitude_m", "amplitude of z in µm", MICRO),
+/// What is drawn of the spectra.
+const SPECTRA: [Shown; 3] = [
+    ("x_amplitude_m", ("amplitude of x", "µm"), MICRO),
+    ("y_amplitude_m", ("amplitude of y", "µm"), MICRO),
+    ("z_amplitude_m", ("amplitude of z", "µm"), MICRO),
 ];
 
 /// A run as its folder has it.
@@ -98,8 +101,8 @@ fn show_runs(folders: &[PathBuf], lines: &mut Lines) -> Result<Vec<Figure>, Comp
     let names = names(&runs, folders);
     tell_key_numbers(&runs, &names, lines);
     let figures = [
-        figure("traces", "time in s", &runs, &TRACES, |run| &run.trace),
-        figure("spectra", "frequency in Hz", &runs, &SPECTRA, |run| {
+        figure("traces", ("time", "s"), &runs, &TRACES, |run| &run.trace),
+        figure("spectra", ("frequency", "Hz"), &runs, &SPECTRA, |run| {
             &run.spectrum
         }),
     ];
@@ -166,9 +169,9 @@ fn tell_key_numbers(runs: &[Folder], names: &[String], out: &mut Lines) {
 /// A panel a column that any of the runs has, a curve a run; none where no run has such a table.
 fn figure(
     file: &str,
-    over: &str,
+    over: (&str, &str),
     runs: &[Folder],
-    columns: &[(&str, &str, f64)],
+    columns: &[Shown],
     table: fn(&Folder) -> &Option<Source<'static>>,
 ) -> Option<Figure> {
     let is_spectrum = file == "spectra";

@@ -1,48 +1,50 @@
-//! Figures: panels of curves, marks and cells over axes, told as data and drawn in one way.
+//! Figures: panels of curves, marks and cells over axes, told as data. The SVG file and the page draw what is told.
 
 mod axis;
-mod draw;
-mod format;
+mod colour;
+mod layout;
+mod packed;
+mod svg;
+mod text;
+mod ticks;
 
-use plotters::style::RGBColor;
+use serde::Serialize;
 
-use super::ReportError;
 use super::envelope::{BUCKETS, Decimator};
 
-pub(super) use axis::{Axis, ends, padded, round_ticks};
-pub(super) use draw::PLOT_WIDTH;
-pub(super) use format::figure_formats;
-pub(crate) use format::{FigureFormat, write_figures_as};
+pub(super) use axis::{Axis, Label, ends, padded};
+pub(super) use colour::{COLOURS, Colour, GREY, WHITE, distinct, graded};
+pub(super) use packed::narrow;
 
 /// A place in the units of the axes.
 pub(crate) type Point = (f64, f64);
 
 /// A figure: a title, what its colours mean, and panels row by row.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize)]
 pub(crate) struct Figure {
-    /// Name of its file.
-    pub file: String,
+    /// Name of its file, without the ending.
+    pub name: String,
     /// What stands above it.
     pub title: String,
     /// What the colours mean, in all panels.
     pub names: Vec<Name>,
-    /// Panels side by side.
+    /// Panels side by side, where there is room.
     pub columns: usize,
     /// The panels.
     pub panels: Vec<Panel>,
 }
 
 /// What a colour means.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub(crate) struct Name {
     pub text: String,
-    pub colour: RGBColor,
+    pub colour: Colour,
     /// What stands at the points of its curve, if that tells it apart.
     pub mark: Option<Mark>,
 }
 
 /// Curves and marks over two axes.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize)]
 pub(crate) struct Panel {
     /// What stands above it, if anything.
     pub title: String,
@@ -52,19 +54,21 @@ pub(crate) struct Panel {
     pub x: Axis,
     /// From below to above.
     pub y: Axis,
-    /// Height of the plot, px.
+    /// Height of the plot, px; of one with an aspect the width decides.
     pub height: u32,
-    /// Whether a unit is as long upwards as it is across.
-    pub equal: bool,
+    /// How many times as long a unit is upwards as it is across, if that matters.
+    pub aspect: Option<f64>,
     /// Rectangles.
+    #[serde(serialize_with = "packed::cells")]
     pub cells: Vec<Cell>,
-    /// What the colours of the cells mean: a bar of all of them along this axis.
+    /// What the colours of the cells or of the map mean: a bar of all of them along this axis.
     pub bar: Option<Axis>,
     /// A map that fills the plot.
     pub map: Option<Map>,
+    #[serde(serialize_with = "packed::curves")]
     pub curves: Vec<Curve>,
     /// Texts at their places.
-    pub labels: Vec<(Point, String, RGBColor)>,
+    pub labels: Vec<(Point, String, Colour)>,
     /// Places with a name, which are left out where they would cover one before them.
     pub peaks: Vec<(Point, String)>,
 }
@@ -72,15 +76,19 @@ pub(crate) struct Panel {
 /// A line through points, and marks.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Curve {
-    pub colour: RGBColor,
-    /// Points that straight lines join.
+    pub colour: Colour,
+    /// Points that straight lines join; no line runs to or from a value that is not a number.
     pub points: Vec<Point>,
+    /// Of each point the lowest and the highest value around it, where values are not known one by one.
+    pub band: Vec<[f64; 2]>,
     /// Points that are marked.
     pub marks: Vec<Point>,
     /// How they are marked.
     pub mark: Mark,
     /// Whether the line is thin, for it covers itself many times over.
     pub fine: bool,
+    /// How far to the right of its places it is drawn, px, so that curves over each other are both seen.
+    pub beside: u8,
     /// What it is called, where that is more than its colour tells.
     pub name: String,
     /// Of a study: the run that each point stands for, or each mark of a curve without points.
@@ -91,7 +99,7 @@ pub(crate) struct Curve {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Cell {
     pub corners: [Point; 2],
-    pub colour: RGBColor,
+    pub colour: Colour,
     /// The value that its colour or its length shows.
     pub value: f64,
     /// Of a study: the run that it stands for.
@@ -99,7 +107,8 @@ pub(crate) struct Cell {
 }
 
 /// What marks a point.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub(crate) enum Mark {
     /// One of many points.
     Spot,
@@ -110,25 +119,20 @@ pub(crate) enum Mark {
     Triangle,
 }
 
-/// Levels row by row from the top, 0 to 255, in the colours of [`graded`].
-#[derive(Debug, Clone, PartialEq, Default)]
+/// Levels row by row from the top, 0 to 255, evenly over the bar of the panel.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub(crate) struct Map {
     /// Levels in a row.
     pub width: usize,
+    #[serde(serialize_with = "packed::levels")]
     pub levels: Vec<u8>,
-    /// Value of level 255.
-    pub top: f64,
-    /// Decades from level 0 up to there.
-    pub decades: f64,
-    /// Unit of the values.
-    pub unit: &'static str,
 }
 
 impl Figure {
     /// Panels under a title.
-    pub fn new(file: &str, title: &str, columns: usize, panels: Vec<Panel>) -> Self {
+    pub fn new(name: &str, title: &str, columns: usize, panels: Vec<Panel>) -> Self {
         Self {
-            file: file.to_owned(),
+            name: name.to_owned(),
             title: title.to_owned(),
             names: Vec::new(),
             columns,
@@ -136,34 +140,22 @@ impl Figure {
         }
     }
 
-    /// The same with what its colours mean.
-    pub fn with_names(self, names: impl IntoIterator<Item = Name>) -> Self {
-        Self {
-            names: names.into_iter().collect(),
-            ..self
-        }
+    /// The figure with what its colours mean; a name that nothing has the colour of is left out.
+    pub fn with_names(mut self, names: impl IntoIterator<Item = Name>) -> Self {
+        let is_shown = |name: &Name| self.panels.iter().any(|panel| panel.shows(name));
+        self.names = names.into_iter().filter(is_shown).collect();
+        self
     }
 
-    /// Name of its file without the ending.
-    pub fn name(&self) -> &str {
-        self.file.trim_end_matches(".svg")
-    }
-
-    /// The figure as SVG.
-    ///
-    /// # Errors
-    /// [`ReportError::Draw`] where the drawing library fails.
-    pub fn svg(&self) -> Result<String, ReportError> {
-        draw::svg(self).map_err(|source| ReportError::Draw {
-            figure: self.file.clone(),
-            source,
-        })
+    /// The figure as SVG, as wide as a page.
+    pub fn svg(&self) -> String {
+        svg::drawn(self, svg::PAGE)
     }
 }
 
 impl Name {
     /// What a colour means.
-    pub fn new(text: impl Into<String>, colour: RGBColor) -> Self {
+    pub fn new(text: impl Into<String>, colour: Colour) -> Self {
         Self {
             text: text.into(),
             colour,
@@ -181,21 +173,6 @@ impl Name {
 }
 
 impl Panel {
-    /// Curves over `x`, with an axis called `y` that holds them.
-    pub fn of(x: Axis, y: impl Into<String>, height: u32, curves: Vec<Curve>) -> Self {
-        let points = curves.iter().flat_map(|curve| &curve.points);
-        let y = Axis::around(y, points.map(|point| point.1));
-        Self {
-            curves,
-            ..Self::new(x, y, height)
-        }
-    }
-
-    /// A point in the units that its axes are drawn in.
-    fn place(&self, (x, y): Point) -> Point {
-        (self.x.place(x), self.y.place(y))
-    }
-
     /// Nothing over two axes.
     pub fn new(x: Axis, y: Axis, height: u32) -> Self {
         Self {
@@ -205,11 +182,32 @@ impl Panel {
             ..Self::default()
         }
     }
+
+    /// Curves over `x`, with an axis called `y` that holds them.
+    pub fn of(x: Axis, y: impl Into<Label>, height: u32, curves: Vec<Curve>) -> Self {
+        let points = curves.iter().flat_map(|curve| &curve.points);
+        let bands = curves.iter().flat_map(|curve| &curve.band).flatten();
+        let y = Axis::around(y, points.map(|point| point.1).chain(bands.copied()));
+        Self {
+            curves,
+            ..Self::new(x, y, height)
+        }
+    }
+
+    /// Whether something is drawn in the colour, and with the mark, of a name.
+    fn shows(&self, name: &Name) -> bool {
+        let mut curves = self.curves.iter();
+        let is_drawn = |curve: &Curve| !curve.points.is_empty() || !curve.marks.is_empty();
+        curves.any(|curve| {
+            let is_alike = name.mark.is_none_or(|mark| mark == curve.mark);
+            curve.colour == name.colour && is_alike && is_drawn(curve)
+        }) || self.cells.iter().any(|cell| cell.colour == name.colour)
+    }
 }
 
 impl Curve {
     /// A line through points.
-    pub fn line(colour: RGBColor, points: Vec<Point>) -> Self {
+    pub fn line(colour: Colour, points: Vec<Point>) -> Self {
         Self {
             colour,
             points,
@@ -218,7 +216,7 @@ impl Curve {
     }
 
     /// Points that no line joins.
-    pub fn dots(colour: RGBColor, marks: Vec<Point>) -> Self {
+    pub fn dots(colour: Colour, marks: Vec<Point>) -> Self {
         Self {
             colour,
             marks,
@@ -227,7 +225,7 @@ impl Curve {
     }
 
     /// A line through points that are marked where they are few.
-    pub fn marked(colour: RGBColor, points: Vec<Point>, most_marks: usize) -> Self {
+    pub fn marked(colour: Colour, points: Vec<Point>, most_marks: usize) -> Self {
         let few = points.len() <= most_marks;
         Self {
             marks: if few { points.clone() } else { Vec::new() },
@@ -236,59 +234,13 @@ impl Curve {
     }
 
     /// The envelope of a curve of any length.
-    pub fn envelope(colour: RGBColor, points: impl IntoIterator<Item = Point>) -> Self {
+    pub fn envelope(colour: Colour, points: impl IntoIterator<Item = Point>) -> Self {
         let mut envelope = Decimator::new(BUCKETS);
         for (at, value) in points {
             envelope.push(at, value);
         }
         Self::line(colour, envelope.points().collect())
     }
-}
-
-/// Colours of Okabe & Ito (2008) that are told apart by every kind of colour vision.
-const PALETTE: [RGBColor; 6] = [
-    RGBColor(0, 114, 178),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(230, 159, 0),
-    RGBColor(86, 180, 233),
-];
-
-/// Text and axes.
-const INK: RGBColor = RGBColor(40, 40, 40);
-/// Grid.
-const GRID: RGBColor = RGBColor(225, 225, 225);
-/// What others are measured by, and what is not stable.
-pub(in crate::report) const GREY: RGBColor = RGBColor(150, 150, 150);
-/// Paper, and text on dark maps.
-pub(in crate::report) const WHITE: RGBColor = RGBColor(255, 255, 255);
-
-/// Number of colours before they begin anew.
-pub(in crate::report) const COLOURS: usize = PALETTE.len();
-
-/// Colour number `index` of things without an order.
-pub(in crate::report) fn distinct(index: usize) -> RGBColor {
-    PALETTE[index % COLOURS]
-}
-
-/// Colour number `index` of `count` values in their order: blue over green to yellow.
-pub(in crate::report) fn graded(index: usize, count: usize) -> RGBColor {
-    /// The colour map viridis in five anchors (Smith & van der Walt, 2015).
-    const ANCHORS: [[f64; 3]; 5] = [
-        [68.0, 1.0, 84.0],
-        [59.0, 82.0, 139.0],
-        [33.0, 145.0, 140.0],
-        [94.0, 201.0, 98.0],
-        [215.0, 205.0, 40.0],
-    ];
-    let steps = count.saturating_sub(1).max(1);
-    let place = (ANCHORS.len() - 1) as f64 * index as f64 / steps as f64;
-    let below = (place as usize).min(ANCHORS.len() - 2);
-    let part = place - below as f64;
-    let mixed = |k: usize| ANCHORS[below][k] * (1.0 - part) + ANCHORS[below + 1][k] * part;
-    let [red, green, blue] = [0, 1, 2].map(|k| mixed(k).round() as u8);
-    RGBColor(red, green, blue)
 }
 
 /// A full turn, degrees.

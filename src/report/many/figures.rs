@@ -115,7 +115,7 @@ impl Digest {
             let curves = both.filter_map(|down| self.curve(&shown, down)).collect();
             Panel::of(Axis::spanning(&axis, ends), shown.title, ROW_HEIGHT, curves)
         });
-        let figure = Figure::new("response.svg", &self.head.title, 2, panels.collect());
+        let figure = Figure::new("response", &self.head.title, 2, panels.collect());
         Some(figure.with_names(self.directions()))
     }
 
@@ -189,14 +189,16 @@ impl Digest {
         let places = places.into_iter().enumerate();
         let dots = places.map(|(down, (points, runs))| Curve {
             mark: Mark::Spot,
+            // where both ways meet both are seen
+            beside: 2 * down as u8,
             runs,
             ..Curve::dots(distinct(down), points)
         });
         let panel = Panel {
             curves: dots.collect(),
-            ..Panel::new(Axis::over(axis_name(axis), low..high), heights, HEIGHT)
+            ..Panel::new(Axis::around(axis_name(axis), [low, high]), heights, HEIGHT)
         };
-        let figure = Figure::new("bifurcation.svg", &head.title, 1, vec![panel]);
+        let figure = Figure::new("bifurcation", &head.title, 1, vec![panel]);
         Ok(Some(figure.with_names(self.directions())))
     }
 
@@ -219,7 +221,7 @@ impl Digest {
         let panels = shown
             .iter()
             .map(|shown| self.mapped(shown, [&x, &y], height));
-        (!shown.is_empty()).then(|| Figure::new("map.svg", &self.head.title, 1, panels.collect()))
+        (!shown.is_empty()).then(|| Figure::new("map", &self.head.title, 1, panels.collect()))
     }
 
     /// One number in every cell of the grid.
@@ -272,7 +274,7 @@ impl Digest {
         });
         let panels: Vec<Panel> = panels.collect();
         let columns = count.min(MOST_ACROSS);
-        (!panels.is_empty()).then(|| Figure::new("scatter.svg", &self.head.title, columns, panels))
+        (!panels.is_empty()).then(|| Figure::new("scatter", &self.head.title, columns, panels))
     }
 
     /// One number over one axis.
@@ -338,7 +340,7 @@ impl Digest {
             )
         };
         let title = format!("{}: rank correlation", self.head.title);
-        Some(Figure::new("sensitivity.svg", &title, 1, vec![panel]))
+        Some(Figure::new("sensitivity", &title, 1, vec![panel]))
     }
 
     fn label(&self, axis: usize) -> String {

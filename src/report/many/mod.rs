@@ -50,7 +50,7 @@ fn write(folder: RunFolder, rows: &Rows) -> Result<(Vec<PathBuf>, Digest), Study
     let mut files = tables.end()?;
     let figures = figures(&digest, rows)?;
     for figure in &figures {
-        files.extend(folder.write_figure(figure)?);
+        files.push(folder.write_figure(figure)?);
     }
     let page = |file: &mut PartialFile| write_page(&digest, &figures, file);
     files.push(folder.write_with("report.html", page)?);

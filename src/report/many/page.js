@@ -93,7 +93,7 @@
   /** What the figures show of a run, and the command that makes it alone: results stand in a folder called like their file. */
   function runText(run) {
     const found = new Map();
-    const note = (axis, value) => { if (axis?.name && value !== undefined) found.set(axis.name, number(value)); };
+    const note = ({ quantity, unit }, value) => { if (quantity && value !== undefined) found.set(quantity, `${quantity} ${number(value)} ${unit}`.trim()); };
     for (const figure of figures.all()) for (const panel of figure.panels) {
       for (const curve of panel.curves) {
         const k = curve.runs?.indexOf(run) ?? -1;
@@ -103,11 +103,10 @@
         note(panel.y, ys[k]);
       }
       const k = panel.cells?.runs?.indexOf(run) ?? -1;
-      if (k >= 0) note({ name: panel.title }, panel.cells.values[k]);
+      if (k >= 0) note({ quantity: panel.title, unit: "" }, panel.cells.values[k]);
     }
-    const values = [...found].map(([name, value]) => { const [what, unit] = name.split(" in "); return `${what} ${value}${unit ? ` ${unit}` : ""}`; });
     const folder = decodeURIComponent(location.pathname.split("/").at(-2) ?? "FILE");
-    return `Run ${run}: ${values.join(", ")}. Alone: jeffcott study ${folder}.toml --only ${run}`;
+    return `Run ${run}: ${[...found.values()].join(", ")}. Alone: jeffcott study ${folder}.toml --only ${run}`;
   }
 
   figures.tellRuns(runText);

@@ -8,7 +8,7 @@ use super::digest::Digest;
 use super::tables::{run_names, run_row};
 use crate::report::FileSet;
 use crate::report::figure::Figure;
-use crate::report::page::{Frame, figures_json};
+use crate::report::page::Frame;
 use crate::report::variable::{axis_name, variable_column};
 
 const SCRIPT: &str = include_str!("page.js");
@@ -39,12 +39,11 @@ pub(super) fn write_page(
         "digest": digest.json(),
         "shown": shown,
         "rows": first_rows(digest),
-        "figures": figures_json(figures),
+        "figures": figures,
     });
     let frame = Frame {
         title: &head.title,
         sealed: FileSet::RUNS.seal,
-        styles: "",
         scripts: &[SCRIPT],
     };
     frame.write(&data, out)

@@ -5,7 +5,6 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use super::figure::figures_json;
 use super::frame::Frame;
 use crate::report::figure::Figure;
 use crate::report::terminal::LinePart;
@@ -42,14 +41,13 @@ impl AnswerPage<'_> {
             "sealed": self.sealed,
             "parts": self.parts,
             "warnings": self.document["warnings"],
-            "figures": figures_json(self.figures),
+            "figures": self.figures,
             "tables": self.tables.iter().map(|(name, table)| rows(name, table)).collect::<Value>(),
             "scenario": self.document["scenario"],
         });
         let frame = Frame {
             title: self.title,
             sealed: self.sealed,
-            styles: "",
             scripts: &[SCRIPT],
         };
         frame.write(&data, out)

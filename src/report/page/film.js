@@ -42,7 +42,7 @@ const film = (() => {
     for (let k = 0; k < bearing.balls; k += 1) {
       const angle = bearing.firstBall + (2 * Math.PI * k) / bearing.balls + bearing.cage * angles[frame];
       const load = bearing.loads?.[frame * bearing.balls + k] ?? 0;
-      const fill = load > 0 ? figures.shade(load / bearing.largest) : null;
+      const fill = load > 0 ? drawing.shade(load / bearing.largest) : null;
       pen.circle(centreX + pitch * Math.cos(angle), centreY - pitch * Math.sin(angle), 0.93 * ball, fill, colour("--ink"));
     }
     pen.line(bearing.orbit.slice(0, frame + 1).flatMap((_, k) => shift(k)), colour("--c0"), 1.2);

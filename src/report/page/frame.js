@@ -4,7 +4,6 @@
 const page = (() => {
   const data = JSON.parse(document.getElementById("data").textContent);
   const main = document.querySelector("main");
-  const svgSpace = "http://www.w3.org/2000/svg";
 
   // Elements.
 
@@ -12,13 +11,6 @@ const page = (() => {
     const made = document.createElement(tag);
     for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
     made.append(...children.filter((child) => child !== null));
-    return made;
-  }
-
-  function drawn(tag, attributes, ...children) {
-    const made = document.createElementNS(svgSpace, tag);
-    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
-    made.append(...children);
     return made;
   }
 
@@ -96,5 +88,5 @@ const page = (() => {
     document.documentElement.dataset.readyMs = String(Math.round(performance.now()));
   }
 
-  return { data, element, drawn, section, folded, table, tiles, warnings, number, bytes, places, floats, scenarioSection, ready };
+  return { data, element, section, folded, table, tiles, warnings, number, bytes, places, floats, scenarioSection, ready };
 })();

@@ -9,10 +9,11 @@ use crate::scenario::visible;
 const FRAME: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
 /// What every page's script builds on, in order.
-const SCRIPTS: [&str; 3] = [
+const SCRIPTS: [&str; 4] = [
     include_str!("frame.js"),
     include_str!("pen.js"),
     include_str!("figure.js"),
+    include_str!("reading.js"),
 ];
 
 /// A page around some data.
@@ -22,8 +23,6 @@ pub(in crate::report) struct Frame<'a> {
     pub title: &'a str,
     /// File beside the page that says the same without scripts.
     pub sealed: &'a str,
-    /// Styles beside that of all pages.
-    pub styles: &'a str,
     /// Scripts that show the data, in order.
     pub scripts: &'a [&'a str],
 }
@@ -34,7 +33,7 @@ impl Frame<'_> {
         let parts = [
             ("title", escaped(self.title)),
             ("sealed", escaped(self.sealed)),
-            ("style", [self.styles, STYLE].concat()),
+            ("style", STYLE.to_owned()),
             // no text in the data can end the element that it stands in
             ("data", data.to_string().replace('<', "\\u003c")),
             ("script", [&SCRIPTS, self.scripts].concat().concat()),

@@ -1,34 +1,27 @@
 //! `report.html`: what a run did, in one file that any browser opens from disk, without a network.
 //!
-//! Numbers come from the summary, which the page holds as a whole; curves are thinned to what a screen
-//! shows. The charts are drawn by uPlot (MIT), which stands in the file.
+//! Numbers come from the summary, which the page holds as a whole; curves are thinned to what a screen shows.
 
 mod answer;
-mod figure;
 mod frame;
-mod panel;
 
 use std::io::{self, Write};
 
 use serde_json::{Value, json};
 
 pub(super) use self::answer::AnswerPage;
-pub(super) use self::figure::figures_json;
 pub(super) use self::frame::Frame;
-pub(super) use self::panel::{PagePanel, curve, narrow};
 use super::figure::Figure;
 use super::histories::Histories;
-use super::spectra::{frequency_limit_of, shown_estimates, shown_spectra};
+use super::spectra::{estimated_figure, frequency_limit_of, spectra_figures};
 use crate::bearing::{BallLine, BearingState};
 use crate::simulate::Run;
 
 const SCRIPT: &str = include_str!("page.js");
 const FILM: &str = include_str!("film.js");
-const CHARTS: &str = include_str!("uplot/uPlot.iife.min.js");
-const CHARTS_STYLE: &str = include_str!("uplot/uPlot.min.css");
 
-/// Writes the page of a run whose numbers stand in `summary`; `figures` are drawn beside its
-/// charts, and `film` shows its end in motion.
+/// Writes the page of a run whose numbers stand in `summary`; `figures` are drawn beside its histories and spectra, and
+/// `film` shows its end in motion.
 pub(super) fn write_page(
     summary: &Value,
     run: &Run,
@@ -39,24 +32,23 @@ pub(super) fn write_page(
 ) -> io::Result<()> {
     let limit = frequency_limit_of(run);
     let spectra = run.spectrum.iter();
-    let spectra = spectra.flat_map(|spectrum| shown_spectra(spectrum, &run.peaks));
+    let spectra = spectra.flat_map(|spectrum| spectra_figures(spectrum, &run.peaks));
     let further = run.spectra.iter();
-    let further = further.flat_map(|spectrum| shown_estimates(spectrum, limit));
+    let further = further.map(|spectrum| estimated_figure("", spectrum, limit));
     let bearings = run.equilibrium.bearings.iter();
     let data = json!({
         "summary": summary,
         "balls": bearings.map(|state| state.as_ref().map(balls)).collect::<Value>(),
         "film": film,
-        "histories": histories.page_panels(),
-        "figures": figures_json(figures.iter().copied()),
-        "spectra": spectra.map(|shown| shown.page_panel()).collect::<Value>(),
-        "furtherSpectra": further.map(|shown| shown.page_panel()).collect::<Value>(),
+        "histories": histories.page_figure(),
+        "figures": figures,
+        "spectra": spectra.collect::<Vec<_>>(),
+        "furtherSpectra": further.collect::<Vec<_>>(),
     });
     let frame = Frame {
         title: summary["title"].as_str().unwrap_or_default(),
         sealed: "summary.json",
-        styles: CHARTS_STYLE,
-        scripts: &[CHARTS, FILM, SCRIPT],
+        scripts: &[FILM, SCRIPT],
     };
     frame.write(&data, out)
 }

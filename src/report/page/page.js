@@ -1,6 +1,6 @@
 
 (() => {
-  const { element, section, folded, table, tiles, number, places, floats } = page;
+  const { element, section, folded, table, tiles, number } = page;
   const { summary, balls, histories, spectra, furtherSpectra } = page.data;
   const drawn = new Map(page.data.figures.map((figure) => [figure.name, figure]));
   const names = { tilt_x: "θx", tilt_y: "θy", force_x: "force x", force_y: "force y", force_z: "force z",
@@ -12,209 +12,6 @@
     const [name, factor] = shownUnits[unit] ?? [unit, 1];
     return `${number(value * factor)} ${name}`;
   };
-
-  // Charts.
-
-  const charts = [];
-  const groups = new Map();
-  const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-
-  /** Axes of a panel in the colours of the page. */
-  function axes(panel) {
-    const look = { stroke: colour("--ink"), grid: { stroke: colour("--line"), width: 1 },
-      ticks: { stroke: colour("--line"), width: 1 }, font: "12px system-ui, sans-serif",
-      labelFont: "12px system-ui, sans-serif" };
-    const unit = panel.unit ? ` in ${panel.unit}` : "";
-    const powers = (_, splits) => splits.map((v) => {
-      const power = Math.log10(v);
-      return v !== null && Math.abs(power - Math.round(power)) < 1e-9 ? `1e${Math.round(power)}` : "";
-    });
-    const upright = { ...look, size: 70, label: `${named(panel.name)}${unit}`, labelSize: 22 };
-    if (panel.logarithmic) upright.values = powers;
-    else upright.values = (_, splits) => splits.map((v) => (v === null ? "" : number(v, 7)));
-    const below = panel.last ? { label: panel.over[1] ? `${panel.over[0]} in ${panel.over[1]}` : panel.over[0], labelSize: 20 } : {};
-    return [{ ...look, size: 30, ...below }, upright];
-  }
-
-  /** Six decades below the largest value, whatever part is looked at. */
-  function decades(curves) {
-    let top = 0;
-    for (const values of curves) for (const value of values) if (value > top) top = value;
-    const highest = top > 0 ? Math.ceil(Math.log10(top * 1.5)) : 0;
-    return [10 ** (highest - 7), 10 ** highest];
-  }
-
-  /** What is to be seen with a margin; a constant in the middle of a neighbourhood. */
-  function padded(low, high) {
-    const margin = 0.06 * (high - low) || 0.5 * Math.abs(low) || 1;
-    return [low - margin, high + margin];
-  }
-
-  /** Names of peaks, the highest first, each only where it covers no other. */
-  function drawMarks(u, marks) {
-    const { ctx, bbox } = u;
-    const ratio = devicePixelRatio;
-    const taken = [];
-    const seen = new Set();
-    ctx.save();
-    ctx.font = `${12 * ratio}px system-ui, sans-serif`;
-    ctx.fillStyle = colour("--ink");
-    ctx.textAlign = "center";
-    for (const { at, height, name } of [...marks].sort((a, b) => b.height - a.height)) {
-      const x = u.valToPos(at, "x", true);
-      const y = u.valToPos(height, "y", true);
-      const half = ctx.measureText(name).width / 2 + 3 * ratio;
-      const hidden = x - half < bbox.left || x + half > bbox.left + bbox.width
-        || y < bbox.top || y > bbox.top + bbox.height;
-      const covered = taken.some((other) => Math.abs(other.x - x) < other.half + half
-        && Math.abs(other.y - y) < 14 * ratio);
-      if (hidden || covered || seen.has(name)) continue;
-      seen.add(name);
-      taken.push({ x, y, half });
-      ctx.fillText(name, x, Math.max(y - 6 * ratio, bbox.top + 12 * ratio));
-    }
-    ctx.restore();
-  }
-
-  function options(panel, width, height, data) {
-    const line = (label, index, width) => ({
-      label, stroke: colour(`--c${index % 6}`), width,
-      value: (_, value) => (value === null ? "–" : `${number(value)}${panel.unit ? ` ${panel.unit}` : ""}`),
-      points: { show: false },
-    });
-    const series = panel.curves.map((curve, index) => line(named(curve.name), index, 1.25));
-    // where not every sample is shown, between its lowest and its highest value
-    const bands = panel.band ? [{ series: [series.length + 2, series.length + 1], fill: `${colour("--c0")}55` }] : [];
-    if (panel.band) series.push(line("lowest", 0, 0.5), line("highest", 0, 0.5));
-    const [abscissa, abscissaUnit] = panel.over;
-    const settings = {
-      width, height, legend: { live: true }, axes: axes(panel), bands,
-      series: [{ label: abscissa, value: (_, v) => (v === null ? "–" : `${number(v, 7)} ${abscissaUnit}`) }, ...series],
-      scales: { x: { time: false, ...(panel.shown ? { min: data[0][0], max: panel.shown } : {}) }, y: panel.logarithmic ? { distr: 3, range: () => decades(data.slice(1)) }
-        : { range: (_, low, high) => (low === null ? [-1, 1] : padded(low, high)) } },
-      cursor: { drag: { x: true, y: false }, sync: { key: panel.group, scales: ["x", null], setSeries: false } },
-      hooks: { draw: [(u) => drawMarks(u, panel.marks)], setCursor: [(u) => follow(u, panel)] },
-    };
-    return settings;
-  }
-
-  function span(u) {
-    const abscissas = u.data[0];
-    return [abscissas[0], abscissas[abscissas.length - 1]];
-  }
-
-  /** Shows a stretch in all charts of a group, kept within what there is. */
-  function show(group, from, to) {
-    for (const { plot } of groups.get(group)) {
-      const [first, last] = span(plot);
-      const size = Math.min(to - from, last - first);
-      const start = Math.min(Math.max(from, first), last - size);
-      plot.setScale("x", { min: start, max: start + size });
-    }
-  }
-
-  function keys(chart, event) {
-    const { plot, panel } = chart;
-    const { min, max } = plot.scales.x;
-    const [step, middle] = [(max - min) / 10, (max + min) / 2];
-    const moves = {
-      ArrowLeft: () => show(panel.group, min - step, max - step),
-      ArrowRight: () => show(panel.group, min + step, max + step),
-      "+": () => show(panel.group, middle - 4 * step, middle + 4 * step),
-      "=": () => show(panel.group, middle - 4 * step, middle + 4 * step),
-      "-": () => show(panel.group, middle - 6.25 * step, middle + 6.25 * step),
-      0: () => show(panel.group, ...span(plot)),
-      Escape: () => show(panel.group, ...span(plot)),
-      ",": () => point(plot, -1),
-      ".": () => point(plot, 1),
-    };
-    const move = event.ctrlKey || event.metaKey || event.altKey ? null : moves[event.key];
-    if (!move) return;
-    event.preventDefault();
-    move();
-  }
-
-  /** Moves the reading by one point that is shown. */
-  function point(plot, step) {
-    const { min, max } = plot.scales.x;
-    const abscissas = plot.data[0];
-    const start = plot.cursor.idx ?? abscissas.findIndex((x) => x >= (min + max) / 2);
-    const next = Math.min(Math.max(start + step, 0), abscissas.length - 1);
-    const left = plot.valToPos(abscissas[next], "x");
-    plot.setCursor({ left, top: plot.over.clientHeight / 2 });
-  }
-
-  function build(chart) {
-    const kept = chart.plot && { ...chart.plot.scales.x };
-    chart.plot?.destroy();
-    const settings = options(chart.panel, width(chart), chart.height, chart.data);
-    chart.plot = new uPlot(settings, chart.data, chart.holder);
-    if (kept) chart.plot.setScale("x", kept);
-    for (const entry of chart.holder.querySelectorAll(".u-legend .u-series th")) {
-      entry.tabIndex = 0;
-      entry.onkeydown = (event) => { if (event.key === "Enter") { event.stopPropagation(); entry.click(); } };
-    }
-  }
-
-  const width = (chart) => (document.documentElement.classList.contains("printed") ? 680
-    : Math.max(chart.holder.clientWidth || document.querySelector("main").clientWidth, 280));
-
-  function addChart(panel, group, height, last = true) {
-    const holder = element("div", { class: "chart", tabindex: "0", role: "group",
-      "aria-label": `${named(panel.name)} over ${panel.over[0]}; arrow keys move, plus and minus zoom, 0 shows all, comma and full stop read points` });
-    const data = [places(panel.curves[0].abscissas), ...panel.curves.map((curve) => floats(curve.values))];
-    if (panel.band) data.push(floats(panel.band.low), floats(panel.band.high));
-    const chart = { panel: { ...panel, group, last }, holder, height: last ? height + 20 : height, data };
-    if (panel.logarithmic) chart.data = [data[0], ...data.slice(1).map((curve) => curve.map((v) => (v > 0 ? v : null)))];
-    holder.addEventListener("keydown", (event) => keys(chart, event));
-    charts.push(chart);
-    groups.set(group, [...(groups.get(group) ?? []), chart]);
-    return element("figure", {}, holder, figures.saving(panel.name.replaceAll(/\W+/g, "_"), () => asFigure(chart)));
-  }
-
-  /** A chart as it is shown now, as a figure that can be saved. */
-  function asFigure({ panel, plot, data }) {
-    const [xs, ...columns] = data;
-    const { x, y } = plot.scales;
-    const shown = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
-    const [over, unit] = panel.over;
-    const place = (v) => (panel.logarithmic ? Math.log10(v) : v);
-    const ends = { x: [x.min, x.max], y: [place(y.min), place(y.max)] };
-    const near = xs.map((at, k) => k).filter((k) => xs[Math.min(k + 1, xs.length - 1)] >= x.min && xs[Math.max(k - 1, 0)] <= x.max);
-    const of = (column) => near.map((k) => column[k]);
-    const curves = panel.curves.map((curve, k) => ({ name: named(curve.name), colour: shown[k % shown.length], xs: of(xs), ys: of(columns[k]),
-      markXs: [], markYs: [], hidden: !plot.series[k + 1].show }));
-    const count = panel.curves.length;
-    if (panel.band) curves[0].band = { low: of(columns[count]), high: of(columns[count + 1]) };
-    const peaks = [...panel.marks].sort((a, b) => b.height - a.height).map((mark) => [mark.at, mark.height, mark.name]);
-    return { names: count > 1 ? curves.map(({ name, colour }) => ({ text: name, colour })) : [], columns: 1, panels: [{ title: "", names: [], curves,
-      labels: [], peaks: peaks.filter(([, , name], k) => peaks.findIndex((peak) => peak[2] === name) === k), height: 200,
-      x: { name: unit ? `${over} in ${unit}` : over, ends: ends.x }, view: ends,
-      y: { name: `${named(panel.name)}${panel.unit ? ` in ${panel.unit}` : ""}`, ends: ends.y, logarithmic: panel.logarithmic } }] };
-  }
-
-  /** What moves with the cursor of the curves over time. */
-  let moving = null;
-  let seeking = false;
-
-  /** Puts the cursor of the curves that are seen at a time. */
-  function seek(time) {
-    seeking = true;
-    for (const { plot, holder } of groups.get("time") ?? []) {
-      if (!holder.offsetParent || time < plot.scales.x.min || time > plot.scales.x.max) continue;
-      plot.setCursor({ left: plot.valToPos(time, "x"), top: plot.over.clientHeight / 2 });
-      break; // the others follow
-    }
-    seeking = false;
-  }
-
-  /** Shows the motion at the cursor of a curve over time. */
-  function follow({ cursor, data }, panel) {
-    if (panel.group === "time" && !seeking && cursor.idx !== null && cursor.idx !== undefined) moving?.at(data[0][cursor.idx]);
-  }
-
-  const hint = () => element("p", { class: "quiet screen" },
-    "Drag to zoom, double click to see all. With the keyboard: Tab to a chart, ← → move, + − zoom, 0 shows all, , and . read points, Enter on a name hides its curve. Of a long run a filled band shows between which values a curve stays; its end, and what is around the first events, is drawn sample by sample.");
 
   // Balls at the equilibrium.
 
@@ -281,13 +78,6 @@
     return profile ? "by a profile" : "–";
   }
 
-  function largestOf(name) {
-    const panel = histories.find((entry) => entry.name === name);
-    if (!panel) return null;
-    const values = [panel.curves[0].values, ...(panel.band ? [panel.band.high] : [])].flatMap(floats);
-    return values.reduce((a, b) => Math.max(a, b), 0);
-  }
-
   const velocityOf = (peak) => 2e3 * Math.PI * peak.frequency_Hz * peak.amplitude;
 
   /** RMS velocity of each direction. */
@@ -331,7 +121,7 @@
   function keyNumbers() {
     const error = summary.measured_error;
     const first = summary.natural_frequencies[0];
-    const load = largestOf("largest ball load");
+    const load = summary.largest_ball_load_N;
     const lives = summary.bearings.map((bearing) => bearing.life?.after_settle.life_h ?? bearing.life?.whole_run.life_h).filter((h) => h);
     const ballsOf = summary.ball_pass[0];
     return tiles([
@@ -441,22 +231,19 @@
   function write() {
     document.getElementById("origin").textContent = `jeffcott ${summary.jeffcott}, ${summary.samples} samples`;
     section("numbers", "Key numbers", zoneText(), keyNumbers(), ...warnings(), strongestLines());
-    const [first, ...others] = spectra;
-    if (first) section("spectra", "Spectrum", addChart(first, "frequency", 300), peaks());
-    if (others.length) folded("further", "Spectra of displacements and forces", ...others.map((panel) => addChart(panel, "frequency", 300)));
-    if (furtherSpectra.length) folded("further-spectra", "Spectra asked for",
-      ...furtherSpectra.map((panel) => addChart(panel, `${panel.name} ${panel.over[0]}`, 320)));
+    const [first, ...others] = spectra.map(figures.add);
+    if (first) section("spectra", "Spectrum", first, peaks());
+    if (others.length) folded("further", "Spectra of displacements and forces", ...others);
+    if (furtherSpectra.length) folded("further-spectra", "Spectra asked for", ...furtherSpectra.map(figures.add));
     if (drawn.has("defects")) folded("defects", "Defects", figures.add(drawn.get("defects")));
     const maps = ["waterfall", "order_tracks", "campbell"].filter((name) => drawn.has(name));
     if (maps.length) folded("maps", "Maps over the speed", ...maps.map((name) => figures.add(drawn.get(name))));
-    if (histories.length) {
-      folded("motion", "Motion over time", hint(), ...histories.map((panel, index) =>
-        addChart(panel, "time", 170, index === histories.length - 1)));
-    }
+    if (histories.panels.length) folded("motion", "Motion over time", figures.add(histories));
     if (drawn.has("scene")) folded("scene", "Scene", figures.add(drawn.get("scene")));
     if (page.data.film) {
-      moving = film.add(page.data.film, seek);
-      folded("film", "In motion", moving.figure);
+      const { figure, at } = film.add(page.data.film, (time) => figures.seek("histories", time));
+      figures.follow("histories", at);
+      folded("film", "In motion", figure);
     }
     if (drawn.has("orbit")) folded("orbit", "Orbit", figures.add(drawn.get("orbit")));
     if (summary.motion) folded("statistics", "Statistics", statistics(summary.motion));
@@ -468,13 +255,5 @@
   }
 
   write();
-  charts.forEach(build);
-  const rebuild = () => charts.forEach(build);
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", rebuild);
-  let waiting = 0;
-  addEventListener("resize", () => {
-    clearTimeout(waiting);
-    waiting = setTimeout(() => charts.forEach((chart) => chart.plot.setSize({ width: width(chart), height: chart.height })), 100);
-  });
-  page.ready(() => { rebuild(); figures.redraw(); });
+  page.ready(figures.redraw);
 })();

@@ -10,7 +10,7 @@ use super::shown::{FREQUENCY, ORDER, ShownPeak, ShownSpectrum};
 use crate::analysis::{
     Axis, EstimatedSpectrum, Resampling, Scaling, SpectrumKind, SpectrumQuantity,
 };
-use crate::report::figure::Figure;
+use crate::report::figure::{Figure, Panel};
 use crate::report::terminal::shown_unit;
 use crate::table::{Column, Table};
 
@@ -88,17 +88,16 @@ pub(in crate::report) fn estimated_figure(
     limit: f64,
 ) -> Figure {
     let groups = shown_estimates(spectrum, limit);
-    let panels = groups.iter().map(|group| group.panel(HEIGHT));
-    let file = format!("{}.svg", table_name(spectrum));
+    let panels = groups.iter().map(|group| Panel {
+        names: group.names(),
+        ..group.panel(HEIGHT)
+    });
     let title = format!("{title}: {}", spectrum.request.name);
-    Figure::new(&file, &title, 1, panels.collect())
+    Figure::new(&table_name(spectrum), &title, 1, panels.collect())
 }
 
 /// What is shown, `limit` in Hz at first: powers or amplitudes, columns of one unit together.
-pub(in crate::report) fn shown_estimates(
-    spectrum: &EstimatedSpectrum,
-    limit: f64,
-) -> Vec<ShownSpectrum<'_>> {
+fn shown_estimates(spectrum: &EstimatedSpectrum, limit: f64) -> Vec<ShownSpectrum<'_>> {
     let request = &spectrum.request;
     let mut groups = Vec::<ShownSpectrum<'_>>::new();
     for (index, column) in spectrum.columns.iter().enumerate() {

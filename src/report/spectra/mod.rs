@@ -4,12 +4,10 @@ mod estimated;
 mod run;
 mod shown;
 
-pub(super) use estimated::{
-    estimated_figure, estimated_json, estimated_table, shown_estimates, table_name,
-};
+pub(super) use estimated::{estimated_figure, estimated_json, estimated_table, table_name};
 pub(crate) use run::spectrum_figure;
 pub use run::write_spectrum;
 pub(super) use run::{
-    NamedPeak, amplitude_column, frequency_limit_of, peak_table, phase_column, shown_spectra,
+    NamedPeak, amplitude_column, frequency_limit_of, peak_table, phase_column, spectra_figures,
     spectrum_table,
 };

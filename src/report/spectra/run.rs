@@ -11,7 +11,7 @@ use super::shown::{FREQUENCY, ShownPeak, ShownSpectrum};
 use crate::analysis::{Channel, Peak, Spectrum};
 use crate::report::figure::Figure;
 use crate::report::table::CsvTable;
-use crate::report::terminal::{MICRO, MILLI, shown_unit};
+use crate::report::terminal::{MICRO, MILLI, shown_name, shown_unit};
 use crate::simulate::Run;
 use crate::table::{Column, Table};
 
@@ -142,18 +142,16 @@ const GROUPS: [(&str, &str); 4] = [
     ("moment", "N m"),
 ];
 
-/// What is shown: velocities of the lengths, then amplitudes of channels of one unit together, with their named
-/// peaks.
-pub(in crate::report) fn shown_spectra<'a>(
-    spectrum: &'a Spectrum,
-    peaks: &[Peak],
-) -> Vec<ShownSpectrum<'a>> {
+/// What pages show: velocities of the lengths, then amplitudes of channels of one unit together, each a figure.
+pub(in crate::report) fn spectra_figures(spectrum: &Spectrum, peaks: &[Peak]) -> Vec<Figure> {
     let groups = GROUPS.iter();
     let groups = groups.filter_map(|(name, unit)| shown_group(spectrum, peaks, name, unit));
     let groups: Vec<_> = groups.collect();
     let velocity = groups.iter().find(|group| group.name == "displacement");
     let velocity = velocity.map(|group| velocity_of(spectrum, group));
-    velocity.into_iter().chain(groups).collect()
+    let shown = velocity.iter().chain(&groups);
+    let figures = shown.map(|group| figure(&group.name, "", group, PAGE_HEIGHT));
+    figures.collect()
 }
 
 /// Velocities of displacements: 2πf times their amplitudes.
@@ -169,7 +167,7 @@ fn velocity_of<'a>(spectrum: &Spectrum, group: &ShownSpectrum<'a>) -> ShownSpect
     });
     ShownSpectrum {
         name: "velocity".to_owned(),
-        quantity: group.quantity.clone(),
+        quantity: "velocity amplitude".to_owned(),
         unit: "mm/s".to_owned(),
         factor: MILLI,
         shown: group.shown.clone(),
@@ -202,11 +200,11 @@ fn shown_group<'a>(
     });
     let columns = members.iter().map(|entry| {
         let values = Cow::Borrowed(&entry.amplitude[..]);
-        (entry.channel.name().to_owned(), values)
+        (shown_name(entry.channel), values)
     });
     Some(ShownSpectrum {
         name: name.to_owned(),
-        quantity: "amplitude".to_owned(),
+        quantity: format!("{name} amplitude"),
         unit,
         factor,
         over: FREQUENCY,
@@ -238,12 +236,20 @@ pub(in crate::report) fn frequency_limit_of(run: &Run) -> f64 {
     })
 }
 
-/// Height of the plot, px.
-const HEIGHT: u32 = 480;
+/// Height of the plot of a file, px.
+const HEIGHT: u32 = 380;
+/// Height of one on a page, px.
+const PAGE_HEIGHT: u32 = 280;
 
 /// Amplitudes of x, y and z (those that move) against frequency.
 pub(crate) fn spectrum_figure(title: &str, spectrum: &Spectrum, peaks: &[Peak]) -> Figure {
-    let lengths = shown_group(spectrum, peaks, "displacement", "m");
-    let panels = lengths.iter().map(|shown| shown.panel(HEIGHT));
-    Figure::new("spectrum.svg", title, 1, panels.collect())
+    match shown_group(spectrum, peaks, "displacement", "m") {
+        Some(shown) => figure("spectrum", title, &shown, HEIGHT),
+        None => Figure::new("spectrum", title, 1, Vec::new()),
+    }
+}
+
+fn figure(name: &str, title: &str, shown: &ShownSpectrum<'_>, height: u32) -> Figure {
+    let figure = Figure::new(name, title, 1, vec![shown.panel(height)]);
+    figure.with_names(shown.names())
 }

@@ -4,17 +4,13 @@ use std::borrow::Cow;
 use std::collections::HashSet;
 use std::ops::Range;
 
-use serde_json::{Value, json};
-
-use crate::report::envelope::SCREEN_BUCKETS;
+use crate::report::envelope::{Decimator, SCREEN_BUCKETS};
 use crate::report::figure::{Axis, Curve, Name, Panel, Point, distinct};
-use crate::report::page::{PagePanel, curve};
-use crate::report::terminal::in_unit;
 
 /// What most spectra are drawn over.
-pub(super) const FREQUENCY: [&str; 2] = ["frequency", "Hz"];
+pub(super) const FREQUENCY: (&str, &str) = ("frequency", "Hz");
 /// What the others are drawn over.
-pub(super) const ORDER: [&str; 2] = ["order", ""];
+pub(super) const ORDER: (&str, &str) = ("order", "");
 
 /// Columns of one unit over one axis.
 #[derive(Debug)]
@@ -28,7 +24,7 @@ pub(in crate::report) struct ShownSpectrum<'a> {
     /// How many of it make one of the columns'.
     pub factor: f64,
     /// Quantity and unit of the axis.
-    pub over: [&'static str; 2],
+    pub over: (&'static str, &'static str),
     /// Number of the first bin.
     pub first: isize,
     /// Distance of neighbouring bins.
@@ -63,29 +59,40 @@ impl ShownSpectrum<'_> {
         placed.filter(|(place, _)| *place != 0.0)
     }
 
-    /// The panel of a figure.
+    /// The columns over all places, of which some are shown at first.
     pub fn panel(&self, height: u32) -> Panel {
         let columns = 0..self.columns.len();
         let values = columns.clone().flat_map(|column| self.points(column));
         let strongest = values.fold(0.0, |most: f64, (_, value)| most.max(value));
-        let is_shown = |place: f64| self.shown.contains(&place) || place == self.shown.end;
-        let curves = columns.map(|column| {
-            let points = self.points(column).filter(|(place, _)| is_shown(*place));
-            Curve::envelope(distinct(column), points)
-        });
-        let [quantity, unit] = self.over;
-        let over = format!("{quantity}{}", in_unit(unit));
-        let name = format!("{} in {}", self.quantity, self.unit);
-        let (x, y) = (
-            Axis::over(over, self.shown.clone()),
-            Axis::below(name, strongest),
-        );
+        let curves = columns.map(|column| Curve::line(distinct(column), self.envelope(column)));
+        let count = self.columns.first().map_or(0, |(_, values)| values.len());
+        let reach = [self.place(0), self.place(count.saturating_sub(1))];
+        let x = Axis {
+            reach: Some(reach),
+            ..Axis::over(self.over, self.shown.clone())
+        };
+        let y = Axis::below((self.quantity.as_str(), self.unit.as_str()), strongest);
         Panel {
-            names: Name::each(self.columns.iter().map(|(name, _)| name.as_str())),
             curves: curves.collect(),
             peaks: self.strongest_peaks(),
             ..Panel::new(x, y, height)
         }
+    }
+
+    /// What the colours mean.
+    pub fn names(&self) -> Vec<Name> {
+        Name::each(self.columns.iter().map(|(name, _)| name.as_str()))
+    }
+
+    /// A column without the mean; where it is long its lowest and highest values, those that are shown at first and those
+    /// on either side by themselves.
+    fn envelope(&self, column: usize) -> Vec<Point> {
+        let mut parts = [(); 3].map(|()| Decimator::new(SCREEN_BUCKETS));
+        for (at, value) in self.points(column) {
+            let part = usize::from(at >= self.shown.start) + usize::from(at > self.shown.end);
+            parts[part].push(at, value);
+        }
+        parts.iter().flat_map(Decimator::points).collect()
     }
 
     /// Peaks where the curve has them, strongest first, one for each name.
@@ -96,58 +103,12 @@ impl ShownSpectrum<'_> {
         peaks.retain(|peak| seen.insert(&peak.name));
         let placed = peaks.into_iter().map(|peak| {
             // less than the peak itself where it lies between two bins
-            let bin = peak.at / self.resolution;
+            let row = peak.at / self.resolution - self.first as f64;
             let values = &self.columns[peak.column].1;
-            let [below, above] = [bin.floor(), bin.ceil()]
-                .map(|bin| values.get(bin as usize).copied().unwrap_or(0.0));
+            let [below, above] = [row.floor(), row.ceil()]
+                .map(|row| values.get(row as usize).copied().unwrap_or(0.0));
             ((peak.at, self.factor * below.max(above)), peak.name.clone())
         });
         placed.collect()
-    }
-
-    /// The panel of a page: what stands out of all, whatever part is looked at.
-    pub fn page_panel(&self) -> Value {
-        let rows = self.prominent_rows();
-        let curves = self.columns.iter().map(|(name, values)| {
-            let points = rows.iter();
-            let points = points.map(|row| (self.place(*row), self.factor * values[*row]));
-            curve(name, points)
-        });
-        let marks = self.peaks.iter();
-        let marks =
-            marks.map(|peak| json!({ "at": peak.at, "height": peak.height, "name": peak.name }));
-        json!(PagePanel {
-            name: &self.name,
-            unit: &self.unit,
-            over: self.over,
-            // one that is two-sided has lines on both sides of zero
-            shown: (self.shown.start == 0.0).then_some(self.shown.end),
-            logarithmic: true,
-            curves: curves.collect(),
-            marks: marks.collect(),
-            band: None,
-        })
-    }
-
-    /// Rows to draw, the mean left out: all or, of too many, from every segment the highest and the lowest.
-    fn prominent_rows(&self) -> Vec<usize> {
-        let count = self.columns.first().map_or(0, |(_, values)| values.len());
-        let rows: Vec<usize> = (0..count).filter(|row| self.place(*row) != 0.0).collect();
-        let segment = rows.len().div_ceil(SCREEN_BUCKETS);
-        if segment <= 2 {
-            return rows;
-        }
-        let height = |row: usize| {
-            let values = self.columns.iter().map(|(_, values)| values[row]);
-            values.fold(0.0, f64::max)
-        };
-        let by_height = |a: &&usize, b: &&usize| height(**a).total_cmp(&height(**b));
-        let extremes = rows.chunks(segment).flat_map(|segment| {
-            let lowest = segment.iter().min_by(by_height).copied();
-            let highest = segment.iter().max_by(by_height).copied();
-            let [first, last] = [lowest.min(highest), lowest.max(highest)];
-            first.into_iter().chain(last.filter(|_| first != last))
-        });
-        extremes.collect()
     }
 }

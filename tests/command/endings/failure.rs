@@ -97,3 +97,10 @@ fn what_made_a_run_in_parts_is_answered_with_the_way_that_is_left() {
         scene.run(&[gone]).says(2, "tip: a run is made in one go");
     }
 }
+
+#[test]
+fn other_formats_of_figures_are_answered_with_the_way_that_is_left() {
+    let scene = Scene::new(&limited(2000));
+    let said = scene.run(&["--figure-format=pdf"]);
+    said.says(2, "tip: figures are written as SVG");
+}
