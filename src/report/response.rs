@@ -4,7 +4,7 @@ use serde_json::json;
 
 use super::figure::{Axis, Colour, Curve, Figure, GREY, Name, Panel, Point, distinct};
 use super::terminal::{Lines, MICRO};
-use super::variable::{axis_name, shown, variable_column};
+use super::variable::{axis_label, shown, variable_column};
 use super::{Destination, FileSet, Findings};
 use crate::analysis::Channel;
 use crate::shooting::SpecialKind;
@@ -153,7 +153,7 @@ const HEIGHT: u32 = 242;
 fn figure(title: &str, variable: &Variable, branches: &[Response]) -> Figure {
     let points = || branches.iter().flat_map(|branch| &branch.points);
     let values = points().map(|point| variable.shown(point.value));
-    let axis = Axis::spanning(axis_name(variable), values);
+    let axis = Axis::spanning(axis_label(variable), values);
     let swings = points().take(1).flat_map(|point| &point.swings);
     let displacements = swings
         .map(|swing| swing.channel)

@@ -220,7 +220,7 @@ pub(super) fn figures(
 ) -> Vec<Figure> {
     let limit = frequency_limit_of(run);
     let mut figures = Vec::new();
-    figures.extend(histories.map(|histories| histories.figure("trace.svg", title)));
+    figures.extend(histories.map(|histories| histories.figure("trace", title)));
     let spectrum = run.spectrum.as_ref();
     figures.extend(spectrum.map(|spectrum| spectrum_figure(title, spectrum, &run.peaks)));
     let motion = run.motion.as_ref();

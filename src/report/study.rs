@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::destination::value;
 use super::figure::{Axis, Curve, Figure, Name, Panel, all_around, distinct, graded, turned};
 use super::terminal::{Lines, MICRO, MILLI, digits, in_unit, of_bearing};
-use super::variable::{axis_name, shown, variable_column};
+use super::variable::{axis_label, shown, variable_column};
 use super::{Destination, FileSet, Findings};
 use crate::analysis::Channel;
 use crate::bearing::{Around, BallLine, BearingState};
@@ -234,7 +234,7 @@ const MOST_NAMES: usize = 8;
 /// K_x, K_y, K_z and both tilts against the variable, in four panels.
 fn stiffness(title: &str, variable: &Variable, rows: &[StudyRow]) -> Figure {
     let values = rows.iter().map(|row| variable.shown(row.value));
-    let axis = Axis::spanning(axis_name(variable), values);
+    let axis = Axis::spanning(axis_label(variable), values);
     let panel = |name: &str, axes: &[usize]| {
         let curves = axes.iter().map(|axis| against(variable, rows, *axis));
         Panel::of(axis.clone(), name, HEIGHT, curves.collect())

@@ -1,6 +1,6 @@
 //! The number that varies, as the name of a column and of an axis.
 
-use super::terminal::in_unit;
+use super::figure::Label;
 use crate::study::Variable;
 use crate::table::Column;
 
@@ -16,8 +16,8 @@ fn key_column(key: &str, unit: &str) -> Column {
 }
 
 /// The variable as the name of an axis: `load 1, z in N`.
-pub(super) fn axis_name(variable: &Variable) -> String {
-    in_words(&variable.key) + &in_unit(&variable.shown_unit)
+pub(super) fn axis_label(variable: &Variable) -> Label {
+    (in_words(&variable.key), variable.shown_unit.as_str()).into()
 }
 
 /// The key of the variable in words: `speed`, `radial clearance of bearing 1`.

@@ -34,7 +34,7 @@ const LIBRARIES: [(&str, &[&str]); 17] = [
     ("csv", &["bearing", "report", "scenario"]),
     ("parquet", &["report"]),
     ("ryu", &["report"]),
-    ("plotters", &["report"]),
+    ("png", &["report"]),
     ("comfy_table", &["report", "cli"]),
     ("clap", &["cli"]),
     ("clap_complete", &["cli"]),

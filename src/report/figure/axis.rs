@@ -153,6 +153,13 @@ impl Axis {
             true => self.ends[0],
         }
     }
+
+    /// Whether a value stands on it.
+    pub(super) fn holds(&self, value: f64) -> bool {
+        let [from, to] = self.ends;
+        let near = 1e-9 * (to - from).abs();
+        (from.min(to) - near..=from.max(to) + near).contains(&self.place(value))
+    }
 }
 
 /// Least and largest of the finite values.

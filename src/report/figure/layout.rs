@@ -130,7 +130,8 @@ fn room_left(panels: &[Panel], index: usize, columns: usize, all: f64) -> f64 {
     if !panel.y.texts.is_empty() && !names_rows(panels, index, columns) {
         return MARGIN;
     }
-    let ticks = ticks(&panel.y, panel.y.ends, steps_up(f64::from(panel.height)));
+    let height = panel.aspect.map_or(f64::from(panel.height), |_| HIGHEST);
+    let ticks = ticks(&panel.y, panel.y.ends, steps_up(height));
     let widest = ticks
         .iter()
         .map(|tick| width(&tick.text, SIZE))
@@ -177,12 +178,12 @@ impl Place<'_> {
         } else {
             0.0
         };
-        LINE * self.title.len() as f64 + strip_height(&self.names) + label + 10.0
+        LINE * self.title.len() as f64 + strip_height(&self.names) + label + 12.0
     }
 
     /// Where the panel ends: below the numbers and the name of its axis.
     fn end(&self) -> f64 {
-        self.top + self.height + LINE + if self.names_x { LINE + 12.0 } else { 2.0 }
+        self.top + self.height + LINE + if self.names_x { LINE + 12.0 } else { 8.0 }
     }
 
     /// Gives the plot the height of its aspect; of one that would be too high more is shown across.
@@ -283,7 +284,7 @@ impl Place<'_> {
             let x = inside(x + 3.0 + half, half, [self.left, self.left + self.width]);
             let steps = [0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0, -4.0];
             let free = steps.into_iter().find_map(|step| {
-                let y = y + 10.0 + 13.0 * step;
+                let y = y + 10.0 + 15.0 * step;
                 let label = Placed {
                     text: text.clone(),
                     x,
@@ -299,14 +300,14 @@ impl Place<'_> {
         placed
     }
 
-    /// The peaks that the plot shows, each with its point; one is left out where it would cover one before it.
+    /// The peaks that the plot shows, each with its point; one is left out where it would cover a label or one before it.
     pub fn peaks(&self) -> Vec<(Point, Placed)> {
-        let mut taken: Vec<Placed> = Vec::new();
-        let mut points = Vec::new();
+        let mut taken = self.labels();
+        let mut peaks = Vec::new();
+        let ends = [self.left, self.left + self.width];
         for (at, text) in &self.panel.peaks {
             let (x, y) = self.at(*at);
             let half = 0.5 * width(text, SIZE);
-            let ends = [self.left, self.left + self.width];
             let peak = Placed {
                 text: text.clone(),
                 x: inside(x, half, ends),
@@ -316,12 +317,12 @@ impl Place<'_> {
             };
             let is_inside =
                 (ends[0]..=ends[1]).contains(&x) && y >= self.top && y <= self.top + self.height;
-            if is_inside && taken.len() < MOST_PEAKS && !peak.covers(&taken) {
-                taken.push(peak);
-                points.push((x, y));
+            if is_inside && peaks.len() < MOST_PEAKS && !peak.covers(&taken) {
+                taken.push(peak.clone());
+                peaks.push(((x, y), peak));
             }
         }
-        points.into_iter().zip(taken).collect()
+        peaks
     }
 }
 
@@ -330,12 +331,12 @@ impl Placed {
         let mut others = others.iter();
         others.any(|other| {
             (other.x - self.x).abs() < other.half + self.half + 4.0
-                && (other.y - self.y).abs() < 13.0
+                && (other.y - self.y).abs() < 15.0
         })
     }
 }
 
 /// The middle of a text that keeps within two ends.
-fn inside(at: f64, half: f64, [from, to]: [f64; 2]) -> f64 {
+pub(super) fn inside(at: f64, half: f64, [from, to]: [f64; 2]) -> f64 {
     at.min(to - half - 2.0).max(from + half + 2.0)
 }

@@ -194,13 +194,16 @@ impl Panel {
         }
     }
 
-    /// Whether something is drawn in the colour, and with the mark, of a name.
+    /// Whether something is seen in the colour, and with the mark, of a name.
     fn shows(&self, name: &Name) -> bool {
         let mut curves = self.curves.iter();
-        let is_drawn = |curve: &Curve| !curve.points.is_empty() || !curve.marks.is_empty();
+        let is_seen = |curve: &Curve| {
+            let mut points = curve.points.iter().chain(&curve.marks);
+            !curve.band.is_empty() || points.any(|point| self.y.holds(point.1))
+        };
         curves.any(|curve| {
             let is_alike = name.mark.is_none_or(|mark| mark == curve.mark);
-            curve.colour == name.colour && is_alike && is_drawn(curve)
+            curve.colour == name.colour && is_alike && is_seen(curve)
         }) || self.cells.iter().any(|cell| cell.colour == name.colour)
     }
 }

@@ -6,8 +6,8 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
 use super::colour::shade;
-use super::layout::{Place, StripName, layout, strip, strip_height};
-use super::text::{LINE, SIZE, shortened, wrapped};
+use super::layout::{Place, StripName, inside, layout, strip, strip_height};
+use super::text::{LINE, SIZE, shortened, width, wrapped};
 use super::{Colour, Curve, Figure, Map, Mark, Point};
 
 /// Width of a figure: 180 mm, in CSS pixels of 1/96 inch.
@@ -115,11 +115,10 @@ impl Pen {
 
     fn panel(&mut self, place: &Place<'_>) {
         let panel = place.panel;
-        let middle = place.left + 0.5 * place.width;
         let mut head = place.head;
         for line in &place.title {
             head += LINE;
-            self.text(line, (middle, head), SIZE + 1.0, "middle", INK);
+            self.middle(line, place, head, SIZE + 1.0);
         }
         self.names(&place.names, (place.column[0], head + 2.0));
         self.axes(place);
@@ -158,6 +157,13 @@ impl Pen {
         self.bar(place);
     }
 
+    /// A text about the middle of a plot, within its column.
+    fn middle(&mut self, text: &str, place: &Place<'_>, y: f64, size: f64) {
+        let half = 0.5 * width(text, size);
+        let x = inside(place.left + 0.5 * place.width, half, place.column);
+        self.text(text, (x, y), size, "middle", INK);
+    }
+
     /// The grid, the numbers and the names of both axes.
     fn axes(&mut self, place: &Place<'_>) {
         let (right, bottom) = (place.left + place.width, place.top + place.height);
@@ -177,30 +183,20 @@ impl Pen {
         self.line(corners, INK, 1.0);
         let [from, to] = place.column;
         if place.names_x {
-            let name = shortened(&place.panel.x.label.to_string(), SIZE, to - from);
-            let half = 0.5 * super::text::width(&name, SIZE);
-            let middle = (place.left + 0.5 * place.width)
-                .min(to - half)
-                .max(from + half);
-            self.text(
-                &name,
-                (middle, bottom + 2.0 * LINE + 2.0),
-                SIZE,
-                "middle",
-                INK,
-            );
+            let name = shortened(&place.panel.x.label.to_string(), SIZE, to - from - 4.0);
+            self.middle(&name, place, bottom + 2.0 * LINE + 2.0, SIZE);
         }
         let mut name = place.panel.y.label.to_string();
         if let Some(bar) = &place.panel.bar {
             let most = 0.5 * (to - from);
             name = shortened(&name, SIZE, most - 10.0);
             let bar = shortened(&bar.label.to_string(), SIZE, most);
-            self.text(&bar, (to - 4.0, place.top - 7.0), SIZE, "end", INK);
+            self.text(&bar, (to - 4.0, place.top - 10.0), SIZE, "end", INK);
         }
         let left = from + 6.0;
         self.text(
             &shortened(&name, SIZE, to - left),
-            (left, place.top - 7.0),
+            (left, place.top - 10.0),
             SIZE,
             "start",
             INK,
@@ -372,7 +368,7 @@ impl Map {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Axis, Cell, Name, Panel, distinct, graded, text};
+    use super::super::{Axis, Cell, Name, Panel, distinct, graded};
     use super::*;
     use crate::report::scene::scene_figure;
     use crate::scenario::Scenario;
@@ -392,9 +388,12 @@ mod tests {
             };
             let number = |name: &str| -> f64 { value(name).parse().expect("a number") };
             let (_, rest) = element.split_once('>').expect("an end");
-            let words = rest.split("</text>").next().expect("a text").to_owned();
+            let words = rest.split("</text>").next().expect("a text");
+            let signs = [("&lt;", "<"), ("&gt;", ">"), ("&amp;", "&")];
+            let plain = |words: String, (sign, letter)| words.replace(sign, letter);
+            let words = signs.into_iter().fold(words.to_owned(), plain);
             let (x, y, size) = (number("x"), number("y"), number("font-size"));
-            let wide = text::width(&words, size);
+            let wide = super::width(&words, size);
             let left = match value("text-anchor").as_str() {
                 "middle" => x - 0.5 * wide,
                 "end" => x - wide,

@@ -25,17 +25,20 @@ pub(super) fn ticks(axis: &Axis, [from, to]: [f64; 2], most: usize) -> Vec<Tick>
     }
     if !axis.logarithmic {
         let rough = span / most;
-        let step = match axis.label.unit == "deg" && rough > 20.0 {
-            true => {
-                if rough <= 45.0 {
-                    45.0
-                } else {
-                    90.0 * (rough / 90.0).ceil()
-                }
-            }
-            false => round_step(rough),
+        if axis.label.unit == "deg" && rough > 20.0 {
+            let step = if rough <= 45.0 {
+                45.0
+            } else {
+                90.0 * (rough / 90.0).ceil()
+            };
+            return even(low, high, step);
+        }
+        let found = even(low, high, round_step(rough));
+        // one number tells no scale
+        return match found.len() {
+            0 | 1 => even(low, high, round_step(0.5 * rough)),
+            _ => found,
         };
-        return even(low, high, step);
     }
     let parts = [1.0, 2.0, 5.0].map(f64::log10);
     let decades = low.floor() as i32..=high.floor() as i32;
@@ -147,7 +150,7 @@ mod tests {
         );
         assert_eq!(
             texts(&Axis::of_logarithms("", 0.31..0.39), 4),
-            ["2.1", "2.2", "2.3", "2.4"]
+            ["2.2", "2.4"]
         );
     }
 }

@@ -4,10 +4,10 @@ use super::digest::{Digest, is_down, number};
 use super::rows::Rows;
 use crate::report::ReportError;
 use crate::report::figure::{
-    Axis, Cell, Curve, Figure, GREY, Mark, Name, Panel, Point, distinct, ends, graded, padded,
+    Axis, Cell, Curve, Figure, GREY, Label, Mark, Name, Panel, Point, distinct, ends, graded, padded,
 };
 use crate::report::terminal::MICRO;
-use crate::report::variable::{axis_name, key_in_words, variable_column};
+use crate::report::variable::{axis_label, key_in_words, variable_column};
 use crate::study::many::RunRecord;
 
 /// Height of a plot, px.
@@ -39,38 +39,38 @@ const MOST_PLACES: usize = 200_000;
 /// Height of a bar, px.
 const BAR: u32 = 26;
 
-/// What the figures show where a study names nothing: name of the column, what it is called.
-const SHOWN: [(&str, &str); 8] = [
-    ("x_rms_m", "x, RMS in µm"),
-    ("y_rms_m", "y, RMS in µm"),
-    ("z_rms_m", "z, RMS in µm"),
-    ("x_order_1_m", "x, order 1 in µm"),
-    ("largest_ball_load_N", "largest ball load in N"),
-    ("bearing_1_life_h", "life L10r of bearing 1 in h"),
-    ("natural_frequency_1_Hz", "lowest natural frequency in Hz"),
-    ("stiffness_y_N_m", "stiffness K_yy in N/m"),
+/// What the figures show where a study names nothing: name of the column, what it is called and the unit that it is drawn in.
+const SHOWN: [(&str, (&str, &str)); 8] = [
+    ("x_rms_m", ("x, RMS", "µm")),
+    ("y_rms_m", ("y, RMS", "µm")),
+    ("z_rms_m", ("z, RMS", "µm")),
+    ("x_order_1_m", ("x, order 1", "µm")),
+    ("largest_ball_load_N", ("largest ball load", "N")),
+    ("bearing_1_life_h", ("life L10r of bearing 1", "h")),
+    ("natural_frequency_1_Hz", ("lowest natural frequency", "Hz")),
+    ("stiffness_y_N_m", ("stiffness K_yy", "N/m")),
 ];
 
 fn shown(name: &str, column: usize) -> Shown {
     // what ends in N_m is a stiffness or a moment
     let length = name.strip_suffix("_m").filter(|rest| !rest.ends_with("_N"));
     let known = SHOWN.iter().find(|(known, _)| *known == name);
-    let title = match (known, length) {
-        (Some((_, title)), _) => (*title).to_owned(),
-        (None, Some(rest)) => format!("{rest} in µm"),
-        (None, None) => stiffness_title(name).unwrap_or_else(|| name.to_owned()),
+    let label: Label = match (known, length) {
+        (Some((_, label)), _) => (*label).into(),
+        (None, Some(rest)) => (rest, "µm").into(),
+        (None, None) => stiffness_label(name).unwrap_or_else(|| name.into()),
     };
     Shown {
         column,
-        title,
+        label,
         factor: if length.is_some() { MICRO } else { 1.0 },
     }
 }
 
 /// `stiffness K_xx in N/m` of `stiffness_x_N_m`.
-fn stiffness_title(name: &str) -> Option<String> {
+fn stiffness_label(name: &str) -> Option<Label> {
     let axis = name.strip_prefix("stiffness_")?.strip_suffix("_N_m")?;
-    Some(format!("stiffness K_{axis}{axis} in N/m"))
+    Some((format!("stiffness K_{axis}{axis}"), "N/m").into())
 }
 
 /// A number that the figures show.
@@ -79,7 +79,7 @@ pub(super) struct Shown {
     /// Its place among the columns.
     pub column: usize,
     /// What it is called, with the unit in which it is drawn.
-    pub title: String,
+    label: Label,
     /// What its values are multiplied by: lengths are drawn in µm.
     factor: f64,
 }
@@ -105,7 +105,7 @@ impl Digest {
         let [axis] = &self.head.axes[..] else {
             return None;
         };
-        let (axis, ends) = (axis_name(axis), self.ends(0)?);
+        let (axis, ends) = (axis_label(axis), self.ends(0)?);
         let shown = self.shown();
         if shown.is_empty() {
             return None;
@@ -113,7 +113,7 @@ impl Digest {
         let panels = shown.into_iter().map(|shown| {
             let both = [false, true].into_iter();
             let curves = both.filter_map(|down| self.curve(&shown, down)).collect();
-            Panel::of(Axis::spanning(&axis, ends), shown.title, ROW_HEIGHT, curves)
+            Panel::of(Axis::spanning(axis.clone(), ends), shown.label, ROW_HEIGHT, curves)
         });
         let figure = Figure::new("response", &self.head.title, 2, panels.collect());
         Some(figure.with_names(self.directions()))
@@ -196,7 +196,7 @@ impl Digest {
         });
         let panel = Panel {
             curves: dots.collect(),
-            ..Panel::new(Axis::around(axis_name(axis), [low, high]), heights, HEIGHT)
+            ..Panel::new(Axis::around(axis_label(axis), [low, high]), heights, HEIGHT)
         };
         let figure = Figure::new("bifurcation", &head.title, 1, vec![panel]);
         Ok(Some(figure.with_names(self.directions())))
@@ -253,7 +253,7 @@ impl Digest {
             Axis::over(self.label(axis), edges[0]..edges[edges.len() - 1])
         });
         Panel {
-            title: shown.title.clone(),
+            title: shown.label.to_string(),
             cells: cells.collect(),
             bar: Some(Axis::over("", range.clone())),
             ..Panel::new(x, y, height)
@@ -285,7 +285,7 @@ impl Digest {
         });
         let known = rows.filter(|((_, value), _)| value.is_finite());
         let (points, runs): (Vec<Point>, Vec<u64>) = known.unzip();
-        let heights = Axis::around(&shown.title, points.iter().map(|point| point.1));
+        let heights = Axis::around(shown.label.clone(), points.iter().map(|point| point.1));
         let few = points.len() <= MOST_DOTS;
         let dots = Curve {
             mark: if few { Mark::Dot } else { Mark::Spot },
@@ -343,8 +343,8 @@ impl Digest {
         Some(Figure::new("sensitivity", &title, 1, vec![panel]))
     }
 
-    fn label(&self, axis: usize) -> String {
-        axis_name(&self.head.axes[axis])
+    fn label(&self, axis: usize) -> Label {
+        axis_label(&self.head.axes[axis])
     }
 
     /// Value of an axis in a row, in the unit of its label.

@@ -9,7 +9,7 @@ use super::tables::{run_names, run_row};
 use crate::report::FileSet;
 use crate::report::figure::Figure;
 use crate::report::page::Frame;
-use crate::report::variable::{axis_name, variable_column};
+use crate::report::variable::{axis_label, variable_column};
 
 const SCRIPT: &str = include_str!("page.js");
 
@@ -35,7 +35,7 @@ pub(super) fn write_page(
         "study": shortened(head.study.clone()),
         "base": head.base,
         "axes": head.axes.iter().map(|axis| variable_column(axis).name()).collect::<Value>(),
-        "labels": head.axes.iter().map(axis_name).collect::<Value>(),
+        "labels": head.axes.iter().map(|axis| axis_label(axis).to_string()).collect::<Value>(),
         "digest": digest.json(),
         "shown": shown,
         "rows": first_rows(digest),

@@ -8,7 +8,7 @@ use crate::analysis::Channel;
 use crate::report::ReportError;
 use crate::report::figure::Figure;
 use crate::report::run_up::{MOST_CELLS, Raster, moving, runs_figure};
-use crate::report::variable::axis_name;
+use crate::report::variable::axis_label;
 use crate::study::many::Line;
 
 impl Digest {
@@ -43,7 +43,7 @@ impl Digest {
         let drawn: Vec<_> = drawn.collect();
         let loudest: Vec<f64> = drawn.iter().map(|(_, raster)| raster.loudest()).collect();
         let drawn: Vec<_> = moving(&loudest).map(|row| drawn[row].clone()).collect();
-        Ok((!drawn.is_empty()).then(|| runs_figure(&head.title, &axis_name(axis), &drawn)))
+        Ok((!drawn.is_empty()).then(|| runs_figure(&head.title, axis_label(axis), &drawn)))
     }
 
     /// The run nearest to each of so many even steps of the axis.

@@ -106,8 +106,10 @@ const drawing = (() => {
     if (axis.texts.length) return axis.texts.map((text, k) => ({ at: k + 0.5, text })).filter(({ at }) => at > low && at < high);
     if (!axis.logarithmic) {
       const rough = span / most;
-      const turned = axis.unit === "deg" && rough > 20;
-      return even(low, high, turned ? (rough <= 45 ? 45 : 90 * Math.ceil(rough / 90)) : roundStep(rough));
+      if (axis.unit === "deg" && rough > 20) return even(low, high, rough <= 45 ? 45 : 90 * Math.ceil(rough / 90));
+      const found = even(low, high, roundStep(rough));
+      // one number tells no scale
+      return found.length > 1 ? found : even(low, high, roundStep(rough / 2));
     }
     const fine = [];
     for (let decade = Math.floor(low); decade <= high; decade += 1) fine.push(...[1, 2, 5].map((m) => decade + Math.log10(m)));
@@ -164,7 +166,7 @@ const drawing = (() => {
 
   /** The middle of a text that keeps within two ends. */
   const inside = (at, half, [from, to]) => Math.max(Math.min(at, to - half - 2), from + half + 2);
-  const covers = (text, others) => others.some((other) => Math.abs(other.x - text.x) < other.half + text.half + 4 && Math.abs(other.y - text.y) < 13);
+  const covers = (text, others) => others.some((other) => Math.abs(other.x - text.x) < other.half + text.half + 4 && Math.abs(other.y - text.y) < 15);
 
   // Places.
 
@@ -178,7 +180,7 @@ const drawing = (() => {
       || String(panels[index].y.texts) !== String(panels[index - 1].y.texts);
     const leftRoom = (panel, index) => {
       if (panel.y.texts.length && !namesRows(index)) return MARGIN;
-      const texts = ticks(panel.y, panel.view.y, stepsUp(panel.height)).map(({ text }) => widthOf(text, SIZE));
+      const texts = ticks(panel.y, panel.view.y, stepsUp(panel.aspect ? HIGHEST : panel.height)).map(({ text }) => widthOf(text, SIZE));
       return Math.min(Math.max(20, ...texts) + 14, (0.45 * width) / columns);
     };
     const rooms = (room) => Array.from({ length: columns }, (_, column) =>
@@ -201,12 +203,12 @@ const drawing = (() => {
         left = right;
         return box;
       });
-      const above = Math.max(...row.map(({ panel, title, strip: names }) => LINE * title.length + names.height + (panel.y.texts.length ? 0 : LINE) + 10));
+      const above = Math.max(...row.map(({ panel, title, strip: names }) => LINE * title.length + names.height + (panel.y.texts.length ? 0 : LINE) + 12));
       for (const box of row) {
         box.plot.top = top + above;
         if (box.panel.aspect) keepAspect(box);
       }
-      top = Math.max(...row.map(({ plot, namesX }) => plot.top + plot.height + LINE + (namesX ? LINE + 12 : 2)));
+      top = Math.max(...row.map(({ plot, namesX }) => plot.top + plot.height + LINE + (namesX ? LINE + 12 : 8)));
       boxes.push(...row);
     }
     return { boxes, height: top };
@@ -259,25 +261,28 @@ const drawing = (() => {
       const text = shortened(whole, SIZE - 1, plot.width - 8);
       const half = widthOf(text, SIZE - 1) / 2;
       const x = inside(across(box, px) + 3 + half, half, [plot.left, plot.left + plot.width]);
-      const tried = [0, 1, -1, 2, -2, 3, -3, 4, -4].map((step) => ({ text, colour, x, y: upwards(box, py) + 10 + 13 * step, half }));
+      const tried = [0, 1, -1, 2, -2, 3, -3, 4, -4].map((step) => ({ text, colour, x, y: upwards(box, py) + 10 + 15 * step, half }));
       const free = tried.find((label) => label.y - 10 >= plot.top && label.y + 3 <= plot.top + plot.height && !covers(label, placed));
       if (free) placed.push(free);
     }
     return placed;
   }
 
-  /** The peaks that a plot shows; one is left out where it would cover one before it. */
+  /** The peaks that a plot shows; one is left out where it would cover a label or one before it. */
   function peaks(box) {
     const { panel, plot } = box;
     const ends = [plot.left, plot.left + plot.width];
-    const taken = [];
+    const taken = labels(box);
+    const found = [];
     for (const [[px, py], text] of panel.peaks) {
       const [left, top, half] = [across(box, px), upwards(box, py), widthOf(text, SIZE) / 2];
       const peak = { left, top, text, x: inside(left, half, ends), y: Math.max(top - 6, plot.top + 11), half };
       const isInside = left >= ends[0] && left <= ends[1] && top >= plot.top && top <= plot.top + plot.height;
-      if (isInside && taken.length < MOST_PEAKS && !covers(peak, taken)) taken.push(peak);
+      if (!isInside || found.length === MOST_PEAKS || covers(peak, taken)) continue;
+      taken.push(peak);
+      found.push(peak);
     }
-    return taken;
+    return found;
   }
 
   // Drawing.
@@ -307,7 +312,10 @@ const drawing = (() => {
   function drawPanel(pen, box, colour) {
     const { panel, plot, head } = box;
     const ink = colour("--ink");
-    box.title.forEach((line, k) => pen.text(line, plot.left + plot.width / 2, head + LINE * (k + 1), { colour: ink, size: SIZE + 1, align: "middle" }));
+    box.title.forEach((line, k) => {
+      const x = inside(plot.left + plot.width / 2, widthOf(line, SIZE + 1) / 2, box.column);
+      pen.text(line, x, head + LINE * (k + 1), { colour: ink, size: SIZE + 1, align: "middle" });
+    });
     drawStrip(pen, box.strip, box.column[0], head + LINE * box.title.length + 2, colour);
     drawAxes(pen, box, colour);
     pen.clip(plot.left, plot.top, plot.width, plot.height);
@@ -343,8 +351,8 @@ const drawing = (() => {
       pen.text(name, inside(plot.left + plot.width / 2, widthOf(name, SIZE) / 2, [from, to]), bottom + 2 * LINE + 2, { colour: ink, size: SIZE, align: "middle" });
     }
     const room = panel.bar ? (to - from) / 2 - 10 : to - from - 6;
-    pen.text(shortened(labelOf(panel.y), SIZE, room), from + 6, plot.top - 7, { colour: ink, size: SIZE });
-    if (panel.bar) pen.text(shortened(labelOf(panel.bar), SIZE, room), to - 4, plot.top - 7, { colour: ink, size: SIZE, align: "end" });
+    pen.text(shortened(labelOf(panel.y), SIZE, room), from + 6, plot.top - 10, { colour: ink, size: SIZE });
+    if (panel.bar) pen.text(shortened(labelOf(panel.bar), SIZE, room), to - 4, plot.top - 10, { colour: ink, size: SIZE, align: "end" });
   }
 
   function drawCurve(pen, box, curve, colour) {
