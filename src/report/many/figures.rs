@@ -4,7 +4,8 @@ use super::digest::{Digest, is_down, number};
 use super::rows::Rows;
 use crate::report::ReportError;
 use crate::report::figure::{
-    Axis, Cell, Curve, Figure, GREY, Label, Mark, Name, Panel, Point, distinct, ends, graded, padded,
+    Axis, Cell, Curve, Figure, GREY, Label, Mark, Name, Panel, Point, distinct, ends, graded,
+    padded,
 };
 use crate::report::terminal::MICRO;
 use crate::report::variable::{axis_label, key_in_words, variable_column};
@@ -113,7 +114,12 @@ impl Digest {
         let panels = shown.into_iter().map(|shown| {
             let both = [false, true].into_iter();
             let curves = both.filter_map(|down| self.curve(&shown, down)).collect();
-            Panel::of(Axis::spanning(axis.clone(), ends), shown.label, ROW_HEIGHT, curves)
+            Panel::of(
+                Axis::spanning(axis.clone(), ends),
+                shown.label,
+                ROW_HEIGHT,
+                curves,
+            )
         });
         let figure = Figure::new("response", &self.head.title, 2, panels.collect());
         Some(figure.with_names(self.directions()))
