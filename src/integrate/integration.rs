@@ -10,7 +10,7 @@ use super::{
     System,
 };
 
-/// Steps between two checks for stiffness: the implicit method's trial then costs a few per cent of them.
+/// Steps between two checks for stiffness.
 const CHECK_EVERY: u64 = 2000;
 
 /// Samples of a segment, at the end of which the method begins afresh.
@@ -89,8 +89,8 @@ impl<'a> Integration<'a> {
         self.stepper.method().counters()
     }
 
-    /// Stiffness that an explicit method met, where it was first seen: stability held its steps far
-    /// below what accuracy asks for. [`Integration::advance`] checks for it at its end, once in some
+    /// Stiffness that an explicit method met, where it was first seen: its steps were as long as its stability
+    /// allows. [`Integration::advance`] checks for it at its end, once in some
     /// thousand steps: where there are fewer, they are no burden.
     pub fn stiffness(&self) -> Option<Stiffness> {
         self.stiffness

@@ -1,30 +1,17 @@
 //! Whether stability, rather than accuracy, holds the steps of an explicit method.
 
-use std::sync::atomic::AtomicBool;
-
 use nalgebra::DMatrix;
 use nalgebra::linalg::Schur;
 
+use super::IntegrateError;
 use super::problem::Problem;
-use super::rosenbrock::RosenbrockStepper;
-use super::stepper::{MethodStepper, Start};
-use super::{Counters, IntegrateError, Settings};
 
 /// Part of the stability limit from which on a step counts as held by it: step sizes vary below it.
 const NEAR: f64 = 0.5;
-/// How much longer the steps of the implicit method must be to be worth a word.
-const WORTH: f64 = 2.0;
-/// Length of the implicit method's trial, in steps of the explicit one.
-const TRIAL: f64 = 1000.0;
-/// Steps that the trial may take: enough to find its step size.
-const TRIAL_STEPS: u64 = 50;
 /// Sweeps after which the search for eigenvalues gives up.
 const SWEEPS: usize = 1000;
 
-/// The trial is over before anybody can stop it.
-static GOES_ON: AtomicBool = AtomicBool::new(false);
-
-/// An explicit method whose steps stability holds far below what accuracy asks for.
+/// An explicit method whose steps are as long as its stability allows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stiffness {
     /// Where this was seen, s.
@@ -34,8 +21,6 @@ pub struct Stiffness {
     /// Largest eigenvalue of the Jacobian there, 1/s: its product with the step is near the limit of
     /// the method's stability.
     pub eigenvalue: f64,
-    /// Step size that [`Method::Rodas`](super::Method::Rodas) takes there for the same tolerance, s.
-    pub implicit_step: f64,
 }
 
 /// Part of the limit on steps after which a run is checked for stiffness that keeps it from its end, time and again.
@@ -62,9 +47,6 @@ impl Stiffness {
 
 /// Checks for stiffness in a deviation from the origin at a time, where an explicit method that is stable up to
 /// `limit` = step × eigenvalue takes steps of size `step`.
-///
-/// The eigenvalue alone does not tell: a fine tolerance may need the same short steps for accuracy.
-/// So the implicit method is tried from here, and it is stiffness only where its steps are longer.
 pub(super) fn stiffness(
     problem: &Problem<'_>,
     limit: f64,
@@ -86,15 +68,10 @@ pub(super) fn stiffness(
         return None;
     }
     let eigenvalue = largest_eigenvalue(jacobian)?;
-    if eigenvalue < held {
-        return None;
-    }
-    let implicit_step = implicit_step(problem, time, deviation, step);
-    (implicit_step >= WORTH * step).then_some(Stiffness {
+    (eigenvalue >= held).then_some(Stiffness {
         time,
         step,
         eigenvalue,
-        implicit_step,
     })
 }
 
@@ -105,27 +82,4 @@ fn largest_eigenvalue(matrix: DMatrix<f64>) -> Option<f64> {
         .iter()
         .map(|value| value.norm())
         .reduce(f64::max)
-}
-
-/// Step size, s, that the implicit method settles at when it goes on from here for a while.
-fn implicit_step(problem: &Problem<'_>, time: f64, deviation: &[f64], step: f64) -> f64 {
-    let trial = Problem {
-        settings: Settings {
-            step_limit: TRIAL_STEPS,
-            ..problem.settings
-        },
-        stop: &GOES_ON,
-        pace: None,
-        end: (time + TRIAL * step).min(problem.system.next_break(time + step)),
-        ..problem.clone()
-    };
-    let start = Start {
-        time,
-        deviation: deviation.to_vec(),
-        step,
-        counters: Counters::default(),
-    };
-    let mut stepper = RosenbrockStepper::new(&trial, &start);
-    while stepper.time() < trial.end && stepper.step(&trial).is_ok() {}
-    stepper.step_size()
 }

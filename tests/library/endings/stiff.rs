@@ -78,7 +78,6 @@ fn a_run_that_stability_keeps_from_its_end_is_told_so_early() {
             (1.5..8.0).contains(&held),
             "{method:?}: step × eigenvalue = {held}"
         );
-        assert!(stiffness.implicit_step > 2.0 * stiffness.step, "{error}");
         assert!(
             error
                 .to_string()

@@ -207,8 +207,6 @@ fn explicit_methods_cross_a_stiff_slope_and_know_what_held_them() {
                 found.step < STABLE && found.step > 0.2 * STABLE,
                 "{found:?}"
             );
-            // accuracy asks for some hundred steps in three seconds
-            assert!(found.implicit_step > 1e-3, "{found:?}");
         });
     }
     kaps(Method::Rodas, 10_000_000, |integration, result| {
