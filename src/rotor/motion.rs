@@ -374,9 +374,7 @@ impl Rotor {
     pub(super) fn next_break_after(&self, after: f64) -> f64 {
         let breaks = self.loads.iter().map(|load| load.kind.next_break(after));
         let known = breaks.fold(self.speed.next_break(after), f64::min);
-        known
-            .min(self.next_passing(after))
-            .min(self.next_cage_step(after))
+        known.min(self.next_passing(after))
     }
 }
 

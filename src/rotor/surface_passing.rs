@@ -32,18 +32,6 @@ impl Rotor {
         times.fold(f64::INFINITY, f64::min)
     }
 
-    /// The first time after `after` at which a ball pass ends with which a cage gains an angle, s.
-    pub(super) fn next_cage_step(&self, after: f64) -> f64 {
-        let now = self.speed.at(after).angle;
-        let times = self.supports.iter().filter_map(|support| {
-            let (spacing, ratio) = (support.cage_jitter()?.spacing(), support.cage_ratio());
-            let passed = (ratio * now / spacing).floor();
-            let angle = |later: u32| Some((passed + f64::from(later + 1)) * spacing / ratio);
-            (ratio > 0.0).then(|| self.first_time(after, angle))
-        });
-        times.fold(f64::INFINITY, f64::min)
-    }
-
     /// The first time after `after` at which the shaft reaches one of the next angles, s: round-off may bring back that of
     /// `after` itself. Infinite where it reaches none.
     fn first_time(&self, after: f64, angle: impl Fn(u32) -> Option<f64>) -> f64 {

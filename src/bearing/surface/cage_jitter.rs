@@ -53,11 +53,6 @@ impl CageJitter {
         let before = rounds * self.sums[count] + self.sums[number];
         [before + step * smooth, step * slope / self.spacing]
     }
-
-    /// From one ball pass to the next, rad of the nominal angle.
-    pub fn spacing(&self) -> f64 {
-        self.spacing
-    }
 }
 
 #[cfg(test)]
@@ -70,16 +65,16 @@ mod tests {
         let jitter = CageJitter::new(&steps, 9).expect("steps");
         let mut sum = 0.0;
         for pass in 0..7 {
-            let angle = f64::from(pass) * jitter.spacing();
+            let angle = f64::from(pass) * jitter.spacing;
             let [ahead, slope] = jitter.at(angle + 1e-12);
             assert!((ahead - sum).abs() < 1e-12 && slope.abs() < 1e-9);
             for part in [0.1, 0.5, 0.83] {
-                let angle = angle + part * jitter.spacing();
+                let angle = angle + part * jitter.spacing;
                 let [ahead, behind] = [1e-6, -1e-6].map(|step| jitter.at(angle + step)[0]);
                 let [_, slope] = jitter.at(angle);
                 assert!((slope - (ahead - behind) / 2e-6).abs() < 1e-8);
                 // the steepest slope of S times that of the largest step
-                assert!(slope.abs() <= 1.875 * 0.02 / jitter.spacing());
+                assert!(slope.abs() <= 1.875 * 0.02 / jitter.spacing);
             }
             sum += steps[pass as usize % 3];
         }
