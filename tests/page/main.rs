@@ -332,18 +332,40 @@ fn the_end_of_a_long_run_is_the_wave_of_its_table() {
     assert!(compared > 50, "{compared} places compared: {text}");
 }
 
-/// Every figure of a run is saved.
+/// Finds the texts of an SVG that leave the paper or cover one before them.
+const COVERED: &str = r#"const covered = (svg) => {
+      const { documentElement: paper } = new DOMParser().parseFromString(svg, "image/svg+xml");
+      const [width, height] = ["width", "height"].map((name) => Number(paper.getAttribute(name)));
+      const boxes = [...paper.querySelectorAll("text")].map((text) => {
+        const [x, y, size] = ["x", "y", "font-size"].map((name) => Number(text.getAttribute(name)));
+        const wide = pens.widthOf(text.textContent, size);
+        const left = x - wide * { start: 0, middle: 0.5, end: 1 }[text.getAttribute("text-anchor")];
+        return { left, right: left + wide, top: y - 0.7 * size, bottom: y, words: text.textContent };
+      }).filter(({ words }) => words.trim());
+      const leaves = ({ left, right, top, bottom }) => left < 0 || right > width || top < 0 || bottom > height;
+      const covers = (a, b) => a.right > b.left && b.right > a.left && a.bottom > b.top && b.bottom > a.top;
+      return boxes.filter((box, k) => leaves(box) || boxes.slice(0, k).some((other) => covers(box, other)))
+        .map(({ words }) => `${words} at ${width} px`);
+    };"#;
+
+/// Every figure of a run is saved as wide as a column and as a page, and no text leaves the paper or covers another.
 #[test]
 fn every_figure_is_saved() {
     let shown = run(&shipped("run-up-7205c"));
     let script = format!(
         r#"{CATCH}
+        {COVERED}
         for (const body of document.querySelectorAll("details")) body.open = true;
         setTimeout(async () => {{
           const figures = [...document.querySelectorAll("figure")].filter((figure) => figure.querySelector(".save"));
-          for (const figure of figures) press(figure, "SVG");
+          for (const width of [0, 1]) for (const figure of figures) {{
+            figure.querySelector(".save select").selectedIndex = width;
+            press(figure, "SVG");
+          }}
+          const texts = await Promise.all(saved.map((blob) => blob.text()));
+          const amiss = texts.flatMap(covered);
           const starts = await Promise.all(saved.map((blob) => blob.slice(0, 8).text()));
-          tell({{ figures: figures.length, starts }});
+          tell({{ figures: figures.length, starts, amiss }});
         }}, 500);"#
     );
     let Some(text) = found(&shown, &script) else {
@@ -354,7 +376,8 @@ fn every_figure_is_saved() {
     let starts = told["starts"].as_array().expect("texts");
     // the spectra, histories, maps, scene, motion, orbit and balls
     assert!(count >= 8, "{count} figures");
-    assert_eq!(starts.len(), count);
+    assert_eq!(starts.len(), 2 * count);
+    assert_eq!(told["amiss"], serde_json::json!([]));
     assert!(starts.iter().all(|start| start == "<svg xml"));
 }
 

@@ -247,31 +247,25 @@ impl Place<'_> {
 
     /// Ticks to the left of the plot: how high they stand, and their texts.
     pub fn ticks_left(&self) -> Vec<(f64, String)> {
-        let ticks = ticks(&self.panel.y, self.y, steps_up(self.height)).into_iter();
-        let placed = ticks.map(|tick| {
-            let part = (tick.at - self.y[0]) / (self.y[1] - self.y[0]);
-            let most = self.left - self.column[0] - APART;
-            let text = if self.names_rows || self.panel.y.texts.is_empty() {
-                tick.text
+        let axis = &self.panel.y;
+        let most = self.left - self.column[0] - APART;
+        let is_told = self.names_rows || axis.texts.is_empty();
+        let text = |text: String| {
+            if is_told {
+                shortened(&text, SIZE, most)
             } else {
                 String::new()
-            };
-            (
-                self.top + (1.0 - part) * self.height,
-                shortened(&text, SIZE, most),
-            )
-        });
-        placed.collect()
+            }
+        };
+        let ticks = self.ticks_up(axis, self.y).into_iter();
+        ticks.map(|(y, told)| (y, text(told))).collect()
     }
 
-    /// Ticks of the bar beside the plot.
-    pub fn ticks_of(&self, bar: &Axis) -> Vec<(f64, String)> {
-        let ticks = ticks(bar, bar.ends, steps_up(self.height)).into_iter();
-        let placed = ticks.map(|tick| {
-            let part = (tick.at - bar.ends[0]) / (bar.ends[1] - bar.ends[0]);
-            (self.top + (1.0 - part) * self.height, tick.text)
-        });
-        placed.collect()
+    /// Ticks of an axis over the height of the plot.
+    pub fn ticks_up(&self, axis: &Axis, [low, high]: [f64; 2]) -> Vec<(f64, String)> {
+        let ticks = ticks(axis, [low, high], steps_up(self.height)).into_iter();
+        let height = |at: f64| self.top + (high - at) / (high - low) * self.height;
+        ticks.map(|tick| (height(tick.at), tick.text)).collect()
     }
 
     /// The labels of the panel inside its plot; one that would cover another stands above or below it.

@@ -39,7 +39,7 @@
   }
 
   function plan() {
-    const told = study.axis.map((axis, index) => [labels[index], axis.key, given(axis)]);
+    const told = study.axis.map((axis, index) => [drawing.labelOf(labels[index]), axis.key, given(axis)]);
     const set = study.set.map(({ key, value }) => [key, String(value)]);
     return [table(["what varies", "key", "values"], told, `Base: ${study.base}.`, 3),
       ...(set.length ? [table(["what all runs have", "value"], set, "Otherwise than the base.", 2)] : [])];
@@ -71,7 +71,7 @@
 
   function sensitivityTable(entries) {
     const told = entries.map((entry) => [entry.number, ...axes.map((axis) => number(entry.rank_correlation[axis], 3))]);
-    return table(["number", ...labels.map((label) => label.replace(/ in [^ ]+$/, ""))], told);
+    return table(["number", ...labels.map(({ quantity }) => quantity)], told);
   }
 
   /** What the figures show, and all else where it is asked for. */

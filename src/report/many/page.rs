@@ -35,7 +35,7 @@ pub(super) fn write_page(
         "study": shortened(head.study.clone()),
         "base": head.base,
         "axes": head.axes.iter().map(|axis| variable_column(axis).name()).collect::<Value>(),
-        "labels": head.axes.iter().map(|axis| axis_label(axis).to_string()).collect::<Value>(),
+        "labels": head.axes.iter().map(axis_label).collect::<Vec<_>>(),
         "digest": digest.json(),
         "shown": shown,
         "rows": first_rows(digest),

@@ -14,7 +14,10 @@ pub(super) use self::frame::Frame;
 use super::figure::Figure;
 use super::histories::Histories;
 use super::spectra::{estimated_figure, frequency_limit_of, spectra_figures};
+use super::terminal::shown_name;
+use crate::analysis::Channel;
 use crate::bearing::{BallLine, BearingState};
+use crate::rotor::Freedoms;
 use crate::simulate::Run;
 
 const SCRIPT: &str = include_str!("page.js");
@@ -38,6 +41,7 @@ pub(super) fn write_page(
     let bearings = run.equilibrium.bearings.iter();
     let data = json!({
         "summary": summary,
+        "columns": columns(run),
         "balls": bearings.map(|state| state.as_ref().map(balls)).collect::<Value>(),
         "film": film,
         "histories": histories.page_figure(),
@@ -51,6 +55,16 @@ pub(super) fn write_page(
         scripts: &[FILM, SCRIPT],
     };
     frame.write(&data, out)
+}
+
+/// What the columns of statistics and equilibrium are called on the page, and their units.
+fn columns(run: &Run) -> Value {
+    let places = Channel::of_freedoms(Freedoms::All).into_iter();
+    let motion = run.motion.iter().flat_map(|motion| &motion.statistics);
+    let channels = places.chain(motion.map(|own| own.channel));
+    let told = |channel: Channel| json!([shown_name(channel), channel.unit()]);
+    let columns = channels.map(|channel| (channel.column().name(), told(channel)));
+    Value::Object(columns.collect())
 }
 
 /// Every ball of a bearing: azimuth and contact angles in degrees, loads in N.

@@ -1,7 +1,7 @@
 
 (() => {
   const { element, section, folded, table, tiles, number } = page;
-  const { summary, balls, histories, spectra, furtherSpectra } = page.data;
+  const { summary, columns, balls, histories, spectra, furtherSpectra } = page.data;
   const drawn = new Map(page.data.figures.map((figure) => [figure.name, figure]));
   const names = { tilt_x: "θx", tilt_y: "θy", force_x: "force x", force_y: "force y", force_z: "force z",
     moment_x: "moment x", moment_y: "moment y" };
@@ -62,9 +62,9 @@
   /** Statistics of a motion after its settle time. */
   function statistics(motion) {
     const rows = motion.statistics.map((entry) => {
-      const [, name, unit] = /^(.*?)_(N_m|m|rad|N)$/.exec(entry.channel);
-      const of = (value) => (value === null || value === undefined ? "–" : shown(value, unit.replace("_", " ")));
-      return [named(name), of(entry.mean), of(entry.rms), of(entry.peak), of(entry.peak_to_peak),
+      const [name, unit] = columns[entry.channel];
+      const of = (value) => (value === null || value === undefined ? "–" : shown(value, unit));
+      return [name, of(entry.mean), of(entry.rms), of(entry.peak), of(entry.peak_to_peak),
         number(entry.crest_factor, 4), number(entry.kurtosis, 4)];
     });
     return table(["channel", "mean", "RMS", "peak", "peak to peak", "crest factor", "kurtosis"], rows,
@@ -159,18 +159,18 @@
 
   function equilibrium() {
     const places = Object.entries(summary.equilibrium).flatMap(([key, value]) => {
-      const [, name, unit] = /^(.*)_(m|rad)$/.exec(key) ?? [];
+      const [name, unit] = columns[key] ?? [];
       return name ? [{ name, value, unit }] : [];
     });
     // what is round-off beside the others is zero
     const largest = Math.max(...places.map(({ value }) => Math.abs(value)));
     const place = places.map(({ name, value, unit }) =>
-      [named(name), shown(Math.abs(value) < 1e-12 * largest ? 0 : value, unit)]);
-    const columns = ["x", "y", "z", "θx", "θy"];
+      [name, shown(Math.abs(value) < 1e-12 * largest ? 0 : value, unit)]);
+    const axes = ["x", "y", "z", "θx", "θy"];
     // of N/m: per µm and per mrad
     const factor = (column) => (column < 3 ? 1e-6 : 1e-3);
     const rows = summary.stiffness.matrix.map((row, r) => [
-      r < 3 ? `force ${columns[r]} in N` : `moment ${columns[r][1]} in N m`,
+      r < 3 ? `force ${axes[r]} in N` : `moment ${axes[r][1]} in N m`,
       ...row.map((value, c) => number(Math.abs(value) < 1e-12 * Math.sqrt(Math.abs(summary.stiffness.matrix[r][r] * summary.stiffness.matrix[c][c])) ? 0 : value * factor(c), 4)),
     ]);
     const stiffness = table(["stiffness", "x, µm", "y, µm", "z, µm", "θx, mrad", "θy, mrad"], rows, "Force and moment that the bearings need per displacement and tilt.");
