@@ -9,6 +9,7 @@
 //! | floor | what it does |
 //! |---|---|
 //! | `cli` | what was typed → exit code, one file a verb |
+//! | `ask` | the question of each verb → findings: tables, figures, document, text, warnings; also for Python |
 //! | [`report`] | results → CSV, JSON, Parquet, SVG, pages; comparison of results |
 //! | [`scenario`] | text → checked, typed model; units; every message |
 //! | [`study`] | many questions: one number varied, many runs, natural frequencies over the speed, speed against error, the contact law that a scene needs |
@@ -98,6 +99,8 @@
 #![warn(clippy::panic, clippy::unwrap_used)]
 
 pub mod analysis;
+#[doc(hidden)]
+pub mod ask;
 pub mod bearing;
 #[doc(hidden)]
 pub mod cli;

@@ -306,7 +306,7 @@ class Scenario:
         *,
         start: str = "0 rpm",
         count: int = 61,
-        orders: Sequence[float] = (1.0,),
+        orders: Sequence[float | str] = (1.0,),
         highest_frequency: str | None = None,
     ) -> results.Campbell:
         """Natural frequencies from `start` to `to`, as "60000 rpm", at `count` speeds, and the critical speeds, where
@@ -314,7 +314,7 @@ class Scenario:
         a half times the highest order at the highest speed."""
         ends, speeds = [text_of(start), text_of(to)], whole("count", count, 2, 100_000)
         highest = None if highest_frequency is None else text_of(highest_frequency)
-        return results.Campbell(self.scene.campbell(ends, speeds, list(map(float, orders)), highest))
+        return results.Campbell(self.scene.campbell(ends, speeds, [str(order) for order in orders], highest))
 
     def accuracy(
         self,

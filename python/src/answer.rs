@@ -3,9 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use jeffcott::analysis::Channel;
-use jeffcott::internals::{
-    Column, ColumnKind, Destination, Findings, RunFindings, Table, TableFormat,
-};
+use jeffcott::ask::{Findings, RunFindings};
+use jeffcott::internals::{Column, ColumnKind, Table};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
@@ -38,71 +37,51 @@ pub fn columns<'py>(py: Python<'py>, table: &Table<'_>) -> PyResult<Columns<'py>
 
 /// An answer to a question that is no run.
 #[pyclass(frozen, module = "jeffcott._jeffcott")]
-pub struct Answer {
-    pub(crate) findings: Findings,
-    /// What is said beside what was found.
-    pub(crate) remark: String,
-    pub(crate) title: String,
-    pub(crate) scenario: serde_json::Value,
-    pub(crate) formats: Vec<TableFormat>,
-}
+pub struct Answer(pub(crate) Findings);
 
 #[pymethods]
 impl Answer {
     /// The document, JSON.
     fn document(&self) -> String {
-        self.findings.document.to_string()
+        self.0.document.to_string()
     }
 
     /// What a person reads.
     fn text(&self) -> String {
-        self.findings.text().to_owned() + &self.remark
+        self.0.text(false)
     }
 
     /// What the reader should know.
-    fn warnings(&self) -> Vec<String> {
-        let warnings = self.findings.document["warnings"].as_array();
-        let warnings = warnings
-            .into_iter()
-            .flatten()
-            .filter_map(|one| one.as_str());
-        warnings.map(str::to_owned).collect()
+    fn warnings(&self) -> Vec<&str> {
+        self.0.warnings().collect()
     }
 
     /// Names of the tables.
     fn tables(&self) -> Vec<&'static str> {
-        self.findings.tables.iter().map(|(name, _)| *name).collect()
+        self.0.tables.iter().map(|(name, _)| *name).collect()
     }
 
     /// The columns of a table; None where there is none of this name.
     fn table<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Option<Columns<'py>>> {
-        let mut tables = self.findings.tables.iter();
+        let mut tables = self.0.tables.iter();
         let found = tables.find(|(known, _)| *known == name);
         found.map(|(_, table)| columns(py, table)).transpose()
     }
 
     /// Names of the figures.
     fn figures(&self) -> Vec<String> {
-        self.findings.figures().map(str::to_owned).collect()
+        self.0.figures().map(str::to_owned).collect()
     }
 
     /// A figure as SVG; None where there is none of this name.
     fn figure(&self, name: &str) -> PyResult<Option<String>> {
-        Ok(self.findings.figure(name))
+        Ok(self.0.figure(name))
     }
 
     /// Writes all files into a folder; returns their paths.
     fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<Vec<PathBuf>> {
-        let destination = Destination {
-            folder: &folder,
-            title: &self.title,
-            scenario: &self.scenario,
-            formats: &self.formats,
-            page: true,
-        };
-        let written = py.detach(|| destination.write(self.findings.clone()));
-        let written = written.map_err(|error| run_error(py, &error))?;
-        Ok(written.files)
+        let files = py.detach(|| self.0.write(&folder));
+        files.map_err(|error| run_error(py, &error))
     }
 }
 

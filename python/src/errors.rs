@@ -1,5 +1,6 @@
 //! Errors of the crate as exceptions of the package.
 
+use jeffcott::ask::AskError;
 use jeffcott::scenario::{Issue, ScenarioError, ScenarioRunError};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
@@ -46,6 +47,14 @@ pub fn run_error(py: Python<'_>, error: &dyn std::error::Error) -> PyErr {
         }
     }
     exception(py, "RunError", (text, "[]".to_owned()))
+}
+
+/// What is asked wrongly is a `ScenarioError`, what has no answer a `RunError`.
+pub fn ask_error(py: Python<'_>, error: &AskError) -> PyErr {
+    match error {
+        AskError::Asked(issue) => issue_error(py, issue),
+        other => run_error(py, other),
+    }
 }
 
 /// A scenario that asks nothing of the kind is a `ScenarioError`, everything else a `RunError`.

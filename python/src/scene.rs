@@ -4,26 +4,23 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicU64;
 
-use jeffcott::bearing::CATALOGUE;
-use jeffcott::internals::{
-    AccuracyQuestion, CampbellQuestion, Destination, Findings, OpenNumber, ResponseQuestion,
-    RunFindings, accuracy_findings, answer_findings, campbell_findings, check_range,
-    contact_choice_text, frequency, method, response, response_findings, response_warnings, speed,
-    steady_findings, study_findings, time, tolerance, written,
+use jeffcott::ask::{
+    AccuracyQuestion, AskError, BearingQuestion, CampbellQuestion, Findings, Followed, Order,
+    ResponseQuestion, RunFindings, SteadyQuestion,
 };
+use jeffcott::bearing::CATALOGUE;
+use jeffcott::internals::{frequency, method, speed, time, tolerance, written};
 use jeffcott::scenario::{self, Format, Scenario};
-use jeffcott::simulate::{Model, Monitor};
-use jeffcott::steady::{SteadyError, SteadyQuestion, steady};
-use jeffcott::study::quasi_static;
+use jeffcott::simulate::Monitor;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::answer::{Answer, RunAnswer};
-use crate::errors::{issue_error, no_time, run_error, scenario_error, scenario_run_error};
-use crate::watch::watched;
+use crate::errors::{ask_error, issue_error, scenario_error, scenario_run_error};
+use crate::watch::{Watch, watched};
 
 /// Number of the scenario that is followed, and its first and last value.
-type Followed = (String, String, String);
+type Ends = (String, String, String);
 
 /// A checked scenario.
 #[pyclass(frozen, module = "jeffcott._jeffcott")]
@@ -49,28 +46,14 @@ impl Scene {
         format(self.json)
     }
 
-    fn model(&self, py: Python<'_>) -> PyResult<&Model> {
-        self.scenario.model.as_ref().ok_or_else(|| no_time(py))
-    }
-
-    fn destination(&self) -> Destination<'_> {
-        Destination {
-            folder: Path::new(""),
-            title: &self.scenario.title,
-            scenario: &self.scenario.echo,
-            formats: self.scenario.formats(),
-            page: true,
-        }
-    }
-
-    fn answer(&self, findings: Findings) -> Answer {
-        Answer {
-            findings,
-            remark: String::new(),
-            title: self.scenario.title.clone(),
-            scenario: self.scenario.echo.clone(),
-            formats: self.scenario.formats().to_vec(),
-        }
+    /// Answers a question about it with the lock of the interpreter released.
+    fn answer(
+        py: Python<'_>,
+        progress: Option<&Py<PyAny>>,
+        answer: impl FnOnce(&mut Watch<'_>) -> Result<Findings, AskError> + Send,
+    ) -> PyResult<Answer> {
+        let findings = watched(py, None, progress, answer)?;
+        Ok(Answer(findings.map_err(|error| ask_error(py, &error))?))
     }
 }
 
@@ -149,79 +132,39 @@ impl Scene {
 
     /// Where the shaft stands; at every value of its `[study]`, where it has one.
     fn bearing(&self, py: Python<'_>) -> PyResult<Answer> {
-        let destination = self.destination();
-        if let Some(study) = &self.scenario.study {
-            let rows = watched(py, None, None, |_| study.run())?;
-            let rows = rows.map_err(|error| run_error(py, &error))?;
-            return Ok(self.answer(study_findings(&destination, study, &rows)));
-        }
-        let found = watched(py, None, None, |_| quasi_static(&self.scenario.question))?;
-        let found = found.map_err(|error| run_error(py, &error))?;
-        let choice = self.scenario.contact_choice.as_ref();
-        let findings = answer_findings(&destination, &self.scenario.question, &found);
-        Ok(Answer {
-            remark: choice.map(contact_choice_text).unwrap_or_default(),
-            ..self.answer(findings)
-        })
+        let question = BearingQuestion::new(&self.scenario, None, None);
+        Self::answer(py, None, |_| question.answer())
     }
 
     /// The motion that it settles to.
     fn steady(&self, py: Python<'_>, period: Option<u32>) -> PyResult<Answer> {
-        let model = self.model(py)?;
-        let found = watched(py, None, None, |watch| {
-            steady(&SteadyQuestion {
-                model,
-                multiple: period,
-                stop: watch.stop,
-                integrated: &AtomicU64::new(0),
-            })
-        })?;
-        let found = found.map_err(|error| run_error(py, &error))?;
-        let findings = steady_findings(&self.destination(), model, &found);
-        Ok(self.answer(findings))
+        let question = SteadyQuestion::new(&self.scenario, period);
+        let question = question.map_err(|error| ask_error(py, &error))?;
+        Self::answer(py, None, |watch| {
+            question.answer(watch.stop, &AtomicU64::new(0))
+        })
     }
 
-    /// The same along a number of the scenario.
+    /// The motion that it settles to, along a number of the scenario.
     fn response(
         &self,
         py: Python<'_>,
-        followed: Followed,
+        followed: Ends,
         period: u32,
         points: usize,
         doubled: bool,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Answer> {
-        let model = self.model(py)?;
-        let refused = |issue| issue_error(py, &issue);
-        let (over, start, stop) = followed;
-        let varied = OpenNumber::new(&self.scenario, &over, self.folder()).map_err(refused)?;
-        let (first, variable) = varied.value(&start).map_err(refused)?;
-        let (last, _) = varied.value(&stop).map_err(refused)?;
-        if first == last {
-            return Err(PyValueError::new_err("start and stop are the same value"));
-        }
-        // the scenario exists at both ends
-        for end in [first, last] {
-            varied.rotor(end).map_err(refused)?;
-        }
-        let (branches, warnings) = watched(py, None, progress.as_ref(), |watch| {
-            let question = ResponseQuestion {
-                model,
-                family: &|value| varied.rotor(value).map_err(|issue| issue.to_string()),
-                range: [first, last],
-                multiple: period,
-                points,
-                doubled,
-                stop: watch.stop,
-                integrated: &AtomicU64::new(0),
-            };
-            let branches = response(&question, watch.progress)?;
-            let warnings = response_warnings(&question, &branches);
-            Ok::<_, SteadyError>((branches, warnings))
-        })?
-        .map_err(|error| run_error(py, &error))?;
-        let findings = response_findings(&self.destination(), &variable, &branches, &warnings);
-        Ok(self.answer(findings))
+        let (key, from, to) = &followed;
+        let followed = Followed { key, from, to };
+        let question = ResponseQuestion::new(&self.scenario, &followed, self.folder());
+        let mut question = question.map_err(|error| ask_error(py, &error))?;
+        question.multiple = period;
+        question.points = points;
+        question.doubled = doubled;
+        Self::answer(py, progress.as_ref(), |watch| {
+            question.answer(watch.stop, &AtomicU64::new(0), watch.progress)
+        })
     }
 
     /// Natural frequencies over the speed.
@@ -230,29 +173,25 @@ impl Scene {
         py: Python<'_>,
         ends: [String; 2],
         count: usize,
-        orders: Vec<f64>,
+        orders: Vec<String>,
         highest: Option<String>,
     ) -> PyResult<Answer> {
-        let read = |text: &String| speed(text).map_err(|issue| issue_error(py, &issue));
-        let (from, to) = (read(&ends[0])?, read(&ends[1])?);
-        let highest = highest.map(|text| frequency(&text).map_err(|issue| issue_error(py, &issue)));
-        let highest = highest.transpose()?;
-        check_range([from, to], count, &orders)
-            .map_err(|error| PyValueError::new_err(error.to_string()))?;
-        let question = CampbellQuestion {
-            rotor: self.scenario.question.rotor.clone(),
-            from,
-            to,
-            count,
-            orders,
-        };
-        let found = watched(py, None, None, |_| question.solve())?;
-        let found = found.map_err(|error| run_error(py, &error))?.up_to(highest);
-        let findings = campbell_findings(&self.destination(), &question.rotor, &found);
-        Ok(self.answer(findings))
+        let refused = |issue| issue_error(py, &issue);
+        let range = [
+            speed(&ends[0]).map_err(refused)?,
+            speed(&ends[1]).map_err(refused)?,
+        ];
+        let highest = highest.map(|text| frequency(&text).map_err(refused));
+        let orders = orders.iter().map(|order| order.parse::<Order>());
+        let orders = orders.collect::<Result<Vec<_>, _>>();
+        let orders = orders.map_err(PyValueError::new_err)?;
+        let question =
+            CampbellQuestion::new(&self.scenario, range, count, &orders, highest.transpose()?);
+        let question = question.map_err(|error| ask_error(py, &error))?;
+        Self::answer(py, None, |_| question.answer())
     }
 
-    /// Speed against error of methods at tolerances, the loosest first.
+    /// Speed against error of methods at tolerances.
     fn accuracy(
         &self,
         py: Python<'_>,
@@ -261,30 +200,20 @@ impl Scene {
         longest: String,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Answer> {
-        let model = self.model(py)?;
         let refused = |issue| issue_error(py, &issue);
         let named = methods.iter().map(|name| method(name));
         let named = named.collect::<Result<Vec<_>, _>>().map_err(refused)?;
         let checked = tolerances.iter().map(|one| tolerance(&one.to_string()));
         checked.collect::<Result<Vec<_>, _>>().map_err(refused)?;
         let longest = time(&longest).map_err(refused)?;
-        let known = scenario::methods();
-        let question = AccuracyQuestion {
-            model,
-            oils: &self.scenario.oils,
-            methods: if named.is_empty() { known } else { &named },
-            tolerances: &tolerances,
-            longest,
-        };
-        let found = watched(py, None, progress.as_ref(), |watch| {
-            question.measure(&mut Monitor {
+        let question = AccuracyQuestion::new(&self.scenario, &named, &tolerances, longest);
+        let question = question.map_err(|error| ask_error(py, &error))?;
+        Self::answer(py, progress.as_ref(), |watch| {
+            question.answer(&mut Monitor {
                 stop: watch.stop,
                 progress: watch.progress,
             })
-        })?;
-        let found = found.map_err(|error| run_error(py, &error))?;
-        let findings = accuracy_findings(&self.destination(), &found);
-        Ok(self.answer(findings))
+        })
     }
 }
 

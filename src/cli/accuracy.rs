@@ -2,14 +2,13 @@
 
 use std::io;
 
-use super::jobs::{Answer, Failure, Files, Job};
+use super::jobs::{Files, Job};
 use super::terminal::Progress;
 use super::{Outcome, terminal};
+use crate::ask::AccuracyQuestion;
 use crate::integrate::Method;
-use crate::report;
 use crate::scenario;
-use crate::simulate::{Model, Monitor};
-use crate::study::accuracy::Question;
+use crate::simulate::Monitor;
 
 /// Measures speed against error: what each method and tolerance buys, and what each fidelity level of the physics
 /// costs and changes.
@@ -40,41 +39,32 @@ pub struct Arguments {
     longest: f64,
 }
 
-/// Tolerances where none are given.
-const TOLERANCES: [f64; 8] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10];
-
 /// Checks all files, then measures them in turn.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
-    arguments.files.answer(
-        |job| job.motion(false, "`accuracy` needs a table `[time]`"),
-        |job, model| answer(job, &model, arguments),
-    )
-}
-
-fn answer(job: &Job, model: &Model, arguments: &Arguments) -> Result<Answer, Failure> {
-    let mut tolerances = arguments.tolerances.clone();
-    if tolerances.is_empty() {
-        tolerances = TOLERANCES.to_vec();
-    }
-    tolerances.sort_by(|a, b| b.total_cmp(a));
-    tolerances.dedup();
-    let question = Question {
-        model,
-        oils: &job.scenario.oils,
-        methods: match &arguments.methods[..] {
-            [] => scenario::methods(),
-            some => some,
-        },
-        tolerances: &tolerances,
-        longest: arguments.longest,
+    let Some(jobs) = arguments.files.read(|_| {})? else {
+        return Ok(Outcome::WrongInput);
     };
-    let mut progress = Progress::new(&job.scenario.title);
-    let accuracy = question.measure(&mut Monitor {
-        stop: terminal::stop(),
-        progress: &mut |part| progress.show(part),
-    })?;
-    drop(progress);
-    let mut answer = job.write(report::accuracy_findings(&job.destination(), &accuracy))?;
-    answer.text += &job.contact_choice_text();
-    Ok(answer)
+    let answer = |job: &Job, question: AccuracyQuestion<'_>| {
+        let mut progress = Progress::new(&job.scenario.title);
+        let found = question.answer(&mut Monitor {
+            stop: terminal::stop(),
+            progress: &mut |part| progress.show(part),
+        })?;
+        drop(progress);
+        job.write(&found)
+    };
+    let (methods, tolerances) = (&arguments.methods, &arguments.tolerances);
+    arguments.files.answer(
+        &jobs,
+        |job| {
+            let longest = arguments.longest;
+            Ok(AccuracyQuestion::new(
+                &job.scenario,
+                methods,
+                tolerances,
+                longest,
+            )?)
+        },
+        answer,
+    )
 }

@@ -2,14 +2,10 @@
 
 use std::io;
 
-use serde_json::json;
-
 use super::Outcome;
-use super::jobs::{Answer, Failure, Files, Job};
-use crate::quasi_static::{StaticQuestion, quasi_static};
-use crate::report;
+use super::jobs::Files;
+use crate::ask::BearingQuestion;
 use crate::scenario::{self, Issue};
-use crate::study::Study;
 
 /// Finds where the shaft stands, without motion: equilibrium, stiffness and every ball.
 #[derive(Debug, clap::Args)]
@@ -39,46 +35,13 @@ fn angle(text: &str) -> Result<f64, Issue> {
 
 /// Checks all files, then answers them in turn.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
+    let Some(jobs) = arguments.files.read(|_| {})? else {
+        return Ok(Outcome::WrongInput);
+    };
     let (shaft, cage) = (arguments.shaft_angle, arguments.cage_angle);
-    let turn = |question: &mut StaticQuestion| {
-        if shaft.or(cage).is_some() {
-            question.turn(shaft.unwrap_or(0.0), cage);
-        }
-    };
-    let answer = |job: &Job, ()| match &job.scenario.study {
-        Some(study) => {
-            let mut study = study.clone();
-            study
-                .points
-                .iter_mut()
-                .for_each(|point| turn(&mut point.question));
-            answer_study(job, &study)
-        }
-        None => {
-            let mut question = job.scenario.question.clone();
-            turn(&mut question);
-            answer(job, &question)
-        }
-    };
-    arguments.files.answer(|_| Ok(()), answer)
-}
-
-fn answer(job: &Job, question: &StaticQuestion) -> Result<Answer, Failure> {
-    let found = quasi_static(question)?;
-    let findings = report::answer_findings(&job.destination(), question, &found);
-    let mut answer = job.write(findings)?;
-    answer.text += &job.contact_choice_text();
-    if let Some(choice) = &job.scenario.contact_choice {
-        answer.json["contact_choice"] = json!(choice);
-    }
-    Ok(answer)
-}
-
-fn answer_study(job: &Job, study: &Study) -> Result<Answer, Failure> {
-    let destination = job.destination();
-    let rows = study.run()?;
-    let answer = job.write(report::study_findings(&destination, study, &rows))?;
-    let mut json = report::study_json(&destination, study, &rows);
-    json["files"] = answer.json["files"].clone();
-    Ok(Answer { json, ..answer })
+    arguments.files.answer(
+        &jobs,
+        |job| Ok(BearingQuestion::new(&job.scenario, shaft, cage)),
+        |job, question| job.write(&question.answer()?),
+    )
 }

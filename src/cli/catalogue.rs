@@ -75,7 +75,7 @@ fn one(designation: &str, json: bool) -> Result<String, String> {
     let bearing = Bearing::catalogue(designation).map_err(|error| error.to_string())?;
     Ok(match json {
         true => format!("{:#}\n", entry_json(entry, &bearing, &estimate)),
-        false => entry_text(entry, &bearing, &estimate),
+        false => entry_text(entry, &bearing, &estimate).text(terminal::details()),
     })
 }
 

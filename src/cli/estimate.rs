@@ -78,7 +78,10 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
         Ok(estimate) if arguments.json => {
             terminal::print(&format!("{:#}\n", estimate_json(&line, &estimate)))?;
         }
-        Ok(estimate) => terminal::print(&estimate_text("Estimate", &line, &estimate))?,
+        Ok(estimate) => {
+            let text = estimate_text("Estimate", &line, &estimate);
+            terminal::print(&text.text(terminal::details()))?;
+        }
         Err(error) => return Ok(terminal::refuse(error)),
     }
     Ok(Outcome::Done)

@@ -9,9 +9,8 @@ use std::time::Instant;
 use serde_json::{Value, json};
 
 use super::{Outcome, terminal};
-use crate::report::{self, Destination, Findings};
+use crate::report::{self, Findings};
 use crate::scenario::{self, STDIN, STDIN_NAME, Scenario};
-use crate::simulate::Model;
 
 /// Why a job failed, in words.
 pub type Failure = Box<dyn Error>;
@@ -48,43 +47,58 @@ pub struct Answer {
     pub text: String,
     /// For people, on stderr.
     pub told: String,
-    /// For programs.
+    /// For programs: the document, and the files that were written.
     pub json: Value,
     /// Whether it leaves out a part of what was asked for, of which a warning tells.
     pub incomplete: bool,
 }
 
 impl Files {
-    /// Checks all files and what `prepare` needs of them, then answers them in turn, as they come; JSON
+    /// Checks all files, and puts options in place of what the scenarios say; none where one is wrong, after telling.
+    ///
+    /// # Errors
+    /// Whatever keeps stdout from taking what is wrong.
+    pub fn read(&self, set: impl Fn(&mut Scenario)) -> io::Result<Option<Vec<Job>>> {
+        let (mut jobs, wrong) = self.jobs();
+        jobs.iter_mut().for_each(|job| set(&mut job.scenario));
+        Ok(self.refuse(wrong)?.is_none().then_some(jobs))
+    }
+
+    /// Tells programs what is wrong with the files, if anything is.
+    fn refuse(&self, wrong: Vec<Value>) -> io::Result<Option<Outcome>> {
+        if wrong.is_empty() {
+            return Ok(None);
+        }
+        if self.json {
+            terminal::print(&document(self.files.len(), wrong))?;
+        }
+        Ok(Some(Outcome::WrongInput))
+    }
+
+    /// Asks a question about each file, and where all are right answers them in turn, as they come; JSON
     /// stands in one document at the end, where a file without an answer has its `error`.
     ///
     /// # Errors
     /// Whatever keeps stdout from taking the answers.
-    pub fn answer<T>(
+    pub fn answer<'j, T>(
         &self,
-        prepare: impl Fn(&mut Job) -> Result<T, Failure>,
-        answer: impl Fn(&Job, T) -> Result<Answer, Failure>,
+        jobs: &'j [Job],
+        ask: impl Fn(&'j Job) -> Result<T, Failure>,
+        answer: impl Fn(&'j Job, T) -> Result<Answer, Failure>,
     ) -> io::Result<Outcome> {
-        let (jobs, mut wrong) = self.jobs();
-        let mut tasks = Vec::new();
-        // what is wrong with the files comes first, and alone
-        let right = if wrong.is_empty() { jobs } else { Vec::new() };
-        for mut job in right {
-            match prepare(&mut job) {
-                Ok(task) => tasks.push((job, task)),
+        let (mut questions, mut wrong) = (Vec::new(), Vec::new());
+        for job in jobs {
+            match ask(job) {
+                Ok(question) => questions.push((job, question)),
                 Err(failure) => wrong.push(job.failed(&failure.to_string())),
             }
         }
-        if !wrong.is_empty() {
-            if self.json {
-                terminal::print(&document(self.files.len(), wrong))?;
-            }
-            return Ok(Outcome::WrongInput);
+        if let Some(refused) = self.refuse(wrong)? {
+            return Ok(refused);
         }
-        let count = tasks.len();
         let (mut outcome, mut documents) = (Outcome::Done, Vec::new());
-        for (job, task) in tasks {
-            match answer(&job, task) {
+        for (job, question) in questions {
+            match answer(job, question) {
                 Ok(answer) => {
                     if answer.incomplete {
                         outcome = Outcome::Failed;
@@ -103,7 +117,7 @@ impl Files {
             }
         }
         if self.json {
-            terminal::print(&document(count, documents))?;
+            terminal::print(&document(jobs.len(), documents))?;
         }
         Ok(outcome)
     }
@@ -184,42 +198,23 @@ pub fn folder_of(file: &Path, out: &Path) -> Result<PathBuf, String> {
 }
 
 impl Job {
-    /// Where its results go.
-    pub fn destination(&self) -> Destination<'_> {
-        Destination {
-            folder: &self.folder,
-            title: &self.scenario.title,
-            scenario: &self.scenario.echo,
-            formats: &self.scenario.output.formats,
-            page: self.scenario.output.report,
-        }
+    /// Folder that the files which its scenario names are looked for from.
+    pub fn base(&self) -> &Path {
+        self.file.parent().unwrap_or(Path::new(""))
     }
 
     /// Writes the files of what was found, and answers with it after telling its warnings.
-    pub fn write(&self, findings: Findings) -> Result<Answer, Failure> {
-        let written = self.destination().write(findings)?;
-        let warnings = written.json["warnings"].as_array();
-        let warnings = warnings.into_iter().flatten().filter_map(Value::as_str);
-        self.warn_besides(warnings);
-        Ok(Answer::new(written.text, written.json, &written.files))
-    }
-
-    /// Takes the motion, without the pass that measures its error where `no_verify` says so; `missing` is told
-    /// where there is none.
-    pub fn motion(&mut self, no_verify: bool, missing: &str) -> Result<Model, Failure> {
-        let mut model = self.scenario.model.take().ok_or(missing)?;
-        if no_verify {
-            model.verify = false;
-            // the summary tells what was run
-            self.scenario.echo["integrator"]["verify"] = false.into();
-        }
-        Ok(model)
-    }
-
-    /// What is said of the law of the contacts, where it was to be chosen.
-    pub fn contact_choice_text(&self) -> String {
-        let choice = self.scenario.contact_choice.as_ref();
-        choice.map(report::contact_choice_text).unwrap_or_default()
+    pub fn write(&self, findings: &Findings) -> Result<Answer, Failure> {
+        let files = findings.write(&self.folder)?;
+        self.warn_besides(findings.warnings());
+        Ok(Answer {
+            incomplete: findings.incomplete,
+            ..Answer::new(
+                findings.text(terminal::details()),
+                findings.document.clone(),
+                &files,
+            )
+        })
     }
 
     /// Tells of something about the file.
@@ -258,6 +253,7 @@ impl Job {
 impl Answer {
     /// An answer with the paths of its files.
     pub fn new(text: String, mut json: Value, files: &[PathBuf]) -> Self {
+        let text = text + &report::wrote(files);
         let files = files.iter().map(|file| file.display().to_string());
         json["files"] = files.collect();
         Self {

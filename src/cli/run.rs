@@ -9,10 +9,11 @@ use super::jobs::{Answer, Failure, Files, Job};
 use super::pace::PaceWatch;
 use super::written::Written;
 use super::{Outcome, terminal};
+use crate::ask;
 use crate::integrate::{IntegrateError, Pace};
-use crate::report::{self, KeptFiles, RunReport, RunSummary};
-use crate::simulate::{Model, Monitor, Run, RunSize, SimulateError, simulate_watched};
-use crate::study::campbell::along_run_up;
+use crate::report::{self, KeptFiles, RunReport};
+use crate::scenario::Scenario;
+use crate::simulate::{Model, Monitor, RunSize, SimulateError, simulate_watched};
 
 /// Runs scenarios and writes their traces, spectra and figures.
 #[derive(Debug, clap::Args)]
@@ -45,23 +46,36 @@ pub struct Arguments {
 
 /// Checks all files, then runs them in turn.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
-    let prepare = |job: &mut Job| {
-        let missing = "`run` needs a table `[time]`; `jeffcott bearing` does without";
-        let model = job.motion(arguments.no_verify, missing)?;
+    let set = |scenario: &mut Scenario| {
+        scenario.leave_out_verification(arguments.no_verify);
+        arguments.written.apply(scenario);
+    };
+    let Some(jobs) = arguments.files.read(set)? else {
+        return Ok(Outcome::WrongInput);
+    };
+    arguments.files.answer(
+        &jobs,
+        |job| arguments.motion(job),
+        |job, model| {
+            if terminal::stop().load(Ordering::Relaxed) {
+                return Err("interrupted before it began".into());
+            }
+            run_motion(job, model, arguments.open)
+        },
+    )
+}
+
+impl Arguments {
+    /// The motion of a job, where it fits into memory and has the columns that are asked for.
+    fn motion<'j>(&self, job: &'j Job) -> Result<&'j Model, Failure> {
+        let model = ask::motion(&job.scenario)?;
         // what keeps a run from beginning it tells itself
-        if let Ok(size) = RunSize::of(&model) {
+        if let Ok(size) = RunSize::of(model) {
             check_memory(&size, 1)?;
         }
-        arguments.written.check(&model.rotor)?;
-        arguments.written.apply(&mut job.scenario);
+        self.written.check(&model.rotor)?;
         Ok(model)
-    };
-    arguments.files.answer(prepare, |job, model| {
-        if terminal::stop().load(Ordering::Relaxed) {
-            return Err("interrupted before it began".into());
-        }
-        run_motion(job, &model, arguments.open)
-    })
+    }
 }
 
 /// Runs a checked scenario; `opens` shows its page.
@@ -81,7 +95,15 @@ fn run_motion(job: &Job, model: &Model, opens: bool) -> Result<Answer, Failure> 
         || simulate_watched(model, &mut report, &mut monitor, watched),
     );
     match result {
-        Ok(run) => Ok(finish(job, model, report, run, opens)?.timed(started)),
+        Ok(run) => {
+            let written = report.finish(model, run)?;
+            job.warn_besides(report::warnings(&written.document));
+            if opens {
+                terminal::open_page(&written.files);
+            }
+            let text = written.text(terminal::details());
+            Ok(Answer::new(text, written.document, &written.files).timed(started))
+        }
         Err(SimulateError::Integrate(error @ IntegrateError::Interrupted { .. })) => {
             Err(format!("{error}; nothing was written").into())
         }
@@ -115,28 +137,4 @@ fn tell_of_thinning(job: &Job, model: &Model) {
              --every, asks for more or fewer"
         ));
     }
-}
-
-/// Writes the files of a run; `opens` shows its page.
-fn finish(
-    job: &Job,
-    model: &Model,
-    report: RunReport,
-    mut run: Run,
-    opens: bool,
-) -> Result<Answer, Failure> {
-    let scenario = &job.scenario;
-    let campbell = along_run_up(model, &mut run);
-    job.warn_besides(run.warnings.iter().map(String::as_str));
-    let report = report.with_campbell(campbell.clone());
-    let files = report.finish(model, &run)?;
-    if opens {
-        terminal::open_page(&files);
-    }
-    let text = report::text(&scenario.title, model, &run, campbell.as_ref(), &files)
-        + &job.contact_choice_text();
-    let choice = scenario.contact_choice.as_ref();
-    let summary = RunSummary::new(model, &run, choice, campbell.as_ref());
-    let json = report::document(&scenario.title, &scenario.echo, summary);
-    Ok(Answer::new(text, json, &files))
 }

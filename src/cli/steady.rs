@@ -1,18 +1,15 @@
 //! `jeffcott steady`.
 
 use std::io;
-use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-use super::jobs::{Answer, Failure, Files, Job};
+use super::jobs::{Files, Job};
 use super::terminal::{Progress, in_words};
 use super::{Outcome, terminal};
-use crate::report;
-use crate::scenario::OpenNumber;
-use crate::simulate::Model;
-use crate::steady::{ResponseQuestion, SteadyQuestion, response, response_warnings, steady};
-use crate::study::Variable;
+use crate::ask::{AskError, Followed, ResponseQuestion, SteadyQuestion};
+use crate::report::Findings;
+use crate::scenario::Scenario;
 
 /// Finds the motion that the shaft settles to, without waiting for it, and whether it is stable.
 ///
@@ -62,7 +59,7 @@ pub struct Arguments {
     )]
     to: Option<String>,
     /// Most motions of a branch
-    #[arg(long, value_name = "N", requires = "over", default_value_t = 20_000,
+    #[arg(long, value_name = "N", requires = "over", default_value_t = ResponseQuestion::MOST_POINTS as u32,
           value_parser = clap::value_parser!(u32).range(1..))]
     points: u32,
     /// Leave out the motions of doubled period
@@ -70,62 +67,40 @@ pub struct Arguments {
     no_doubled: bool,
 }
 
+/// A motion, or a branch of them.
+enum Question<'a> {
+    Motion(SteadyQuestion<'a>),
+    Branch(ResponseQuestion<'a>),
+}
+
 /// Checks all files, then finds their motions in turn.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
-    let prepare = |job: &mut Job| {
-        let missing = "`steady` needs a table `[time]`, as `run` does";
-        let model = job.motion(arguments.no_verify, missing)?;
-        Ok((model, varied_number(job, arguments)?))
+    let set = |scenario: &mut Scenario| scenario.leave_out_verification(arguments.no_verify);
+    let Some(jobs) = arguments.files.read(set)? else {
+        return Ok(Outcome::WrongInput);
     };
-    arguments.files.answer(prepare, |job, (model, over)| {
+    let ask = |job| Ok(arguments.question(job)?);
+    arguments.files.answer(&jobs, ask, |job, question| {
         let started = Instant::now();
-        let answer = match &over {
-            Some(over) => along(job, &model, over, arguments)?,
-            None => alone(job, &model, arguments)?,
-        };
-        Ok(answer.timed(started))
+        let findings = SearchPace::default().watched(job, &question)?;
+        Ok(job.write(&findings)?.timed(started))
     })
 }
 
-/// A number of the scenario and its first and last value.
-struct VariedNumber {
-    number: OpenNumber,
-    variable: Variable,
-    ends: [f64; 2],
-}
-
-fn varied_number(job: &Job, arguments: &Arguments) -> Result<Option<VariedNumber>, Failure> {
-    let Arguments { over, from, to, .. } = arguments;
-    let Some(((over, from), to)) = over.as_ref().zip(from.as_ref()).zip(to.as_ref()) else {
-        return Ok(None);
-    };
-    let folder = job.file.parent().unwrap_or(Path::new(""));
-    let number = OpenNumber::new(&job.scenario, over, folder)?;
-    let ((first, variable), (last, _)) = (number.value(from)?, number.value(to)?);
-    if first == last {
-        return Err("--from and --to are the same value".into());
+impl Arguments {
+    fn question<'j>(&self, job: &'j Job) -> Result<Question<'j>, AskError> {
+        let scenario = &job.scenario;
+        let Self { over, from, to, .. } = self;
+        let Some(((key, from), to)) = over.as_ref().zip(from.as_ref()).zip(to.as_ref()) else {
+            return SteadyQuestion::new(scenario, self.period).map(Question::Motion);
+        };
+        let followed = Followed { key, from, to };
+        let mut question = ResponseQuestion::new(scenario, &followed, job.base())?;
+        question.multiple = self.period.unwrap_or(1);
+        question.points = self.points as usize;
+        question.doubled = !self.no_doubled;
+        Ok(Question::Branch(question))
     }
-    // the scenario exists at both ends
-    number.rotor(first)?;
-    number.rotor(last)?;
-    Ok(Some(VariedNumber {
-        number,
-        variable,
-        ends: [first, last],
-    }))
-}
-
-fn alone(job: &Job, model: &Model, arguments: &Arguments) -> Result<Answer, Failure> {
-    let pace = SearchPace::default();
-    let found = pace.watched(job, || {
-        steady(&SteadyQuestion {
-            model,
-            multiple: arguments.period,
-            stop: terminal::stop(),
-            integrated: &pace.periods,
-        })
-    })?;
-    job.write(report::steady_findings(&job.destination(), model, &found))
 }
 
 /// Time that a search goes without a word.
@@ -141,8 +116,8 @@ struct SearchPace {
 }
 
 impl SearchPace {
-    /// Does a search and watches it from another thread.
-    fn watched<T>(&self, job: &Job, search: impl FnOnce() -> T) -> T {
+    /// Answers a question and watches the search from another thread.
+    fn watched(&self, job: &Job, question: &Question<'_>) -> Result<Findings, AskError> {
         let started = Instant::now();
         let mut progress = Progress::new(&job.scenario.title);
         let mut is_told = false;
@@ -161,7 +136,12 @@ impl SearchPace {
                 is_told = true;
             }
         };
-        terminal::watched(look, search)
+        let (stop, integrated) = (terminal::stop(), &self.periods);
+        let mut reached = |part: f64| self.part.store(part.to_bits(), Ordering::Relaxed);
+        terminal::watched(look, || match question {
+            Question::Motion(question) => question.answer(stop, integrated),
+            Question::Branch(question) => question.answer(stop, integrated, &mut reached),
+        })
     }
 
     /// `1234 periods integrated`, and the time left where it is known.
@@ -173,33 +153,4 @@ impl SearchPace {
             false => format!("{periods} periods integrated"),
         }
     }
-}
-
-fn along(
-    job: &Job,
-    model: &Model,
-    over: &VariedNumber,
-    arguments: &Arguments,
-) -> Result<Answer, Failure> {
-    let pace = SearchPace::default();
-    let varied = &over.number;
-    let question = ResponseQuestion {
-        model,
-        family: &|value| varied.rotor(value).map_err(|issue| issue.to_string()),
-        range: over.ends,
-        multiple: arguments.period.unwrap_or(1),
-        points: arguments.points as usize,
-        doubled: !arguments.no_doubled,
-        stop: terminal::stop(),
-        integrated: &pace.periods,
-    };
-    let mut reached = |part: f64| pace.part.store(part.to_bits(), Ordering::Relaxed);
-    let branches = pace.watched(job, || response(&question, &mut reached))?;
-    let warnings = response_warnings(&question, &branches);
-    let (destination, variable) = (job.destination(), &over.variable);
-    let findings = report::response_findings(&destination, variable, &branches, &warnings);
-    Ok(Answer {
-        incomplete: branches.iter().any(|branch| branch.incomplete),
-        ..job.write(findings)?
-    })
 }

@@ -221,11 +221,11 @@ fn only(
     };
     let run = simulate(&model, &mut report, &mut monitor).map_err(failed)?;
     drop(progress);
-    let files = report.finish(&model, &run).map_err(failed)?;
-    for warning in &run.warnings {
+    let written = report.finish(&model, run).map_err(failed)?;
+    for warning in report::warnings(&written.document) {
         terminal::tell(&format!("warning: {title}: {warning}\n"));
     }
-    let text = report::text(&title, &model, &run, None, &files);
+    let text = written.text(terminal::details()) + &report::wrote(&written.files);
     Ok(terminal::summarise(&text).map(|()| Outcome::Done))
 }
 

@@ -14,7 +14,6 @@ use clap::ColorChoice;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::Outcome;
-use crate::report;
 use crate::scenario::{ScenarioError, visible};
 
 /// How much is told, and in which colours: options of every verb.
@@ -41,10 +40,12 @@ impl Manner {
     /// Takes the manner for the rest of the process.
     pub fn set(self) {
         let _ = MANNER.set(self);
-        if self.verbose {
-            report::tell_details();
-        }
     }
+}
+
+/// Whether people want to know how answers were computed.
+pub fn details() -> bool {
+    manner().verbose
 }
 
 /// Whether messages are coloured.

@@ -4,19 +4,19 @@
 
 use super::figure::{Axis, COLOURS, Curve, Figure, GREY, Mark, Name, Panel, distinct};
 use super::terminal::{Lines, MICRO, MILLI, or_dash, wrapped};
-use super::{Destination, FileSet, Findings};
+use super::{FileSet, Findings};
+use crate::scenario::Scenario;
 use crate::study::accuracy::{Accuracy, Agreement, Cost, Errors, Measured};
 use crate::table::{Named, Table};
 
 /// Reference, methods and ladder of a measurement.
-pub fn accuracy_findings(destination: &Destination<'_>, accuracy: &Accuracy) -> Findings {
-    let title = destination.title;
+pub fn accuracy_findings(scenario: &Scenario, accuracy: &Accuracy) -> Findings {
+    let title = &scenario.title;
     let mut text = Lines::titled(title);
     add_reference(&mut text, &accuracy.agreement);
     add_methods(&mut text, accuracy);
     add_ladder(&mut text, accuracy);
     Findings {
-        set: FileSet::ACCURACY,
         tables: vec![
             ("accuracy", methods_table(accuracy)),
             ("ladder", ladder_table(accuracy)),
@@ -25,8 +25,7 @@ pub fn accuracy_findings(destination: &Destination<'_>, accuracy: &Accuracy) -> 
             methods_figure(title, accuracy),
             ladder_figure(title, accuracy),
         ],
-        document: destination.document(accuracy),
-        text,
+        ..Findings::new(FileSet::ACCURACY, scenario, accuracy, text)
     }
 }
 

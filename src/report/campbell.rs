@@ -7,27 +7,34 @@ use serde_json::{Value, json};
 use super::figure::{Axis, Colour, Curve, Figure, GREY, Name, Panel, distinct};
 use super::shaft_shapes::shapes_at;
 use super::terminal::{Lines, PER_MINUTE, PER_SECOND, decimals, or_dash, rounded};
-use super::{Destination, FileSet, Findings};
+use super::{FileSet, Findings};
 use crate::rotor::{Mode, RotorDefinition, Whirl};
+use crate::scenario::Scenario;
 use crate::study::campbell::{Branch, Campbell};
 use crate::table::Table;
 
 /// Branches and critical speeds.
 ///
-/// `rotor` is the shaft of the diagram: where it bends its modes are drawn at the highest speed.
+/// `rotor` is the shaft of the diagram: where it bends its modes are drawn at the highest speed. `named_orders` says which
+/// orders are those of bearings.
 pub fn campbell_findings(
-    destination: &Destination<'_>,
+    scenario: &Scenario,
     rotor: &RotorDefinition,
     campbell: &Campbell,
+    named_orders: &[String],
 ) -> Findings {
     let [_, fastest] = ends(campbell);
     let branches = campbell.branches.iter().map(|branch| {
         let [first, last] = end_modes(branch).map(|mode| mode.map(Mode::damped_frequency));
         json!({ "whirl": branch.whirl(), "first_Hz": first, "last_Hz": last })
     });
-    let mut figures = vec![figure(destination.title, campbell)];
-    figures.extend(shapes_at(destination.title, rotor, fastest));
-    let mut text = Lines::titled(destination.title);
+    let title = &scenario.title;
+    let mut figures = vec![figure(title, campbell)];
+    figures.extend(shapes_at(title, rotor, fastest));
+    let mut text = Lines::titled(title);
+    named_orders
+        .iter()
+        .for_each(|order| text.line("order", order));
     add_branches(&mut text, campbell);
     if let (Some(highest), 1..) = (campbell.highest_frequency, campbell.left_out) {
         text.put(format!(
@@ -40,23 +47,23 @@ pub fn campbell_findings(
     } else {
         add_critical(&mut text, campbell);
     }
+    let found = json!({
+        "from_rad_s": campbell.speeds.first(),
+        "to_rad_s": campbell.speeds.last(),
+        "count": campbell.speeds.len(),
+        "orders": campbell.orders,
+        "orders_of_bearings": named_orders,
+        "highest_frequency_Hz": campbell.highest_frequency,
+        "branches_left_out": campbell.left_out,
+        "branches": branches.collect::<Value>(),
+        "least_assurance": campbell.least_assurance,
+        "critical_speeds": campbell.critical_speeds,
+        "warnings": campbell.warnings,
+    });
     Findings {
-        set: FileSet::CAMPBELL,
         tables: vec![("campbell", modes(campbell))],
         figures,
-        document: destination.document(json!({
-            "from_rad_s": campbell.speeds.first(),
-            "to_rad_s": campbell.speeds.last(),
-            "count": campbell.speeds.len(),
-            "orders": campbell.orders,
-            "highest_frequency_Hz": campbell.highest_frequency,
-            "branches_left_out": campbell.left_out,
-            "branches": branches.collect::<Value>(),
-            "least_assurance": campbell.least_assurance,
-            "critical_speeds": campbell.critical_speeds,
-            "warnings": campbell.warnings,
-        })),
-        text,
+        ..Findings::new(FileSet::CAMPBELL, scenario, found, text)
     }
 }
 

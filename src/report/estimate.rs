@@ -7,10 +7,10 @@ use crate::bearing::catalogue::CatalogueEntry;
 use crate::bearing::{Bearing, CatalogueLine, Estimate};
 
 /// The estimate for people.
-pub fn estimate_text(title: &str, line: &CatalogueLine, estimate: &Estimate) -> String {
+pub fn estimate_text(title: &str, line: &CatalogueLine, estimate: &Estimate) -> Lines {
     let mut out = Lines::titled(title);
     add_estimate(&mut out, line, estimate);
-    out.text()
+    out
 }
 
 /// The estimate as JSON: the geometry with the ratings that it has, beside what is printed.
@@ -28,7 +28,7 @@ pub fn estimate_json(line: &CatalogueLine, estimate: &Estimate) -> Value {
 }
 
 /// A page on one bearing of the catalogue.
-pub fn entry_text(entry: &CatalogueEntry, bearing: &Bearing, estimate: &Estimate) -> String {
+pub fn entry_text(entry: &CatalogueEntry, bearing: &Bearing, estimate: &Estimate) -> Lines {
     let line = &entry.line;
     let mut out = Lines::titled(&entry.designation);
     let [bore, outside] = [line.bore, line.outside_diameter].map(|size| rounded(1e3 * size, 6));
@@ -59,7 +59,7 @@ pub fn entry_text(entry: &CatalogueEntry, bearing: &Bearing, estimate: &Estimate
     };
     out.line("source", &entry.source);
     out.line("note", maker);
-    out.text()
+    out
 }
 
 fn add_estimate(out: &mut Lines, line: &CatalogueLine, estimate: &Estimate) {

@@ -5,12 +5,12 @@ pub(crate) mod campbell;
 mod checksum;
 pub mod compare;
 mod defects;
-pub(crate) mod destination;
 mod envelope;
 mod error;
 mod estimate;
 mod figure;
 mod film;
+pub(crate) mod findings;
 mod folder;
 mod histories;
 pub(crate) mod many;
@@ -18,6 +18,7 @@ mod motion;
 mod page;
 pub(crate) mod recorded;
 pub(crate) mod response;
+mod run_answer;
 mod run_report;
 pub(crate) mod run_tables;
 mod run_up;
@@ -34,19 +35,19 @@ mod variable;
 
 pub(crate) use accuracy::accuracy_findings;
 pub(crate) use campbell::campbell_findings;
-pub(crate) use destination::{Destination, Findings, document};
 #[cfg(test)]
 pub(crate) use envelope::Decimator;
 pub(crate) use error::FileAction;
 pub use error::ReportError;
 pub(crate) use estimate::{entry_json, entry_text, estimate_json, estimate_text};
+pub(crate) use findings::{Findings, warnings};
 pub(crate) use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole};
 #[cfg(test)]
 pub(crate) use histories::Histories;
 pub(crate) use response::response_findings;
 
-pub use run_report::RunReport;
-pub(crate) use run_report::{KeptFiles, RunSummary};
+pub(crate) use run_report::KeptFiles;
+pub use run_report::{RunReport, WrittenRun};
 #[cfg(test)]
 pub(crate) use run_tables::{
     TraceCsv, ball_columns, ball_row, event_columns, event_row, trace_columns,
@@ -55,10 +56,9 @@ pub(crate) use spectra::spectrum_figure;
 pub use spectra::write_spectrum;
 pub(crate) use statics::answer_findings;
 pub(crate) use steady::steady_findings;
-pub(crate) use study::{study_findings, study_json};
+pub(crate) use study::study_findings;
 #[cfg(test)]
 pub(crate) use table::CsvTable;
 #[cfg(all(test, feature = "parquet"))]
 pub(crate) use table::{Origin, ParquetTable};
-pub(crate) use terminal::{tell_details, wrapped, wrote};
-pub(crate) use text::{contact_choice_text, text};
+pub(crate) use terminal::{wrapped, wrote};

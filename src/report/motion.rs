@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::destination::with_keys;
 use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
+use super::findings::with_keys;
 use super::terminal::{Lines, MICRO, MILLI, listed, significant};
 use crate::analysis::{
     Channel, ChannelLevel, Kind, LONGEST_PERIOD, Motion, Section, SectionKind, VelocityLevel,

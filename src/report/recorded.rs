@@ -6,12 +6,11 @@ use serde_json::Value;
 
 use super::figure::Figure;
 use super::histories::Histories;
-use super::run_report::{figures, tables_at_end};
+use super::run_answer::RunAnswer;
 use super::run_tables::{ball_columns, ball_row, event_columns, event_row, sample_table};
 use super::run_up::{waterfall_columns, waterfall_rows};
 use super::spectra::estimated_table;
-use super::text::{contact_choice_text, text};
-use super::{FileAction, ReportError, RunReport, RunSummary, document};
+use super::{FileAction, ReportError, RunReport};
 use crate::analysis::Channel;
 use crate::scenario::{Scenario, ScenarioRunError};
 use crate::simulate::{Maps, Model, Monitor, RecordedRun, SimulateError};
@@ -46,27 +45,25 @@ impl RunFindings {
         })
     }
 
+    fn answer(&self) -> RunAnswer<'_> {
+        RunAnswer {
+            title: &self.scenario.title,
+            scenario: &self.scenario.echo,
+            contact_choice: self.scenario.contact_choice.as_ref(),
+            model: &self.model,
+            run: &self.recorded.run,
+            campbell: self.campbell.as_ref(),
+        }
+    }
+
     /// What `summary.json` says.
     pub fn document(&self) -> Value {
-        let Scenario { title, echo, .. } = &self.scenario;
-        let choice = self.scenario.contact_choice.as_ref();
-        let run = &self.recorded.run;
-        let summary = RunSummary::new(&self.model, run, choice, self.campbell.as_ref());
-        document(title, echo, summary)
+        self.answer().document()
     }
 
     /// Key numbers and the strongest peaks, for people.
     pub fn text(&self) -> String {
-        let choice = self.scenario.contact_choice.as_ref();
-        let chosen = choice.map(contact_choice_text).unwrap_or_default();
-        let campbell = self.campbell.as_ref();
-        text(
-            &self.scenario.title,
-            &self.model,
-            &self.recorded.run,
-            campbell,
-            &[],
-        ) + &chosen
+        self.answer().text().text(false)
     }
 
     /// Names of the tables that the run has, as those of its files.
@@ -118,7 +115,7 @@ impl RunFindings {
             let make = || Table::of_rows(waterfall_columns(waterfall), rows);
             add("waterfall", Box::new(make));
         }
-        for (name, table) in tables_at_end(run, self.campbell.as_ref()) {
+        for (name, table) in self.answer().tables() {
             add(&name, Box::new(|| table));
         }
         tables
@@ -141,8 +138,7 @@ impl RunFindings {
         let mut histories = Histories::new(self.model.rotor.shaft.freedoms);
         let samples = self.recorded.samples.iter();
         samples.for_each(|sample| histories.sample(sample));
-        let (title, run) = (&self.scenario.title, &self.recorded.run);
-        figures(title, run, Some(&histories), self.campbell.as_ref())
+        self.answer().figures(Some(&histories))
     }
 
     /// The spectra that another version of the scenario asks for, estimated from the samples of this run; of each
@@ -170,11 +166,10 @@ impl RunFindings {
     /// # Errors
     /// [`ReportError`] where a file cannot be written or drawn.
     pub fn write(&self, folder: &Path) -> Result<Vec<PathBuf>, ReportError> {
-        let report = RunReport::of(&self.scenario, &self.model, folder)?;
-        let mut report = report.with_campbell(self.campbell.clone());
+        let mut report = RunReport::of(&self.scenario, &self.model, folder)?;
         let replayed = self.recorded.replay(&mut report);
         replayed.map_err(ReportError::file(FileAction::Write, folder))?;
-        report.finish(&self.model, &self.recorded.run)
+        Ok(report.finish(&self.model, self.recorded.run.clone())?.files)
     }
 }
 

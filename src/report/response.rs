@@ -5,8 +5,9 @@ use serde_json::json;
 use super::figure::{Axis, Colour, Curve, Figure, GREY, Name, Panel, Point, distinct};
 use super::terminal::{Lines, MICRO};
 use super::variable::{axis_label, shown, variable_column};
-use super::{Destination, FileSet, Findings};
+use super::{FileSet, Findings};
 use crate::analysis::Channel;
+use crate::scenario::Scenario;
 use crate::shooting::SpecialKind;
 use crate::steady::{Response, ResponsePoint, Swing};
 use crate::study::Variable;
@@ -14,14 +15,20 @@ use crate::table::Table;
 
 /// Branches of steady motions along a parameter.
 pub fn response_findings(
-    destination: &Destination<'_>,
+    scenario: &Scenario,
     variable: &Variable,
     branches: &[Response],
     warnings: &[String],
 ) -> Findings {
-    let title = destination.title;
+    let title = &scenario.title;
+    // the motions are in `response.csv`
+    let found = json!({
+        "over": variable.key,
+        "unit": variable.unit,
+        "branches": branches,
+        "warnings": warnings,
+    });
     Findings {
-        set: FileSet::RESPONSE,
         tables: vec![
             ("response", table(variable, branches, all, false)),
             (
@@ -30,14 +37,13 @@ pub fn response_findings(
             ),
         ],
         figures: vec![figure(title, variable, branches)],
-        // the motions are in `response.csv`
-        document: destination.document(json!({
-            "over": variable.key,
-            "unit": variable.unit,
-            "branches": branches,
-            "warnings": warnings,
-        })),
-        text: text(title, variable, branches),
+        incomplete: branches.iter().any(|branch| branch.incomplete),
+        ..Findings::new(
+            FileSet::RESPONSE,
+            scenario,
+            found,
+            text(title, variable, branches),
+        )
     }
 }
 

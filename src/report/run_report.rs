@@ -1,39 +1,29 @@
-//! The files of one run, from the opening of the folder to the last rename, and its summary.
+//! The files of one run, from the opening of the folder to the last rename.
 
 use std::io;
 use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
 
-use serde::Serialize;
 use serde_json::{Value, json};
 
-use super::defects;
-use super::destination::with_keys;
-use super::figure::Figure;
 use super::film::Film;
+use super::findings::document;
 use super::histories::Histories;
-use super::motion::{motion_json, orbit_figure, poincare_table};
 use super::page::write_page;
+use super::run_answer::RunAnswer;
 use super::run_tables::{SampleFiles, ball_columns, ball_row, event_columns, event_row};
-use super::run_up::{
-    maps_figures, maps_json, run_up_json, tracks_table, waterfall_columns, waterfall_rows,
-};
+use super::run_up::{waterfall_columns, waterfall_rows};
 use super::scene::scene_figure;
-use super::spectra::{
-    NamedPeak, estimated_figure, estimated_json, estimated_table, frequency_limit_of, peak_table,
-    spectrum_table, table_name,
-};
 use super::table::TableFiles;
-use super::text::{method_use_json, parted};
-use super::{FileSet, PartialFile, ReportError, RunFolder, campbell, document, spectrum_figure};
+use super::terminal::Lines;
+use super::{FileSet, PartialFile, ReportError, RunFolder};
 use crate::analysis::Channel;
 use crate::integrate::{Counters, IntegrateError};
 use crate::rotor::{BallContacts, Sample};
 use crate::scenario::{Output, Scenario};
 use crate::simulate::{Event, Model, Run, TraceSink};
 use crate::study::ContactChoice;
-use crate::study::campbell::{Campbell, CriticalSpeed};
-use crate::table::Table;
+use crate::study::campbell::along_run_up;
 
 /// Takes the trace of a run and writes its files.
 ///
@@ -57,7 +47,6 @@ pub struct RunReport {
     film: Option<Film>,
     samples: u64,
     contact_choice: Option<ContactChoice>,
-    campbell: Option<Campbell>,
 }
 
 impl RunReport {
@@ -104,18 +93,12 @@ impl RunReport {
             scenario,
             samples: 0,
             contact_choice: None,
-            campbell: None,
         })
     }
 
     /// Whether the sample that was taken last goes to the tables.
     fn keeps_sample(&self) -> bool {
         (self.samples - 1).is_multiple_of(self.every.get())
-    }
-
-    /// The same with natural frequencies over the speed.
-    pub(crate) fn with_campbell(self, campbell: Option<Campbell>) -> Self {
-        Self { campbell, ..self }
     }
 
     /// Writes what is known of a run that cannot go on, after some work: `failure.json` and the trace up to there.
@@ -155,24 +138,29 @@ impl RunReport {
         })
     }
 
-    /// Writes what is left and gives all files their names; returns their paths.
+    /// Writes what is left and gives all files their names.
     ///
     /// # Errors
     /// [`ReportError`] where a file cannot be written or drawn; none of them looks whole then.
-    pub fn finish(self, model: &Model, run: &Run) -> Result<Vec<PathBuf>, ReportError> {
-        let (choice, campbell) = (self.contact_choice.as_ref(), self.campbell.as_ref());
-        let summary = RunSummary::new(model, run, choice, campbell);
-        let summary = document(&self.title, &self.scenario, summary);
+    pub fn finish(self, model: &Model, mut run: Run) -> Result<WrittenRun, ReportError> {
+        let campbell = along_run_up(model, &mut run);
+        let answer = RunAnswer {
+            title: &self.title,
+            scenario: &self.scenario,
+            contact_choice: self.contact_choice.as_ref(),
+            model,
+            run: &run,
+            campbell: campbell.as_ref(),
+        };
+        let (document, text) = (answer.document(), answer.text());
         let mut files = Vec::new();
-        let histories = self.histories.as_ref();
-        let mut figures = figures(&self.title, run, histories, self.campbell.as_ref());
-        figures.extend(defects::figure(&self.title, model));
+        let figures = answer.figures(self.histories.as_ref());
         let streamed = self.tables.into_iter().map(|table| table.files);
         for table in streamed.chain(self.balls).chain(self.events) {
             files.extend(table.close()?);
         }
         let folder = &self.folder;
-        for (stem, table) in tables_at_end(run, self.campbell.as_ref()) {
+        for (stem, table) in answer.tables() {
             files.extend(folder.write_table(&stem, &table)?);
         }
         if let Some(maps) = &run.maps {
@@ -191,12 +179,35 @@ impl RunReport {
                 .collect();
             let film = self.film.and_then(|film| film.json(&model.rotor));
             let write = |file: &mut PartialFile| {
-                write_page(&summary, run, &histories, &figures, film, file)
+                write_page(&document, &run, &histories, &figures, film, file)
             };
             files.push(folder.write_with("report.html", write)?);
         }
-        self.folder
-            .commit(files, format!("{summary:#}\n").as_bytes())
+        let files = self
+            .folder
+            .commit(files, format!("{document:#}\n").as_bytes())?;
+        Ok(WrittenRun {
+            text,
+            document,
+            files,
+        })
+    }
+}
+
+/// A run whose files are written.
+#[derive(Debug)]
+pub struct WrittenRun {
+    text: Lines,
+    /// What `summary.json` says.
+    pub document: Value,
+    /// Paths of the files.
+    pub files: Vec<PathBuf>,
+}
+
+impl WrittenRun {
+    /// Key numbers and the strongest peaks, for people, with or without details on how they were computed.
+    pub fn text(&self, details: bool) -> String {
+        self.text.text(details)
     }
 }
 
@@ -209,53 +220,6 @@ fn failure_kind(error: &IntegrateError) -> &'static str {
         IntegrateError::NotFinite { .. } => "not_finite",
         IntegrateError::Interrupted { .. } => "interrupted",
     }
-}
-
-/// What is drawn of a run.
-pub(super) fn figures(
-    title: &str,
-    run: &Run,
-    histories: Option<&Histories>,
-    campbell: Option<&Campbell>,
-) -> Vec<Figure> {
-    let limit = frequency_limit_of(run);
-    let mut figures = Vec::new();
-    figures.extend(histories.map(|histories| histories.figure("trace", title)));
-    let spectrum = run.spectrum.as_ref();
-    figures.extend(spectrum.map(|spectrum| spectrum_figure(title, spectrum, &run.peaks)));
-    let motion = run.motion.as_ref();
-    figures.extend(motion.map(|motion| orbit_figure(title, motion)));
-    figures.extend(run.maps.iter().flat_map(|maps| maps_figures(title, maps)));
-    figures.extend(campbell.map(|campbell| campbell::figure(title, campbell)));
-    let spectra = run.spectra.iter();
-    figures.extend(spectra.map(|spectrum| estimated_figure(title, spectrum, limit)));
-    figures
-}
-
-/// Tables of a run that are known at its end, but for the waterfall, which is too long to be held twice.
-pub(super) fn tables_at_end<'a>(
-    run: &'a Run,
-    campbell: Option<&'a Campbell>,
-) -> Vec<(String, Table<'a>)> {
-    let mut tables = Vec::new();
-    let mut add = |name: &str, table| tables.push((name.to_owned(), table));
-    if let Some(spectrum) = &run.spectrum {
-        add("spectrum", spectrum_table(spectrum));
-        add("peaks", peak_table(&run.peaks, spectrum));
-    }
-    if let Some(motion) = &run.motion {
-        add("poincare", poincare_table(motion));
-    }
-    if let Some(maps) = &run.maps {
-        add("order_tracks", tracks_table(&maps.tracks));
-    }
-    if let Some(campbell) = campbell {
-        add("campbell", campbell::modes(campbell));
-    }
-    for spectrum in &run.spectra {
-        add(&table_name(spectrum), estimated_table(spectrum));
-    }
-    tables
 }
 
 /// Figures that the page shows: what its own charts do not.
@@ -340,7 +304,7 @@ impl RunReport {
     /// let stop = AtomicBool::new(false);
     /// let mut monitor = Monitor { stop: &stop, progress: &mut |_part| {} };
     /// let run = simulate(model, &mut report, &mut monitor)?;
-    /// let files = report.finish(model, &run)?;
+    /// let files = report.finish(model, run)?.files;
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
@@ -352,65 +316,5 @@ impl RunReport {
             contact_choice: scenario.contact_choice.clone(),
             ..Self::open(folder, output, model, &scenario.title, echo)?
         })
-    }
-}
-
-/// Everything that a run answers except trace and spectra: `summary.json` is `document` of it.
-#[derive(Debug, Serialize)]
-pub struct RunSummary<'a> {
-    #[serde(flatten)]
-    run: &'a Run,
-    method_use: Option<Value>,
-    measured_error: Option<Value>,
-    spectrum: Option<Value>,
-    peaks: Vec<NamedPeak<'a>>,
-    motion: Option<Value>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    run_up: Option<Value>,
-    maps: Option<Value>,
-    spectra: Vec<Value>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    contact_choice: Option<&'a ContactChoice>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    critical_speeds: Option<&'a [CriticalSpeed]>,
-}
-
-/// How the spectra were made.
-const SCALING: &str = "one-sided, peak values; the mean stands alone at frequency zero, taken away before the window; \
-                       phase of cos(2 pi f t + phase) with t from start_s";
-
-impl<'a> RunSummary<'a> {
-    /// The summary of a run of a model, with the law of the contacts that was chosen for it and the natural
-    /// frequencies over the speed, where there are any.
-    pub fn new(
-        model: &Model,
-        run: &'a Run,
-        contact_choice: Option<&'a ContactChoice>,
-        campbell: Option<&'a Campbell>,
-    ) -> Self {
-        let (method_use, spectrum) = (run.method_use.as_ref(), run.spectrum.as_ref());
-        let peaks = run.peaks.iter();
-        Self {
-            run,
-            method_use: method_use.map(|used| method_use_json(used, parted(&run.bearings))),
-            measured_error: run.measured_error.as_ref().map(|error| {
-                let further = json!({
-                    "tolerance": model.integrator.tolerance,
-                    "reference_share_of_evaluations": error.share_of_evaluations(&run.counters),
-                });
-                with_keys(error, further)
-            }),
-            spectrum: spectrum.map(|spectrum| with_keys(spectrum, json!({ "scaling": SCALING }))),
-            peaks: peaks.map(|peak| NamedPeak::new(peak, spectrum)).collect(),
-            motion: run.motion.as_ref().map(motion_json),
-            run_up: run
-                .run_up
-                .as_ref()
-                .map(|run_up| run_up_json(run_up, campbell)),
-            maps: run.maps.as_ref().map(maps_json),
-            spectra: run.spectra.iter().map(estimated_json).collect(),
-            contact_choice,
-            critical_speeds: campbell.map(|campbell| &campbell.critical_speeds[..]),
-        }
     }
 }

@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use serde_json::{Map as Object, Value, json};
 
-use super::destination::with_keys;
 use super::figure::{Axis, Curve, Figure, Label, Map, Name, Panel, Point, WHITE, distinct};
+use super::findings::with_keys;
 use super::spectra::{amplitude_column, phase_column};
 use super::terminal::{
     Lines, MICRO, PER_MINUTE, PER_SECOND, decimals, listed, shown_unit, significant,

@@ -6,28 +6,27 @@ use super::terminal::{
     Lines, MICRO, MILLI, NAMES, clearance_text, decimal, digits, displacement_text, listed,
     mark_estimated, of_bearing, or_dash,
 };
-use super::{Destination, FileSet, Findings};
+use super::{FileSet, Findings};
 use crate::bearing::{BallLine, BearingState, FilmState, Matrix5, RaceContact};
 use crate::physics::{BallPass, Race};
 use crate::quasi_static::{QuasiStatic, StaticQuestion};
 use crate::rotor::{FREEDOMS, Freedoms};
+use crate::scenario::Scenario;
 use crate::table::{Named, Table};
 
 /// Equilibrium, stiffness and every bearing with its balls.
 pub fn answer_findings(
-    destination: &Destination<'_>,
+    scenario: &Scenario,
     question: &StaticQuestion,
     answer: &QuasiStatic,
 ) -> Findings {
-    let title = destination.title;
+    let title = &scenario.title;
     let mut figures = vec![balls_figure(title, answer)];
     figures.extend(deflection(title, question));
     Findings {
-        set: FileSet::BEARING,
         tables: vec![("balls", balls_table(answer))],
         figures,
-        document: destination.document(answer),
-        text: text(title, answer),
+        ..Findings::new(FileSet::BEARING, scenario, answer, text(title, answer))
     }
 }
 

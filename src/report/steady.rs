@@ -5,26 +5,27 @@ use std::f64::consts::TAU;
 use nalgebra::Complex;
 use serde_json::json;
 
-use super::destination::with_keys;
 use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
+use super::findings::with_keys;
 use super::histories::Histories;
 use super::run_tables::sample_table;
 use super::spectra::{amplitude_column, phase_column};
 use super::terminal::{Lines, MICRO, digits, listed, measured_text, shown_unit};
 use super::text::reduction_text;
-use super::{Destination, FileSet, Findings};
+use super::{FileSet, Findings};
 use crate::analysis::Channel;
+use crate::scenario::Scenario;
 use crate::shooting::Multipliers;
 use crate::simulate::Model;
 use crate::steady::{Base, Stability, Steady, SteadyLine, SteadyLines, Swing};
 use crate::table::{Column, Table};
 
 /// A steady motion: its trace, its spectrum, its stability and its error.
-pub fn steady_findings(destination: &Destination<'_>, model: &Model, steady: &Steady) -> Findings {
-    let title = destination.title;
+pub fn steady_findings(scenario: &Scenario, model: &Model, steady: &Steady) -> Findings {
+    let title = &scenario.title;
     let mut histories = Histories::new(model.rotor.shaft.freedoms);
     let trace = &steady.trace;
-    let channels = Channel::of_trace_in(destination.scenario, &model.rotor);
+    let channels = Channel::of_trace_in(&scenario.echo, &model.rotor);
     trace.iter().for_each(|sample| histories.sample(sample));
     let tolerance = model.integrator.tolerance;
     let measured = steady.measured.as_ref();
@@ -40,7 +41,6 @@ pub fn steady_findings(destination: &Destination<'_>, model: &Model, steady: &St
         "measured_error": measured,
     });
     Findings {
-        set: FileSet::STEADY,
         tables: vec![
             ("steady_trace", sample_table(trace, channels)),
             ("steady_spectrum", line_table(steady, model.rotor.speed)),
@@ -49,8 +49,12 @@ pub fn steady_findings(destination: &Destination<'_>, model: &Model, steady: &St
             histories.figure("steady_trace", title),
             spectrum(title, &steady.lines),
         ],
-        document: destination.document(with_keys(steady, further)),
-        text: text(title, model, steady),
+        ..Findings::new(
+            FileSet::STEADY,
+            scenario,
+            with_keys(steady, further),
+            text(title, model, steady),
+        )
     }
 }
 

@@ -2,24 +2,23 @@
 
 use serde_json::{Value, json};
 
-use super::destination::value;
 use super::figure::{Axis, Curve, Figure, Name, Panel, all_around, distinct, graded, turned};
 use super::terminal::{Lines, MICRO, MILLI, digits, in_unit, of_bearing};
 use super::variable::{axis_label, shown, variable_column};
-use super::{Destination, FileSet, Findings};
+use super::{FileSet, Findings};
 use crate::analysis::Channel;
 use crate::bearing::{Around, BallLine, BearingState};
 use crate::keys;
 use crate::quasi_static::{QuasiStatic, Twist};
 use crate::rotor::FREEDOMS;
+use crate::scenario::Scenario;
 use crate::study::{Study, StudyRow, Variable};
 use crate::table::{Named, Table};
 
 /// The answers of a study, and the bearings all around; the numbers stand in the tables alone.
-pub fn study_findings(destination: &Destination<'_>, study: &Study, rows: &[StudyRow]) -> Findings {
-    let (title, variable) = (destination.title, &study.variable);
+pub fn study_findings(scenario: &Scenario, study: &Study, rows: &[StudyRow]) -> Findings {
+    let (title, variable) = (&scenario.title, &study.variable);
     Findings {
-        set: FileSet::STUDY,
         tables: vec![
             ("study", answers(variable, rows)),
             ("around", around(variable, rows)),
@@ -29,8 +28,12 @@ pub fn study_findings(destination: &Destination<'_>, study: &Study, rows: &[Stud
             deformation(title, variable, rows),
             contact_angle(title, variable, rows),
         ],
-        document: destination.document(about(study, rows)),
-        text: text(title, study, rows),
+        ..Findings::new(
+            FileSet::STUDY,
+            scenario,
+            about(study, rows),
+            text(title, study, rows),
+        )
     }
 }
 
@@ -168,21 +171,6 @@ fn about(study: &Study, rows: &[StudyRow]) -> Value {
         "points": rows.len(),
         "warnings": study.warnings(rows),
     })
-}
-
-/// The whole study: at every value, which stands under the name of its column, the answer and every bearing all
-/// around.
-pub fn study_json(destination: &Destination<'_>, study: &Study, rows: &[StudyRow]) -> Value {
-    let varied = variable_column(&study.variable).name();
-    let rows_of = rows.iter().map(|row| {
-        let mut json = value(&row.answer);
-        json[&varied] = json!(row.value);
-        json["around"] = json!(row.around);
-        json
-    });
-    let mut whole = about(study, rows);
-    whole["rows"] = rows_of.collect();
-    destination.document(whole)
 }
 
 /// Most rows shown.

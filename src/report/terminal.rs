@@ -2,10 +2,9 @@
 
 use std::fmt::Display;
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use comfy_table::{CellAlignment, Table, presets};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use crate::analysis::Channel;
 use crate::bearing::Clearance;
@@ -33,21 +32,13 @@ pub fn wrapped(text: &str, indent: usize) -> String {
     out
 }
 
-/// Whether texts say how the answers were computed.
-static DETAILS: AtomicBool = AtomicBool::new(false);
-
-/// Lets all texts from here on say how the answers were computed, too: methods, steps, evaluations.
-pub fn tell_details() {
-    DETAILS.store(true, Ordering::Relaxed);
-}
-
 /// Where the text of a named line begins.
 const INDENT: usize = 16;
 
 /// Lines for people, one below the other.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Lines {
-    text: String,
+pub(crate) struct Lines {
+    title: String,
     parts: Vec<LinePart>,
 }
 
@@ -59,44 +50,54 @@ pub(super) enum LinePart {
     Text(String),
     /// A text behind its name, which is empty where it continues the line before.
     Line(String, String),
+    /// A line on how the answer was computed.
+    Detail(String, String),
     /// A table: its heads and its rows.
-    Table(Vec<String>, Vec<Vec<String>>),
+    Table(
+        #[serde(serialize_with = "in_one_line")] Vec<String>,
+        Vec<Vec<String>>,
+    ),
+}
+
+/// Heads without their breaks.
+fn in_one_line<S: Serializer>(heads: &[String], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(heads.iter().map(|head| head.trim().replace('\n', " ")))
 }
 
 impl Lines {
     /// A title, under which the lines stand.
     pub fn titled(title: &str) -> Self {
-        let text = format!("{title}\n");
+        let title = format!("{title}\n");
         let parts = Vec::new();
-        Self { text, parts }
+        Self { title, parts }
     }
 
-    /// What was put below the title, part by part.
-    pub fn parts(&self) -> &[LinePart] {
-        &self.parts
+    /// What was put below the title, part by part, without the details.
+    pub(super) fn parts(&self) -> impl Iterator<Item = &LinePart> {
+        let parts = self.parts.iter();
+        parts.filter(|part| !matches!(part, LinePart::Detail(..)))
     }
 
     /// A line of its own.
     pub fn put(&mut self, text: impl Display) {
         let text = without_negative_zeros(&text.to_string());
-        self.text += &format!("{text}\n");
         self.parts.push(LinePart::Text(text));
     }
 
     /// A line behind its name, broken where it is too long; none where there is nothing to say.
     pub fn line(&mut self, name: &str, text: impl Display) {
-        let text = without_negative_zeros(&text.to_string());
-        if !text.is_empty() {
-            let line = wrapped(&format!("  {name:<13} {text}"), INDENT);
-            self.text += &format!("{line}\n");
-            self.parts.push(LinePart::Line(name.to_owned(), text));
-        }
+        self.named(name, &text, LinePart::Line);
     }
 
-    /// A line on how the answer was computed, where somebody wants to know.
+    /// A line on how the answer was computed: methods, steps, evaluations.
     pub fn detail(&mut self, name: &str, text: impl Display) {
-        if DETAILS.load(Ordering::Relaxed) {
-            self.line(name, text);
+        self.named(name, &text, LinePart::Detail);
+    }
+
+    fn named(&mut self, name: &str, text: &dyn Display, part: fn(String, String) -> LinePart) {
+        let text = without_negative_zeros(&text.to_string());
+        if !text.is_empty() {
+            self.parts.push(part(name.to_owned(), text));
         }
     }
 
@@ -111,32 +112,34 @@ impl Lines {
         header: impl IntoIterator<Item = &'a str>,
         rows: impl IntoIterator<Item = Vec<String>>,
     ) {
-        let header: Vec<&str> = header.into_iter().collect();
         let positive = |row: Vec<String>| {
             row.iter()
                 .map(|cell| without_negative_zeros(cell))
                 .collect()
         };
-        let rows: Vec<Vec<String>> = rows.into_iter().map(positive).collect();
-        let shown = table(header.iter().copied(), rows.iter().cloned());
-        self.text += &format!("\n{shown}\n\n");
-        let header = header.iter().map(|head| head.trim().replace('\n', " "));
-        self.parts.push(LinePart::Table(header.collect(), rows));
+        let header = header.into_iter().map(str::to_owned).collect();
+        let rows = rows.into_iter().map(positive).collect();
+        self.parts.push(LinePart::Table(header, rows));
     }
 
-    /// The files that were written, and all as one text.
-    pub fn wrote(self, files: &[PathBuf]) -> String {
-        self.text + &wrote(files)
-    }
-
-    /// All as one text.
-    pub fn as_str(&self) -> &str {
-        &self.text
-    }
-
-    /// All as one text.
-    pub fn text(self) -> String {
-        self.text
+    /// All as one text, with or without the details.
+    pub fn text(&self, details: bool) -> String {
+        let mut out = self.title.clone();
+        for part in &self.parts {
+            match part {
+                LinePart::Detail(..) if !details => {}
+                LinePart::Text(text) => out += &format!("{text}\n"),
+                LinePart::Line(name, text) | LinePart::Detail(name, text) => {
+                    out += &wrapped(&format!("  {name:<13} {text}"), INDENT);
+                    out.push('\n');
+                }
+                LinePart::Table(header, rows) => {
+                    let header = header.iter().map(String::as_str);
+                    out += &format!("\n{}\n\n", table(header, rows.iter().cloned()));
+                }
+            }
+        }
+        out
     }
 }
 
@@ -156,7 +159,7 @@ pub fn wrote(files: &[PathBuf]) -> String {
         "wrote",
         format!("{} {}", folder.display(), names.join(", ")),
     );
-    out.text
+    out.text(false)
 }
 
 /// A table without rules, everything but its first column to the right.
@@ -370,7 +373,8 @@ mod tests {
         let mut out = Lines::default();
         out.table(["a"], [vec![format!("{:.4}", -1e-9)]]);
         out.line("b", format!("{:.1}", -0.01));
-        assert!(!out.as_str().contains('-'), "{}", out.as_str());
+        let text = out.text(false);
+        assert!(!text.contains('-'), "{text}");
     }
 
     #[test]

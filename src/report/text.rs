@@ -1,7 +1,5 @@
 //! The few lines that a person reads after a run: what was found, which method and law it rests on.
 
-use std::path::PathBuf;
-
 use serde_json::{Value, json};
 
 use super::motion::{add_motion, add_severity};
@@ -25,16 +23,10 @@ const PEAKS: usize = 8;
 /// Lines of an envelope shown.
 const ENVELOPE_LINES: usize = 6;
 
-/// Key numbers of a run, its strongest peaks and the files written.
+/// Key numbers of a run and its strongest peaks.
 ///
 /// `campbell` is what is known of critical speeds where the speed changes.
-pub fn text(
-    title: &str,
-    model: &Model,
-    run: &Run,
-    campbell: Option<&Campbell>,
-    files: &[PathBuf],
-) -> String {
+pub fn text(title: &str, model: &Model, run: &Run, campbell: Option<&Campbell>) -> Lines {
     let mut out = Lines::titled(title);
     if let Some(severity) = &run.vibration_severity {
         add_severity(&mut out, severity);
@@ -98,7 +90,7 @@ pub fn text(
     if !run.peaks.is_empty() {
         add_peaks(&mut out, &run.peaks, run.spectrum.as_ref());
     }
-    out.wrote(files)
+    out
 }
 
 /// `6 modes of bending in each plane, 1.2e-6 µm, 3e-6 of the motion, from 10`.
@@ -294,16 +286,14 @@ pub(super) fn method_use_json(used: &MethodUse, parted: bool) -> Value {
     })
 }
 
-/// A line or two that begin as those of a run do; at most 100 columns.
-pub fn contact_choice_text(choice: &ContactChoice) -> String {
-    let mut out = Lines::default();
+/// The law that was chosen for the contacts, and why.
+pub(super) fn add_contact_choice(out: &mut Lines, choice: &ContactChoice) {
     let why = why_contact(choice);
     out.line("contact", format!("{}: {why}", choice.chosen));
     if choice.failure.is_none() {
         let cheaper = choice.cheaper.iter();
         cheaper.for_each(|level| out.more(level_text(level)));
     }
-    out.text()
 }
 
 fn why_contact(choice: &ContactChoice) -> String {
@@ -360,7 +350,7 @@ mod tests {
         let mut out = Lines::default();
         let tables = [of(Ok(report)), None, of(Err(TableError::NoRegion))];
         add_table_use(&mut out, &tables);
-        let text = out.text();
+        let text = out.text(false);
         let told = text.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(
             told.contains("bearing 1: 1234 cells, off by 2.0e-8 N, 1.7e-10 of"),

@@ -275,6 +275,14 @@ impl Scenario {
         &self.output.formats
     }
 
+    /// Leaves out the pass that measures the error, if `left_out` says so; the scenario then says so, too.
+    pub(crate) fn leave_out_verification(&mut self, left_out: bool) {
+        if let Some(model) = self.model.as_mut().filter(|_| left_out) {
+            model.verify = false;
+            self.echo["integrator"]["verify"] = false.into();
+        }
+    }
+
     /// Runs it and keeps all samples in memory; writes no file.
     ///
     /// # Errors

@@ -196,7 +196,7 @@ impl Issue {
     }
 
     /// The same with advice.
-    pub(super) fn help(mut self, advice: impl Into<String>) -> Self {
+    pub(crate) fn help(mut self, advice: impl Into<String>) -> Self {
         self.help = Some(advice.into());
         self
     }

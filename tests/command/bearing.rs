@@ -143,7 +143,7 @@ fn run_names_the_table_that_a_standing_shaft_lacks() {
     done(jeffcott().arg("check").arg(&file).output().unwrap());
     let output = verb("run", &[&file], &out, &[]).output().unwrap();
     assert_eq!(output.status.code(), Some(2));
-    assert!(text(&output.stderr).contains("`run` needs a table `[time]`"));
+    assert!(text(&output.stderr).contains("the scenario has no [time]"));
     assert!(!out.exists());
 }
 

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 /// Lowest first; `simulate` and `quasi_static` are single files. The integrator knows no rotor: it is
 /// the rotor that implements the integrator's trait.
-const FLOORS: [&str; 17] = [
+const FLOORS: [&str; 18] = [
     "table",
     "keys",
     "registers",
@@ -22,6 +22,7 @@ const FLOORS: [&str; 17] = [
     "study",
     "scenario",
     "report",
+    "ask",
     "cli",
 ];
 

@@ -12,8 +12,8 @@ use crate::integrate::{Counters, Method, Settings};
 use crate::physics::ball_pass_frequencies;
 use crate::report::{
     CsvTable, Decimator, FileAction, FileSet, Histories, ReportError, RunFolder, RunReport,
-    TraceCsv, ball_columns, ball_row, event_columns, event_row, spectrum_figure, text,
-    trace_columns, write_spectrum,
+    TraceCsv, ball_columns, ball_row, event_columns, event_row, spectrum_figure, trace_columns,
+    write_spectrum,
 };
 use crate::rotor::{
     CageMotion, Damping, Freedoms, InitialPosition, InitialState, NaturalFrequency, Rotor,
@@ -220,7 +220,8 @@ fn open(folder: &Path, output: Output) -> RunReport {
 
 /// Writes a whole run into `folder`.
 fn write(folder: &Path, output: Output) -> Vec<PathBuf> {
-    open(folder, output).finish(&model(), &run()).unwrap()
+    let written = open(folder, output).finish(&model(), run());
+    written.unwrap().files
 }
 
 fn names(folder: &Path) -> Vec<String> {
@@ -304,7 +305,7 @@ fn outputs_of_an_earlier_run_do_not_stand_beside_a_later_one() {
         ..run()
     };
     let report = open(folder.path(), trace);
-    report.finish(&model(), &run).unwrap();
+    report.finish(&model(), run).unwrap();
     assert_eq!(names(folder.path()), ["summary.json", "trace.csv"]);
 }
 
@@ -528,14 +529,10 @@ fn an_envelope_keeps_every_extreme_in_bounded_memory() {
 }
 
 #[test]
-fn the_text_shows_key_numbers_peaks_and_files() {
-    let shown = text(
-        "A title",
-        &model(),
-        &run(),
-        None,
-        &[PathBuf::from("output/x/trace.csv")],
-    );
+fn the_text_shows_key_numbers_and_peaks() {
+    let folder = TempDir::new().unwrap();
+    let report = open(folder.path(), Output::default());
+    let shown = report.finish(&model(), run()).unwrap().text(false);
     let flat: Vec<&str> = shown.split_whitespace().collect();
     let flat = flat.join(" ");
     for expected in [
@@ -546,7 +543,6 @@ fn the_text_shows_key_numbers_peaks_and_files() {
          preload lost once, at 0.0500 s",
         "2.0000e3 million revolutions, 6.944e3 h",
         "1×",
-        "wrote output/x/ trace.csv",
     ] {
         // lines are broken where they would be wider than a terminal
         let found = shown.contains(expected) || flat.contains(expected);

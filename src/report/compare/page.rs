@@ -86,7 +86,7 @@ pub(crate) fn write_page(
     let page = AnswerPage {
         title: &names.collect::<Vec<_>>().join(" and "),
         sealed: "the tables that were compared",
-        parts: lines.parts(),
+        text: &lines,
         figures: &figures,
         tables: &[],
         document: &Value::Null,

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use super::frame::Frame;
 use crate::report::figure::Figure;
-use crate::report::terminal::LinePart;
+use crate::report::terminal::Lines;
 use crate::report::{FileAction, ReportError, write_whole};
 use crate::table::{ColumnKind, Table};
 
@@ -24,7 +24,7 @@ pub(in crate::report) struct AnswerPage<'a> {
     /// File beside the page that holds all numbers.
     pub sealed: &'a str,
     /// What people are told.
-    pub parts: &'a [LinePart],
+    pub text: &'a Lines,
     /// The figures.
     pub figures: &'a [Figure],
     /// Tables by their names without ending.
@@ -39,7 +39,7 @@ impl AnswerPage<'_> {
         let data = json!({
             "jeffcott": env!("CARGO_PKG_VERSION"),
             "sealed": self.sealed,
-            "parts": self.parts,
+            "parts": self.text.parts().collect::<Vec<_>>(),
             "warnings": self.document["warnings"],
             "figures": self.figures,
             "tables": self.tables.iter().map(|(name, table)| rows(name, table)).collect::<Value>(),

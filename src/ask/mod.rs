@@ -1,0 +1,61 @@
+//! The questions of the verbs: a checked scenario and what is asked of it in, findings out.
+//!
+//! Every question is checked when it is made and answered later, so that whoever asks several is told first what is
+//! wrong with any of them. The command and the Python package both stand on this floor: their answers, documents and
+//! warnings are the same.
+
+mod accuracy;
+mod bearing;
+mod campbell;
+mod response;
+mod steady;
+
+use std::error::Error;
+
+use crate::scenario::{Issue, Scenario};
+use crate::simulate::Model;
+
+pub use crate::report::findings::Findings;
+pub use crate::report::recorded::RunFindings;
+pub use accuracy::AccuracyQuestion;
+pub use bearing::BearingQuestion;
+pub use campbell::{CampbellQuestion, Order};
+pub use response::{Followed, ResponseQuestion};
+pub use steady::SteadyQuestion;
+
+/// Why a question has no answer.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum AskError {
+    /// What is asked is wrong: a key, a value, or a table that the scenario lacks.
+    #[error("{0}")]
+    Asked(Issue),
+    /// The question is right, but there is no answer.
+    #[error(transparent)]
+    Failed(Box<dyn Error + Send + Sync>),
+}
+
+impl AskError {
+    /// Any error of a question that is right.
+    pub(crate) fn failed(error: impl Error + Send + Sync + 'static) -> Self {
+        Self::Failed(Box::new(error))
+    }
+}
+
+impl From<Issue> for AskError {
+    fn from(issue: Issue) -> Self {
+        Self::Asked(issue)
+    }
+}
+
+/// How the shaft of a scenario moves.
+///
+/// # Errors
+/// [`AskError::Asked`] where it has no `[time]`.
+pub(crate) fn motion(scenario: &Scenario) -> Result<&Model, AskError> {
+    let missing = || {
+        Issue::new("time", "the scenario has no [time], so that nothing moves")
+            .help("add one, with a duration; `jeffcott bearing` and `campbell` do without")
+    };
+    Ok(scenario.model.as_ref().ok_or_else(missing)?)
+}

@@ -1,0 +1,162 @@
+//! What a run answers beside its trace: its document, its text, its figures and its tables.
+
+use serde::Serialize;
+use serde_json::{Value, json};
+
+use super::figure::Figure;
+use super::findings::{document, with_keys};
+use super::histories::Histories;
+use super::motion::{motion_json, orbit_figure, poincare_table};
+use super::run_up::{maps_figures, maps_json, run_up_json, tracks_table};
+use super::spectra::{
+    NamedPeak, estimated_figure, estimated_json, estimated_table, frequency_limit_of, peak_table,
+    spectrum_table, table_name,
+};
+use super::terminal::Lines;
+use super::text::{add_contact_choice, method_use_json, parted, text};
+use super::{campbell, defects, spectrum_figure};
+use crate::simulate::{Model, Run};
+use crate::study::ContactChoice;
+use crate::study::campbell::{Campbell, CriticalSpeed};
+use crate::table::Table;
+
+/// A run, and what its answers rest on.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct RunAnswer<'a> {
+    /// Title of the scenario.
+    pub title: &'a str,
+    /// The scenario with its defaults.
+    pub scenario: &'a Value,
+    /// The law of the contacts, where it was to be chosen.
+    pub contact_choice: Option<&'a ContactChoice>,
+    /// What ran.
+    pub model: &'a Model,
+    /// What it gave.
+    pub run: &'a Run,
+    /// Natural frequencies over the speed, where that changes.
+    pub campbell: Option<&'a Campbell>,
+}
+
+impl<'a> RunAnswer<'a> {
+    /// What `summary.json` says.
+    pub fn document(&self) -> Value {
+        document(self.title, self.scenario, RunSummary::new(self))
+    }
+
+    /// Key numbers and the strongest peaks, for people.
+    pub fn text(&self) -> Lines {
+        let mut out = text(self.title, self.model, self.run, self.campbell);
+        if let Some(choice) = self.contact_choice {
+            add_contact_choice(&mut out, choice);
+        }
+        out
+    }
+
+    /// What is drawn of a run.
+    pub fn figures(&self, histories: Option<&Histories>) -> Vec<Figure> {
+        let Self {
+            title,
+            model,
+            run,
+            campbell,
+            ..
+        } = *self;
+        let limit = frequency_limit_of(run);
+        let mut figures = Vec::new();
+        figures.extend(histories.map(|histories| histories.figure("trace", title)));
+        let spectrum = run.spectrum.as_ref();
+        figures.extend(spectrum.map(|spectrum| spectrum_figure(title, spectrum, &run.peaks)));
+        let motion = run.motion.as_ref();
+        figures.extend(motion.map(|motion| orbit_figure(title, motion)));
+        figures.extend(run.maps.iter().flat_map(|maps| maps_figures(title, maps)));
+        figures.extend(campbell.map(|campbell| campbell::figure(title, campbell)));
+        let spectra = run.spectra.iter();
+        figures.extend(spectra.map(|spectrum| estimated_figure(title, spectrum, limit)));
+        figures.extend(defects::figure(title, model));
+        figures
+    }
+
+    /// Tables of a run that are known at its end, but for the waterfall, which is too long to be held twice.
+    pub fn tables(&self) -> Vec<(String, Table<'a>)> {
+        let Self { run, campbell, .. } = *self;
+        let mut tables = Vec::new();
+        let mut add = |name: &str, table| tables.push((name.to_owned(), table));
+        if let Some(spectrum) = &run.spectrum {
+            add("spectrum", spectrum_table(spectrum));
+            add("peaks", peak_table(&run.peaks, spectrum));
+        }
+        if let Some(motion) = &run.motion {
+            add("poincare", poincare_table(motion));
+        }
+        if let Some(maps) = &run.maps {
+            add("order_tracks", tracks_table(&maps.tracks));
+        }
+        if let Some(campbell) = campbell {
+            add("campbell", campbell::modes(campbell));
+        }
+        for spectrum in &run.spectra {
+            add(&table_name(spectrum), estimated_table(spectrum));
+        }
+        tables
+    }
+}
+
+/// Everything that a run answers except trace and spectra: `summary.json` is its document.
+#[derive(Debug, Serialize)]
+struct RunSummary<'a> {
+    #[serde(flatten)]
+    run: &'a Run,
+    method_use: Option<Value>,
+    measured_error: Option<Value>,
+    spectrum: Option<Value>,
+    peaks: Vec<NamedPeak<'a>>,
+    motion: Option<Value>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    run_up: Option<Value>,
+    maps: Option<Value>,
+    spectra: Vec<Value>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    contact_choice: Option<&'a ContactChoice>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    critical_speeds: Option<&'a [CriticalSpeed]>,
+}
+
+/// How the spectra were made.
+const SCALING: &str = "one-sided, peak values; the mean stands alone at frequency zero, taken away before the window; \
+                       phase of cos(2 pi f t + phase) with t from start_s";
+
+impl<'a> RunSummary<'a> {
+    fn new(of: &RunAnswer<'a>) -> Self {
+        let RunAnswer {
+            model,
+            run,
+            contact_choice,
+            campbell,
+            ..
+        } = *of;
+        let (method_use, spectrum) = (run.method_use.as_ref(), run.spectrum.as_ref());
+        let peaks = run.peaks.iter();
+        Self {
+            run,
+            method_use: method_use.map(|used| method_use_json(used, parted(&run.bearings))),
+            measured_error: run.measured_error.as_ref().map(|error| {
+                let further = json!({
+                    "tolerance": model.integrator.tolerance,
+                    "reference_share_of_evaluations": error.share_of_evaluations(&run.counters),
+                });
+                with_keys(error, further)
+            }),
+            spectrum: spectrum.map(|spectrum| with_keys(spectrum, json!({ "scaling": SCALING }))),
+            peaks: peaks.map(|peak| NamedPeak::new(peak, spectrum)).collect(),
+            motion: run.motion.as_ref().map(motion_json),
+            run_up: run
+                .run_up
+                .as_ref()
+                .map(|run_up| run_up_json(run_up, campbell)),
+            maps: run.maps.as_ref().map(maps_json),
+            spectra: run.spectra.iter().map(estimated_json).collect(),
+            contact_choice,
+            critical_speeds: campbell.map(|campbell| &campbell.critical_speeds[..]),
+        }
+    }
+}
