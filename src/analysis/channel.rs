@@ -389,9 +389,14 @@ impl Channel {
         Column::number(quantity, unit)
     }
 
+    /// The column of a measure of how it moves, in its unit: `x_rms_m`.
+    pub(crate) fn measure(self, what: &'static str) -> Column {
+        Column::measure(self.name(), what, self.unit())
+    }
+
     /// The quantity that a column of a trace or of a spectrum is of, in the unit of the quantity itself.
     pub(crate) fn of_column(column: &Column) -> Option<Self> {
-        if column.kind == ColumnKind::Phase {
+        if !matches!(column.kind, ColumnKind::Number | ColumnKind::Count) && !column.has_lines() {
             return None;
         }
         let mut all = ALL.iter();

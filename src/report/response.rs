@@ -132,10 +132,9 @@ fn table(
         ("rms", |swing| swing.rms),
     ];
     for (index, swing) in first.swings.iter().enumerate() {
-        let column = swing.channel.column();
         for (what, measure) in measures {
             let values = points().map(|point| point.swings.get(index).map(measure));
-            table.add(column.statistic(what), values);
+            table.add(swing.channel.measure(what), values);
         }
     }
     for index in 0..first.multipliers.len() {

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 /// Units of columns. A unit that results are to be measured in is added here.
 const UNITS: [&str; 25] = [
@@ -39,23 +39,31 @@ const STIFFNESSES: [&str; 2] = ["stiffness", "K"];
 /// What densities are divided by.
 const PER: [&str; 2] = ["Hz", "order"];
 
-/// What the values of a spectrum are, as names say it.
-const SCALINGS: [&str; 6] = [
+/// What is measured of a motion, as names say it: how the lines of a spectrum are scaled, then other statistics.
+const MEASURES: [&str; 11] = [
     "amplitude",
     "peak_to_peak",
     "peak",
     "rms",
     "power",
     "density",
+    "mean",
+    "equilibrium",
+    "order_1",
+    "order_2",
+    "order_3",
 ];
+
+/// Number of those that spectra have.
+const SCALINGS: usize = 6;
 
 /// What the numbers of a column stand for.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ColumnKind {
     /// A real number, or nothing where it is NaN.
     Number,
-    /// Heights of the lines of a spectrum, and how they are scaled: `amplitude`, `rms`, `density` ….
-    Lines(&'static str),
+    /// A measure of how the quantity moves: `amplitude`, `rms`, `density`, `mean`, `order_1` ….
+    Measure(&'static str),
     /// The phase that belongs to an amplitude of the same quantity, rad.
     Phase,
     /// A whole number, exact below 2^53, or nothing where it is NaN.
@@ -107,14 +115,14 @@ impl Column {
         }
     }
 
-    /// Heights of lines of a quantity.
-    pub fn lines(
+    /// A measure of how a quantity moves.
+    pub fn measure(
         quantity: impl Into<Cow<'static, str>>,
-        scaling: &'static str,
+        what: &'static str,
         unit: impl Into<Cow<'static, str>>,
     ) -> Self {
         Self {
-            kind: ColumnKind::Lines(scaling),
+            kind: ColumnKind::Measure(what),
             ..Self::number(quantity, unit)
         }
     }
@@ -137,9 +145,9 @@ impl Column {
         }
     }
 
-    /// A number made of the same quantity, in its unit: `x_rms` of `x`.
-    pub fn statistic(&self, what: &str) -> Self {
-        Self::number(format!("{}_{what}", self.quantity), self.unit.clone())
+    /// Whether its values are heights of the lines of a spectrum, if they stand over frequency.
+    pub fn has_lines(&self) -> bool {
+        matches!(self.kind, ColumnKind::Measure(what) if MEASURES[..SCALINGS].contains(&what))
     }
 
     /// The column of a part of what it is of, which its name begins with: `order_1_x` of `x`.
@@ -154,7 +162,7 @@ impl Column {
     /// Quantity and unit as one name, valid in MATLAB and pandas: `x_velocity_m_s`, `x_amplitude_m`.
     pub fn name(&self) -> String {
         let what = match self.kind {
-            ColumnKind::Lines(scaling) => scaling,
+            ColumnKind::Measure(what) => what,
             ColumnKind::Phase => "phase",
             _ => "",
         };
@@ -182,11 +190,11 @@ impl Column {
         if let Some(quantity) = before(&quantity, "phase").filter(|_| unit == "rad") {
             return Self::phase(quantity.to_owned());
         }
-        let scaled = SCALINGS.into_iter().find_map(|scaling| {
-            let quantity = before(&quantity, scaling)?;
-            Some(Self::lines(quantity.to_owned(), scaling, unit.clone()))
+        let measured = MEASURES.into_iter().find_map(|what| {
+            let quantity = before(&quantity, what)?;
+            Some(Self::measure(quantity.to_owned(), what, unit.clone()))
         });
-        scaled.unwrap_or_else(|| Self::number(quantity, unit))
+        measured.unwrap_or_else(|| Self::number(quantity, unit))
     }
 }
 
@@ -194,6 +202,14 @@ impl Column {
 impl Serialize for Column {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(&self.name())
+    }
+}
+
+/// By the name.
+impl<'de> Deserialize<'de> for Column {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let name = Cow::<str>::deserialize(deserializer)?;
+        Ok(Self::from_name(&name))
     }
 }
 
@@ -226,9 +242,9 @@ mod tests {
             Column::number("stiffness_x", "N/m"),
             Column::number("K_tilt_x", "N m/rad"),
             Column::number("order", ""),
-            Column::lines("x", "amplitude", "m"),
-            Column::lines("force_x", "density", "N^2/Hz"),
-            Column::lines("x", "peak_to_peak", "m"),
+            Column::measure("x", "amplitude", "m"),
+            Column::measure("force_x", "density", "N^2/Hz"),
+            Column::measure("x", "peak_to_peak", "m"),
             Column::phase("housing1_x"),
             Column::number("m", ""),
         ];

@@ -137,7 +137,7 @@ fn differences([first, second]: &[Vec<Point>; 2], column: &Column) -> Vec<Point>
 /// What the axis of both curves shows: its name, and how a value stands there.
 fn shown_values(column: &Column, scale: f64) -> (String, Box<dyn Fn(f64) -> f64>) {
     let name = column.name();
-    if column.kind == ColumnKind::Lines("amplitude") && scale > 0.0 {
+    if column.kind == ColumnKind::Measure("amplitude") && scale > 0.0 {
         let decibel = move |value: f64| 20.0 * (value / scale).max(SMALLEST).log10();
         return (format!("{name}, dB"), Box::new(decibel));
     }

@@ -5,7 +5,7 @@ use super::rules::Allowance;
 use super::table::Source;
 use super::text::short;
 use super::{ColumnComparison, Difference, Rules, TableComparison};
-use crate::table::{Column, ColumnKind};
+use crate::table::Column;
 
 /// Round-off of frequencies that are a bin apart.
 const ROUND_OFF: f64 = 1e-9;
@@ -17,15 +17,10 @@ struct Line {
     amplitude: f64,
 }
 
-/// Whether a column has lines.
-fn has_lines(column: &Column) -> bool {
-    matches!(column.kind, ColumnKind::Lines(_))
-}
-
 /// Whether a table has amplitudes, powers or densities over frequency or order.
 pub(super) fn is_spectrum(table: &Source<'_>) -> bool {
     let axes = [Column::frequency(), Column::order()];
-    axes.contains(table.axis().0) && table.columns().any(has_lines)
+    axes.contains(table.axis().0) && table.columns().any(Column::has_lines)
 }
 
 /// Compares the `count` strongest lines of every column of amplitudes of either spectrum with the
@@ -38,9 +33,9 @@ pub(super) fn compare_lines(
     count: usize,
     rules: &Rules,
 ) -> TableComparison {
-    let mut differences = Source::alone(spectra, has_lines);
+    let mut differences = Source::alone(spectra, Column::has_lines);
     let scales = Scales::of(spectra);
-    let shared = spectra[0].columns().filter(|column| has_lines(column));
+    let shared = spectra[0].columns().filter(|column| column.has_lines());
     let shared = shared.filter(|column| spectra[1].values(column).is_some());
     let mut columns = Vec::new();
     for column in shared {

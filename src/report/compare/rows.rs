@@ -127,7 +127,7 @@ fn amplitude_of<'a>(
     tables: &'a [Source<'_>; 2],
 ) -> Option<(&'a Column, [&'a [f64]; 2])> {
     let is_amplitude = |known: &&Column| {
-        known.kind == ColumnKind::Lines("amplitude") && known.quantity == column.quantity
+        known.kind == ColumnKind::Measure("amplitude") && known.quantity == column.quantity
     };
     let mut columns = tables[0].columns();
     let found = columns.find(|known| column.kind == ColumnKind::Phase && is_amplitude(known))?;

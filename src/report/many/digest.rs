@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use super::rows::StudyHead;
 use super::statistics::{ResponsePeak, Sensitivity, peaks, sensitivities};
 use crate::study::many::{Direction, RunRecord};
+use crate::table::Column;
 
 /// Most rows that are looked at for quantiles and figures: of more, every so many.
 const MOST_ROWS: u64 = 20_000;
@@ -48,10 +49,10 @@ pub struct RunsWarned {
 }
 
 /// One number over all runs.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub(super) struct ColumnDigest {
     #[serde(skip)]
-    pub name: String,
+    pub column: Column,
     /// Runs that have it.
     pub known: u64,
     mean: f64,
@@ -98,7 +99,8 @@ impl Digest {
             columns: head
                 .numbers
                 .iter()
-                .map(|name| ColumnDigest::new(name))
+                .cloned()
+                .map(ColumnDigest::new)
                 .collect(),
             head: head.clone(),
             runs: 0,
@@ -203,7 +205,10 @@ impl Digest {
 
     /// A column by its name.
     pub(super) fn column(&self, name: &str) -> Option<usize> {
-        self.columns.iter().position(|column| column.name == name)
+        self.head
+            .numbers
+            .iter()
+            .position(|column| column.name() == name)
     }
 
     /// The largest measured error of all runs that have one.
@@ -252,7 +257,7 @@ impl Digest {
     /// The digest as it stands in the document and on the page.
     pub(super) fn json(&self) -> Value {
         let known = self.columns.iter().filter(|column| column.known > 0);
-        let numbers: BTreeMap<_, _> = known.map(|column| (&column.name, column)).collect();
+        let numbers: BTreeMap<_, _> = known.map(|of| (of.column.name(), of)).collect();
         json!({
             "runs": self.runs,
             "failed": self.failed,
@@ -310,12 +315,16 @@ impl std::fmt::Display for RunsWarned {
 }
 
 impl ColumnDigest {
-    fn new(name: &str) -> Self {
+    fn new(column: Column) -> Self {
         Self {
-            name: name.to_owned(),
+            column,
+            known: 0,
+            mean: 0.0,
             lowest: f64::INFINITY,
+            lowest_in_run: 0,
             highest: f64::NEG_INFINITY,
-            ..Self::default()
+            highest_in_run: 0,
+            quantiles: None,
         }
     }
 

@@ -310,7 +310,7 @@ impl Digest {
         let shown: Vec<_> = self.shown().iter().map(|shown| shown.column).collect();
         let mut bars = Vec::new();
         for sensitivity in &self.sensitivities {
-            let is_shown = |column: &usize| self.columns[*column].name == sensitivity.number;
+            let is_shown = |column: &usize| self.columns[*column].column == sensitivity.number;
             if shown.iter().any(is_shown) {
                 let correlations = sensitivity.rank_correlation.iter();
                 let mut axes: Vec<_> = correlations.collect();
@@ -319,7 +319,7 @@ impl Digest {
                     let mut axes = self.head.axes.iter();
                     let variable = axes.find(|known| variable_column(known).name() == axis);
                     let label = variable.map_or_else(|| axis.to_owned(), key_in_words);
-                    format!("{} by {label}", sensitivity.number)
+                    format!("{} by {label}", sensitivity.number.name())
                 };
                 bars.extend(axes.into_iter().map(|(axis, part)| (name(axis), *part)));
             }

@@ -86,7 +86,7 @@ impl<'a> StudyRuns<'a> {
             shard,
             runs: self.schedule.runs_of(shard.chains(&self.schedule)),
             axes: study.variables.clone(),
-            numbers: study.columns.iter().map(|own| own.column.name()).collect(),
+            numbers: study.columns.iter().map(|own| own.column.clone()).collect(),
             displacements: displacements.collect(),
             keep: study.keep,
             drawn: study.plan.is_drawn(),

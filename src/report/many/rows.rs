@@ -16,6 +16,7 @@ use crate::report::{FileAction, ReportError};
 use crate::scenario::open_regular;
 use crate::study::Variable;
 use crate::study::many::{Keep, Outcome, RunRecord, Shard};
+use crate::table::Column;
 
 /// The first line of a file of rows: the study, and all that its tables, figures and page say beside the rows.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -34,8 +35,8 @@ pub struct StudyHead {
     pub runs: Range<u64>,
     /// What varies, an entry an axis.
     pub axes: Vec<Variable>,
-    /// Names of the numbers of every run.
-    pub numbers: Vec<String>,
+    /// The numbers of every run.
+    pub numbers: Vec<Column>,
     /// The displacements that move.
     pub displacements: Vec<Channel>,
     /// What is kept beside the numbers.
@@ -384,7 +385,7 @@ impl StudyHead {
             shard: Shard::WHOLE,
             runs: 3..13,
             axes: Vec::new(),
-            numbers: vec!["x_rms_m".to_owned()],
+            numbers: vec![Column::from_name("x_rms_m")],
             displacements: Vec::new(),
             keep: Keep::default(),
             named: None,

@@ -6,9 +6,10 @@ use serde::Serialize;
 
 use super::digest::{ColumnDigest, Digest, is_down, number};
 use crate::report::variable::variable_column;
+use crate::table::{Column, ColumnKind};
 
-/// Numbers whose peaks are told, by the end of their columns.
-const TOLD: [&str; 2] = ["_rms_m", "_order_1_m"];
+/// What of lengths is told of its peaks.
+const TOLD: [ColumnKind; 2] = [ColumnKind::Measure("rms"), ColumnKind::Measure("order_1")];
 
 /// An order that is less than this part of the motion of its channel is round-off or noise.
 const LEAST_PART: f64 = 0.01;
@@ -16,8 +17,8 @@ const LEAST_PART: f64 = 0.01;
 /// A peak of a response curve.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(super) struct ResponsePeak {
-    /// Name of the number.
-    number: String,
+    /// The number.
+    number: Column,
     /// `up` or `down`: how the runs came to their values.
     direction: &'static str,
     /// Value of the axis at the top of the parabola through three runs.
@@ -38,7 +39,8 @@ pub(super) fn peaks(digest: &Digest) -> Vec<ResponsePeak> {
     }
     let columns = digest.columns.iter().enumerate();
     let told = columns.filter(|(_, column)| {
-        TOLD.iter().any(|end| column.name.ends_with(end)) && tells(digest, column)
+        let Column { unit, kind, .. } = &column.column;
+        unit == "m" && TOLD.contains(kind) && tells(digest, column)
     });
     told.flat_map(|(index, column)| {
         [false, true].into_iter().flat_map(move |down| {
@@ -50,7 +52,7 @@ pub(super) fn peaks(digest: &Digest) -> Vec<ResponsePeak> {
             curve.sort_by(|a, b| a.0.total_cmp(&b.0));
             tops(&curve)
                 .into_iter()
-                .map(move |place| peak(&column.name, down, &curve, place))
+                .map(move |place| peak(&column.column, down, &curve, place))
         })
     })
     .collect()
@@ -58,9 +60,12 @@ pub(super) fn peaks(digest: &Digest) -> Vec<ResponsePeak> {
 
 /// Whether a number is a fair part of the motion of its channel, as far as that is known.
 fn tells(digest: &Digest, column: &ColumnDigest) -> bool {
-    let channel = column.name.split('_').next().unwrap_or_default();
-    let whole = digest.column(&format!("{channel}_rms_m"));
-    whole.is_none_or(|whole| column.highest >= LEAST_PART * digest.columns[whole].highest)
+    let own = &column.column;
+    let whole = digest.columns.iter().find(|known| {
+        let known = &known.column;
+        known.quantity == own.quantity && known.kind == TOLD[0] && known.unit == own.unit
+    });
+    whole.is_none_or(|whole| column.highest >= LEAST_PART * whole.highest)
 }
 
 /// Places in a curve that are higher than both neighbours, by half the power than the valleys that part
@@ -78,7 +83,7 @@ fn tops(curve: &[(f64, f64)]) -> Vec<usize> {
         .collect()
 }
 
-fn peak(number: &str, down: bool, curve: &[(f64, f64)], place: usize) -> ResponsePeak {
+fn peak(number: &Column, down: bool, curve: &[(f64, f64)], place: usize) -> ResponsePeak {
     let [(a, fa), (b, fb), (c, fc)] = [curve[place - 1], curve[place], curve[place + 1]];
     // the parabola by divided differences
     let first = (fb - fa) / (b - a);
@@ -87,7 +92,7 @@ fn peak(number: &str, down: bool, curve: &[(f64, f64)], place: usize) -> Respons
     let height = fa + first * (at - a) + second * (at - a) * (at - b);
     let [from, to] = half_power(curve, place, height);
     ResponsePeak {
-        number: number.to_owned(),
+        number: number.clone(),
         direction: if down { "down" } else { "up" },
         at,
         height,
@@ -118,8 +123,8 @@ const FEWEST_RUNS: usize = 10;
 /// How a number follows the axes.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(super) struct Sensitivity {
-    /// Name of the number.
-    pub number: String,
+    /// The number.
+    pub number: Column,
     /// Rank correlation with every axis by its name.
     pub rank_correlation: BTreeMap<String, f64>,
 }
@@ -149,7 +154,7 @@ pub(super) fn sensitivities(digest: &Digest) -> Vec<Sensitivity> {
             )
         });
         Some(Sensitivity {
-            number: column.name.clone(),
+            number: column.column.clone(),
             rank_correlation: axes.collect(),
         })
     };
@@ -204,7 +209,7 @@ mod tests {
             .collect();
         let found = tops(&curve);
         assert_eq!(found.len(), 1);
-        let found = peak("x_rms_m", false, &curve, found[0]);
+        let found = peak(&Column::measure("x", "rms", "m"), false, &curve, found[0]);
         assert!((found.at - (1.0 - 2.0 * damping * damping).sqrt()).abs() < 1e-6);
         let bandwidth = found.bandwidth.expect("a bandwidth");
         assert!((bandwidth - 2.0 * damping).abs() < 1e-3 * 2.0 * damping + 1e-4);

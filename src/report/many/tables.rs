@@ -9,6 +9,7 @@ use crate::report::table::{cell, number};
 use crate::report::variable::variable_column;
 use crate::report::{FileAction, PartialFile, ReportError, RunFolder, WholeFile};
 use crate::study::many::{BearingStiffness, Keep, Outcome, RunRecord, TraceSeal};
+use crate::table::Column;
 
 /// What stands between two warnings of a run.
 const BETWEEN_WARNINGS: &str = " | ";
@@ -118,7 +119,7 @@ pub(super) fn run_names(head: &StudyHead) -> Cells {
     let axes = head.axes.iter().map(|axis| variable_column(axis).name());
     let names = start.into_iter().chain(axes);
     names
-        .chain(head.numbers.iter().cloned())
+        .chain(head.numbers.iter().map(Column::name))
         .chain(end)
         .collect()
 }

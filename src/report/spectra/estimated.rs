@@ -49,7 +49,7 @@ pub(in crate::report) fn estimated_table(spectrum: &EstimatedSpectrum) -> Table<
 fn column(spectrum: &EstimatedSpectrum, quantity: SpectrumQuantity) -> Column {
     let scaled = |name: String| {
         let scaling = spectrum.request.scaling.name();
-        Column::lines(name, scaling, unit(spectrum, quantity))
+        Column::measure(name, scaling, unit(spectrum, quantity))
     };
     match quantity {
         SpectrumQuantity::Value(channel) => scaled(channel.to_string()),

@@ -44,7 +44,7 @@ pub(in crate::report) fn spectrum_table(spectrum: &Spectrum) -> Table<'_> {
 
 /// `x_amplitude_m`, `force_x_amplitude_N`.
 pub(in crate::report) fn amplitude_column(channel: Channel) -> Column {
-    Column::lines(channel.name(), "amplitude", channel.unit())
+    channel.measure("amplitude")
 }
 
 /// `x_phase_rad`, `force_x_phase_rad`.

@@ -8,7 +8,7 @@ use crate::simulate::{Analyses, EventKind, MotionAnalysis, Run};
 use crate::table::Column;
 
 /// Multiples of the shaft frequency whose lines are kept.
-const ORDERS: [u32; 3] = [1, 2, 3];
+const ORDERS: [(u32, &str); 3] = [(1, "order_1"), (2, "order_2"), (3, "order_3")];
 /// Name of the number that is kept of every run.
 const MEASURED_ERROR: &str = "measured_error";
 
@@ -74,7 +74,7 @@ fn number(
 /// Mean, RMS and range of a channel, which are those of a column that is recorded.
 fn moments([channel, recorded]: [Channel; 2]) -> [NumberColumn; MOMENTS.len()] {
     MOMENTS.map(|(what, moment)| {
-        number(channel.column().statistic(what), STATISTICS, move |run| {
+        number(channel.measure(what), STATISTICS, move |run| {
             let mut statistics = run.motion.as_ref()?.statistics.iter();
             let found = statistics.find(|entry| entry.channel == recorded);
             found.map(|entry| moment(&entry.moments))
@@ -84,8 +84,7 @@ fn moments([channel, recorded]: [Channel; 2]) -> [NumberColumn; MOMENTS.len()] {
 
 /// Amplitude of a channel, which is that of a column that is recorded, at a multiple of the shaft frequency; of forces on
 /// request.
-fn line([channel, recorded]: [Channel; 2], order: u32) -> NumberColumn {
-    let column = channel.column().statistic(&format!("order_{order}"));
+fn line([channel, recorded]: [Channel; 2], (order, name): (u32, &'static str)) -> NumberColumn {
     let amplitude = move |run: &Run| order_line(run.spectrum.as_ref()?, recorded, order);
     let ask = if channel.is_force() {
         FORCE_LINES
@@ -95,13 +94,13 @@ fn line([channel, recorded]: [Channel; 2], order: u32) -> NumberColumn {
     NumberColumn {
         order: Some(order),
         on_request: channel.is_force(),
-        ..number(column, ask, amplitude)
+        ..number(channel.measure(name), ask, amplitude)
     }
 }
 
 /// RMS velocity of a housing.
 fn housing_velocity(channel: Channel) -> NumberColumn {
-    number(channel.column().statistic("rms"), STATISTICS, move |run| {
+    number(channel.measure("rms"), STATISTICS, move |run| {
         let mut levels = run.motion.as_ref()?.housing_velocity.iter();
         let found = levels.find(|entry| entry.channel == channel);
         found.map(|entry| entry.level.rms)
@@ -172,12 +171,10 @@ pub fn number_columns(rotor: &RotorDefinition) -> Vec<NumberColumn> {
     let (freedoms, bearings) = (rotor.shaft.freedoms, rotor.bearings.len());
     let mut columns = Vec::new();
     for &freedom in freedoms.axes() {
-        let column = Channel::Displacement(freedom).column();
-        columns.push(number(
-            column.statistic("equilibrium"),
-            NOTHING,
-            move |run| Some(run.equilibrium.displacement[freedom]),
-        ));
+        let column = Channel::Displacement(freedom).measure("equilibrium");
+        columns.push(number(column, NOTHING, move |run| {
+            Some(run.equilibrium.displacement[freedom])
+        }));
     }
     for &freedom in freedoms.axes() {
         let (channel, force) = (Channel::Displacement(freedom), Channel::Force(freedom));
@@ -203,8 +200,8 @@ pub fn number_columns(rotor: &RotorDefinition) -> Vec<NumberColumn> {
         columns.extend(ORDERS.map(|order| line(channel, order)));
     }
     for freedom in 0..freedoms.lengths() {
-        let column = Channel::Velocity(freedom).column();
-        columns.push(number(column.statistic("rms"), STATISTICS, move |run| {
+        let column = Channel::Velocity(freedom).measure("rms");
+        columns.push(number(column, STATISTICS, move |run| {
             let level = run.motion.as_ref()?.velocity.get(freedom)?.as_ref();
             level.map(|level| level.rms)
         }));
