@@ -297,26 +297,28 @@ const HEIGHT: u32 = 320;
 const LEVEL_HEIGHT: u32 = 30;
 
 /// Quantity on an axis and its name.
-type Quantity = (&'static str, fn(&Measured) -> f64);
+type Quantity = ((&'static str, &'static str), fn(&Measured) -> f64);
 
-const TIME: Quantity = ("time of the integration in ms", |measured| {
+const TIME: Quantity = (("time of the integration", "ms"), |measured| {
     MILLI * measured.cost.seconds
 });
-const EVALUATIONS: Quantity = ("evaluations of the right-hand side", |measured| {
+const EVALUATIONS: Quantity = (("evaluations of the right-hand side", ""), |measured| {
     measured.cost.counters.evaluations as f64
 });
-const STEPS: Quantity = ("steps, accepted and rejected", |measured| {
+const STEPS: Quantity = (("steps, accepted and rejected", ""), |measured| {
     let counters = &measured.cost.counters;
     (counters.steps + counters.rejected) as f64
 });
-const DISPLACEMENT: Quantity = ("error in displacement", |measured| {
+const DISPLACEMENT: Quantity = (("error in displacement", ""), |measured| {
     measured.errors.displacement_relative
 });
-const FORCE: Quantity = ("error in force", |measured| measured.errors.force_relative);
-const RMS: Quantity = ("error in rms of displacement", |measured| {
+const FORCE: Quantity = (("error in force", ""), |measured| {
+    measured.errors.force_relative
+});
+const RMS: Quantity = (("error in rms of displacement", ""), |measured| {
     measured.errors.statistics.rms
 });
-const FORCE_RMS: Quantity = ("error in rms of force", |measured| {
+const FORCE_RMS: Quantity = (("error in rms of force", ""), |measured| {
     measured.errors.force_statistics.rms
 });
 /// What is plotted below and upwards, and the uncertainty of it.

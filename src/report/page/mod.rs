@@ -57,13 +57,19 @@ pub(super) fn write_page(
     frame.write(&data, out)
 }
 
-/// What the columns of statistics and equilibrium are called on the page, and their units.
+/// What the columns of equilibrium, statistics and velocities are called on the page, and their units.
 fn columns(run: &Run) -> Value {
     let places = Channel::of_freedoms(Freedoms::All).into_iter();
-    let motion = run.motion.iter().flat_map(|motion| &motion.statistics);
-    let channels = places.chain(motion.map(|own| own.channel));
+    let motion = run.motion.iter();
+    let statistics = motion.clone().flat_map(|motion| &motion.statistics);
+    let velocities = motion.flat_map(|motion| &motion.housing_velocity);
+    let severity = run.vibration_severity.iter().map(|own| own.channel);
+    let channels = places.chain(statistics.map(|own| own.channel));
+    let channels = channels.chain(velocities.map(|own| own.channel));
     let told = |channel: Channel| json!([shown_name(channel), channel.unit()]);
-    let columns = channels.map(|channel| (channel.column().name(), told(channel)));
+    let columns = channels
+        .chain(severity)
+        .map(|channel| (channel.column().name(), told(channel)));
     Value::Object(columns.collect())
 }
 

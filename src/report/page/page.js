@@ -82,9 +82,10 @@
 
   /** RMS velocity of each direction. */
   function velocities() {
-    const levels = Object.entries(summary.motion?.velocity_rms ?? {}).filter(([, level]) => level);
-    const housings = (summary.motion?.housing_velocity_rms ?? []).map((level) => [level.channel.replace(/_velocity.*$/, ""), level]);
-    return [...levels, ...housings].map(([axis, { rms_m_s: rms, band_Hz: [low, high] }]) => [`vibration velocity, ${named(axis)}`,
+    const levels = Object.entries(summary.motion?.velocity_rms ?? {}).filter(([, level]) => level)
+      .map(([axis, level]) => [`vibration velocity, ${named(axis)}`, level]);
+    const housings = (summary.motion?.housing_velocity_rms ?? []).map((level) => [columns[level.channel][0], level]);
+    return [...levels, ...housings].map(([name, { rms_m_s: rms, band_Hz: [low, high] }]) => [name,
       `${number(1e3 * rms, 4)} mm/s`, `RMS, ${number(low, 2)} to ${number(high, 2)} Hz`]);
   }
 
@@ -112,9 +113,8 @@
     const found = summary.vibration_severity;
     if (!found) return null;
     const boundaries = found.boundaries_m_s.map((boundary) => number(1e3 * boundary, 3)).join(", ");
-    const [axis, part] = found.channel.replace(/_velocity.*$/, "").split("_").reverse();
     const text = `Zone ${found.zone} of ${found.standard} for bearing housings, group ${found.group}, ${found.support} support: `
-      + `${number(1e3 * found.rms_m_s, 4)} mm/s RMS of ${part ?? "the shaft"} along ${axis}, boundaries ${boundaries} mm/s`;
+      + `${number(1e3 * found.rms_m_s, 4)} mm/s RMS, ${columns[found.channel][0]}, boundaries ${boundaries} mm/s`;
     return element("p", {}, `${[text, ...(found.remarks ?? [])].join("; ")}.`);
   }
 
