@@ -261,8 +261,8 @@ class Scenario:
             return results.Run(asked.scene.run(tell), asked)
 
     def bearing(self) -> results.Statics:
-        """Where the shaft stands, without motion: equilibrium, stiffness, every ball. With a `[study]` the tables
-        `study` and `around` have all of its values."""
+        """Where the shaft stands, without motion: equilibrium, stiffness, every ball. Of many values `sweep` with
+        `ask="bearing"` answers it."""
         return results.Statics(self.scene.bearing())
 
     def steady(

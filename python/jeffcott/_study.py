@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 WORDS = ("direction", "status", "error", "warnings", "checksum")
 """Columns of a study that are text."""
-COUNTS = ("run", "bearing", "bytes")
+COUNTS = ("run", "bearing", "position", "bytes")
 
 PARTS_A_WORKER = 4
 """Parts of a study for each worker of an executor, so that none waits long for the last one."""
@@ -255,7 +255,7 @@ def sweep(
         >>> sweep(s, {"shaft.eccentricity": {"distribution": "uniform", "from": "2 um", "to": "15 um"}},
         ...       sampling="monte_carlo", runs=200, seed=1)
 
-    Lists make a grid, the last key fastest. `settings` are the other keys of a study file: `sampling`, `runs`, `seed`,
+    Lists make a grid, the last key fastest. `settings` are the other keys of a study file: `ask`, `sampling`, `runs`, `seed`,
     `sweep`, `verify_every`, `cycles`, `keep`. Files go to `out`, or to a folder that goes with the result; `threads`,
     `executor` and `parts` are as in `study`.
     """

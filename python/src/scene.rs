@@ -130,7 +130,7 @@ impl Scene {
         Ok(RunAnswer(answer))
     }
 
-    /// Where the shaft stands; at every value of its `[study]`, where it has one.
+    /// Where the shaft stands.
     fn bearing(&self, py: Python<'_>) -> PyResult<Answer> {
         let question = BearingQuestion::new(&self.scenario, None, None);
         Self::answer(py, None, |_| question.answer())

@@ -1,11 +1,11 @@
 //! Where the shaft stands.
 
 use super::AskError;
-use crate::quasi_static::{StaticQuestion, quasi_static};
-use crate::report::{Findings, answer_findings, study_findings};
+use crate::quasi_static::quasi_static;
+use crate::report::{Findings, answer_findings};
 use crate::scenario::Scenario;
 
-/// Where the shaft stands, or at every value of the scenario's `[study]`.
+/// Where the shaft stands.
 #[derive(Debug, Clone)]
 pub struct BearingQuestion<'a> {
     scenario: &'a Scenario,
@@ -27,28 +27,11 @@ impl<'a> BearingQuestion<'a> {
     /// # Errors
     /// [`AskError::Failed`] where there is no equilibrium.
     pub fn answer(&self) -> Result<Findings, AskError> {
-        match &self.scenario.study {
-            None => self.once(),
-            Some(study) => {
-                let mut study = study.clone();
-                let points = study.points.iter_mut();
-                points.for_each(|point| self.turn(&mut point.question));
-                let rows = study.run().map_err(AskError::failed)?;
-                Ok(study_findings(self.scenario, &study, &rows))
-            }
-        }
-    }
-
-    fn once(&self) -> Result<Findings, AskError> {
         let mut question = self.scenario.question.clone();
-        self.turn(&mut question);
-        let found = quasi_static(&question).map_err(AskError::failed)?;
-        Ok(answer_findings(self.scenario, &question, &found))
-    }
-
-    fn turn(&self, question: &mut StaticQuestion) {
         if let Some((shaft, cage)) = self.turned {
             question.turn(shaft, cage);
         }
+        let found = quasi_static(&question).map_err(AskError::failed)?;
+        Ok(answer_findings(self.scenario, &question, &found))
     }
 }

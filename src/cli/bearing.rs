@@ -12,8 +12,8 @@ use crate::scenario::{self, Issue};
 #[command(
     after_help = "Example:\n  jeffcott bearing scenarios/bearing-7205c.toml\n\n\
                   Each file writes to DIR/<its name without ending>/: balls.csv, balls.svg,\n\
-                  bearing.html and, last, bearing.json. With a [study]: study.csv, around.csv, stiffness.svg,\n\
-                  deformation.svg, contact_angle.svg, study.html and, last, study.json.\n\n\
+                  bearing.html and, last, bearing.json. Of many values `jeffcott study` asks it, by\n\
+                  ask = \"bearing\" in a study file.\n\n\
                   Exit code: 0 all answers are found, 1 a load has no equilibrium or a file cannot \
                   be\nwritten, 2 a file is wrong."
 )]

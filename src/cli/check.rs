@@ -10,7 +10,7 @@ use super::demand::Demand;
 use super::jobs::name_of;
 use super::{Outcome, terminal};
 use crate::quasi_static::quasi_static;
-use crate::report::many::StudyRuns;
+use crate::report::many::{Asked, StudyRuns};
 use crate::report::scene::scene_figure;
 use crate::report::write_whole;
 use crate::rotor::RotorDefinition;
@@ -99,10 +99,21 @@ fn check(file: &Path) -> Result<Checked, ScenarioError> {
     let mut checked = match scenario::load_any(file)? {
         Loaded::Study(study) => {
             let first = StudyRuns::new(&study).map_err(refused(file))?.first;
-            let failing = |error| vec![format!("the first run fails: {error}")];
+            let failing = |error: &dyn Display| vec![format!("the first run fails: {error}")];
+            let (demand, warnings) = match first {
+                Asked::Motion(model) => {
+                    let warnings = model.first_warnings();
+                    let warnings = warnings.unwrap_or_else(|error| failing(&error));
+                    (Demand::of_runs(&model, &study).ok(), warnings)
+                }
+                Asked::Standing(question) => {
+                    let found = quasi_static(&question).map(|answer| answer.warnings);
+                    (None, found.unwrap_or_else(|error| failing(&error)))
+                }
+            };
             Checked {
-                demand: Demand::of_runs(&first, &study).ok(),
-                warnings: first.first_warnings().unwrap_or_else(failing),
+                demand,
+                warnings,
                 title: study.title,
                 scene: None,
             }

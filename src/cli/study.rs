@@ -12,13 +12,14 @@ use super::demand::check_memory;
 use super::jobs::{folder_of, name_of};
 use super::terminal::Progress;
 use super::{Outcome, terminal};
+use crate::ask::BearingQuestion;
 use crate::report::many::{
-    Digest, Making, StudyError, StudyRuns, StudyWatch, merge as merge_parts,
+    Asked, Digest, Making, StudyError, StudyRuns, StudyWatch, merge as merge_parts,
 };
 use crate::report::{self, RunReport};
 use crate::scenario::{self, Output, StudyFile};
 use crate::simulate::{Monitor, RunSize, simulate};
-use crate::study::many::Shard;
+use crate::study::many::{Ask, Shard};
 
 /// Makes many runs of one scenario: grids, samples, sweeps.
 #[derive(Debug, clap::Args)]
@@ -30,7 +31,7 @@ use crate::study::many::Shard;
                   jeffcott study scenarios/studies/resonance-7205c.toml --shard 1/4 --out parts\n  \
                   jeffcott study merge parts/resonance-7205c\n\n\
                   Writes to DIR/<name of the file>/: runs.csv, a row a run; spectra.csv and poincare.csv\n\
-                  where the study keeps them; figures; and, last, runs.json. A study that is killed goes\n\
+                  where the study keeps them; around.csv of ask = \"bearing\"; figures; and, last, runs.json. A study that is killed goes\n\
                   on from its rows, runs.jsonl, when it is started again.\n\n\
                   Exit code: 0 all runs are done, 1 some failed, or the study was interrupted, 2 a file\n\
                   is wrong."
@@ -158,7 +159,9 @@ fn all(
     let threads = make.threads.map(usize::from);
     let threads = threads.unwrap_or_else(|| available().get());
     // what keeps the first run from beginning it tells itself
-    if let Ok(size) = RunSize::of(&runs.first) {
+    if let Asked::Motion(first) = &runs.first
+        && let Ok(size) = RunSize::of(first)
+    {
         check_memory(&size, threads).map_err(|message| (Outcome::WrongInput, message))?;
     }
     let making = Making {
@@ -200,32 +203,48 @@ fn only(
         let message = format!("there is no run {number}: they count from 0 to {last}");
         return Err((Outcome::WrongInput, message));
     }
-    let no_run = |message| failed(format!("run {number}: {message}"));
-    let model = |values: &[f64]| study.model(values).map_err(|error| error.message);
-    let maker = study.maker(runs.schedule, &model, terminal::stop());
-    let alone = maker.alone(number).map_err(|error| unmade(error.into()))?;
-    let model = alone.map_err(no_run)?;
-    let title = format!("{}, run {number}", study.title);
     let values = study.plan.values(runs.schedule.turn(number).point);
-    let mut output = Output::default();
-    output.every = Some(NonZeroU64::MIN);
-    let scenario = study.scenario(&values);
-    let scenario = scenario.map_err(|error| no_run(error.message))?;
+    let title = format!("{}, run {number}", study.title);
     let folder = folder.join(format!("run-{number}"));
-    let report = RunReport::open(&folder, output, &model, &title, scenario);
-    let mut report = report.map_err(failed)?;
-    let mut progress = Progress::new(&title);
-    let mut monitor = Monitor {
-        stop: terminal::stop(),
-        progress: &mut |part| progress.show(part),
+    let no_run = |message| failed(format!("run {number}: {message}"));
+    let (text, warnings, files) = match study.ask {
+        Ask::Run => {
+            let model = |values: &[f64]| study.model(values).map_err(|error| error.message);
+            let maker = study.maker(runs.schedule, &model, terminal::stop());
+            let alone = maker.alone(number).map_err(|error| unmade(error.into()))?;
+            let model = alone.map_err(no_run)?;
+            let scenario = study.scenario(&values);
+            let scenario = scenario.map_err(|error| no_run(error.message))?;
+            let mut output = Output::default();
+            output.every = Some(NonZeroU64::MIN);
+            let report = RunReport::open(&folder, output, &model, &title, scenario);
+            let mut report = report.map_err(failed)?;
+            let mut progress = Progress::new(&title);
+            let mut monitor = Monitor {
+                stop: terminal::stop(),
+                progress: &mut |part| progress.show(part),
+            };
+            let run = simulate(&model, &mut report, &mut monitor).map_err(failed)?;
+            drop(progress);
+            let written = report.finish(&model, run).map_err(failed)?;
+            let warnings = report::warnings(&written.document).map(str::to_owned);
+            let warnings: Vec<_> = warnings.collect();
+            (written.text(terminal::details()), warnings, written.files)
+        }
+        Ask::Bearing => {
+            let scenario = study.alone(&values, &title);
+            let scenario = scenario.map_err(|error| no_run(error.to_string()))?;
+            let findings = BearingQuestion::new(&scenario, None, None).answer();
+            let findings = findings.map_err(|error| no_run(error.to_string()))?;
+            let files = findings.write(&folder).map_err(failed)?;
+            let warnings = findings.warnings().map(str::to_owned).collect();
+            (findings.text(terminal::details()), warnings, files)
+        }
     };
-    let run = simulate(&model, &mut report, &mut monitor).map_err(failed)?;
-    drop(progress);
-    let written = report.finish(&model, run).map_err(failed)?;
-    for warning in report::warnings(&written.document) {
+    for warning in warnings {
         terminal::tell(&format!("warning: {title}: {warning}\n"));
     }
-    let text = written.text(terminal::details()) + &report::wrote(&written.files);
+    let text = text + &report::wrote(&files);
     Ok(terminal::summarise(&text).map(|()| Outcome::Done))
 }
 

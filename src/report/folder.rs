@@ -72,31 +72,11 @@ impl FileSet {
         others: &[],
         spent: &[],
     };
-    /// What the answer to a static question leaves; a study of the same name does not outlive it.
+    /// What the answer to a static question leaves.
     pub const BEARING: Self = Self {
         seal: "bearing.json",
-        ..Self::STATIC
-    };
-    /// What a study of static questions leaves; a single answer of the same name does not outlive it.
-    pub const STUDY: Self = Self {
-        seal: "study.json",
-        ..Self::STATIC
-    };
-    /// What both leave.
-    const STATIC: Self = Self {
-        seal: "",
-        tables: &["balls", "study", "around"],
-        others: &[
-            "bearing.json",
-            "study.json",
-            "balls.svg",
-            "deflection.svg",
-            "stiffness.svg",
-            "deformation.svg",
-            "contact_angle.svg",
-            "bearing.html",
-            "study.html",
-        ],
+        tables: &["balls"],
+        others: &["balls.svg", "deflection.svg", "bearing.html"],
         spent: &[],
     };
     /// What natural frequencies over the speed leave.
@@ -109,7 +89,14 @@ impl FileSet {
     /// What many runs of a scenario leave.
     pub const RUNS: Self = Self {
         seal: "runs.json",
-        tables: &["runs", "spectra", "poincare", "traces", "stiffness"],
+        tables: &[
+            "runs",
+            "spectra",
+            "poincare",
+            "traces",
+            "stiffness",
+            "around",
+        ],
         others: &[
             "response.svg",
             "map.svg",
@@ -118,6 +105,9 @@ impl FileSet {
             "ross_*.toml",
             "waterfall.svg",
             "bifurcation.svg",
+            "stiffness.svg",
+            "deformation.svg",
+            "contact_angle.svg",
             "report.html",
         ],
         spent: &["runs.jsonl"],
@@ -144,10 +134,9 @@ impl FileSet {
         spent: &[],
     };
     /// All whose seals may stand in one folder.
-    const ALL: [Self; 8] = [
+    const ALL: [Self; 7] = [
         Self::MOTION,
         Self::BEARING,
-        Self::STUDY,
         Self::CAMPBELL,
         Self::RUNS,
         Self::ACCURACY,

@@ -27,7 +27,6 @@ mod shaft_shapes;
 mod spectra;
 pub(crate) mod statics;
 pub(crate) mod steady;
-pub(crate) mod study;
 pub(crate) mod table;
 mod terminal;
 pub(crate) mod text;
@@ -56,7 +55,6 @@ pub(crate) use spectra::spectrum_figure;
 pub use spectra::write_spectrum;
 pub(crate) use statics::answer_findings;
 pub(crate) use steady::steady_findings;
-pub(crate) use study::study_findings;
 #[cfg(test)]
 pub(crate) use table::CsvTable;
 #[cfg(all(test, feature = "parquet"))]

@@ -336,7 +336,7 @@ pub(super) fn set_value(tree: &mut Value, path: &str, value: &Value) {
 }
 
 /// Tables whose numbers a motion that repeats does not depend on.
-const LEFT_OUT: [&str; 6] = ["static", "initial", "time", "integrator", "output", "study"];
+const LEFT_OUT: [&str; 5] = ["static", "initial", "time", "integrator", "output"];
 
 /// A checked scenario with one number left open.
 #[derive(Debug, Clone, PartialEq)]
@@ -372,7 +372,7 @@ impl OpenNumber {
             return Err(Issue::new(path, message));
         }
         Ok(Self {
-            base: without(&scenario.echo, &["study", "output"]),
+            base: without(&scenario.echo, &["output"]),
             folder: folder.to_owned(),
             key,
         })

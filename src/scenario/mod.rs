@@ -37,7 +37,7 @@ use serde_json::Value;
 use super::bearing::{CatalogueLine, Oil};
 use super::quasi_static::StaticQuestion;
 use super::simulate::{Model, RecordedRun, SimulateError};
-use super::study::{ContactChoice, Study};
+use super::study::ContactChoice;
 use document::Document;
 use input::{Questions, RatingsInput, ScenarioInput};
 use key::Key;
@@ -83,9 +83,6 @@ pub struct Scenario {
     pub contact_choice: Option<ContactChoice>,
     /// Oil of each bearing, whether its films are simulated or not.
     pub oils: Vec<Option<Oil>>,
-    /// The static question at many values of one number.
-    #[doc(hidden)]
-    pub study: Option<Study>,
     /// What to keep of the run.
     pub(crate) output: Output,
     /// The scenario with its defaults written out; itself a valid scenario in JSON.
@@ -162,20 +159,16 @@ fn check(document: &Document) -> Result<Scenario, ScenarioError> {
     let mut problems = document.problems();
     let made = build(&mut problems).map(|(input, questions)| {
         let echo = echo(&input);
-        let study = input.study.as_ref().filter(|_| problems.issues.is_empty());
-        let study = study.and_then(|study| study.build(&echo, &mut problems));
-        (input, questions, echo, study)
+        (input, questions, echo)
     });
-    let ((input, questions, echo, study), warnings) = document.finish(made, problems)?;
+    let ((input, questions, echo), warnings) = document.finish(made, problems)?;
     let questions = questions.with_warnings(&warnings);
-    let study = study.map(|study| study.with_warnings(&warnings));
     Ok(Scenario {
         title: input.title.unwrap_or_else(|| document.stem()),
         question: questions.question,
         model: questions.model,
         contact_choice: questions.contact_choice,
         oils: questions.oils,
-        study,
         output: input.output,
         echo,
         warnings,

@@ -1,9 +1,14 @@
 //! Keys and words that earlier versions knew, each with the way that is left.
 
-const REMOVED: [(&str, &str); 6] = [
+const REMOVED: [(&str, &str); 7] = [
     (
         "side_by_side",
         "leave it out: every run is integrated by itself",
+    ),
+    (
+        "study",
+        "write a study file with `base`, the name of this one, ask = \"bearing\" and an `[[axis]]` with `key` and values; \
+         `jeffcott study` answers it",
     ),
     ("tsit5", "\"verner76\" takes its place"),
     ("dprkn8", "\"exponential\" takes its place"),

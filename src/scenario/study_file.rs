@@ -14,13 +14,22 @@ use super::problems::Problems;
 use super::schema::schema_of;
 use super::{Format, Issue, Scenario, ScenarioError, echo, key, questions, reader, without};
 use crate::analysis::SectionKind;
+use crate::quasi_static::StaticQuestion;
 use crate::simulate::Model;
 use crate::study::Variable;
-use crate::study::many::{Cycles, Keep, Maker, NumberColumn, Schedule, Sweep, number_columns};
+use crate::study::many::{
+    Ask, Cycles, Keep, Maker, NumberColumn, Outcome, Schedule, Sweep, number_columns, standing,
+    standing_columns,
+};
 use crate::study::plan::{Axis, MOST_RUNS, MOST_SOBOL_AXES, Plan, Sampling};
 
-/// Tables of a scenario that say nothing of its motion.
-const LEFT_OUT: [&str; 2] = ["static", "study"];
+/// Tables of a scenario that play no part in what a study asks.
+fn left_out(ask: Ask) -> &'static [&'static str] {
+    match ask {
+        Ask::Run => &["static"],
+        Ask::Bearing => &["damping", "initial", "time", "integrator", "output"],
+    }
+}
 
 /// Keys of settle time and duration.
 const TIMES: [&str; 2] = ["time.settle", "time.duration"];
@@ -33,6 +42,8 @@ const HIGHEST_ORDER: f64 = 20.0;
 pub struct StudyFile {
     /// Its title, or the name of its file.
     pub title: String,
+    /// What it asks at every point.
+    pub ask: Ask,
     /// The values of every run.
     pub plan: Plan,
     /// What varies, an entry an axis.
@@ -43,6 +54,8 @@ pub struct StudyFile {
     pub verify_every: u64,
     /// What is kept of every run beside its numbers.
     pub keep: Keep,
+    /// At how many azimuths around a bearing static answers are looked at; where `None`, at those of its balls.
+    pub positions: Option<usize>,
     /// The numbers that are kept of every run, in the order of the table.
     pub columns: Vec<NumberColumn>,
     /// The study with its defaults and the scenario that it starts from.
@@ -147,14 +160,21 @@ impl StudyFileInput {
         folder: PathBuf,
         problems: &mut Problems<'_>,
     ) -> Option<StudyFile> {
-        let Some(model) = &scenario.model else {
-            let message = "a study needs a scenario with a `[time]`";
-            problems.refuse(Issue::new("base", message));
-            return None;
+        let rotor = &scenario.question.rotor;
+        let all = match self.ask {
+            Ask::Run if scenario.model.is_none() => {
+                let issue = Issue::new("base", "runs need a scenario with a `[time]`");
+                let help = "add one, or ask where the shaft stands: ask = \"bearing\"";
+                problems.refuse(issue.help(help));
+                return None;
+            }
+            Ask::Run => number_columns(rotor),
+            Ask::Bearing => standing_columns(rotor),
         };
-        let columns = self.columns(model, problems);
+        self.check_asked(problems);
+        let columns = self.columns(all, problems);
         let (base, repeated) = self.base_scenario(scenario, &folder, problems)?;
-        let known = number_keys(&base, &LEFT_OUT);
+        let known = number_keys(&base, left_out(self.ask));
         let (mut axes, mut variables, mut keys) = (Vec::new(), Vec::new(), Vec::new());
         problems.each("axis", &self.axis, |input, problems| {
             let key = problems.take(key::find(&known, input.key.all(), ".key"))?;
@@ -183,11 +203,13 @@ impl StudyFileInput {
         let echo = json!({ "study": echo(self), "base": base });
         problems.issues.is_empty().then(|| StudyFile {
             title,
+            ask: self.ask,
             plan,
             variables,
             sweep: self.sweep,
             verify_every: self.verify_every,
             keep: self.keep(),
+            positions: self.keep.positions.map(|count| count as usize),
             columns,
             echo,
             base,
@@ -223,8 +245,11 @@ impl StudyFileInput {
         folder: &Path,
         problems: &mut Problems<'_>,
     ) -> Option<(Value, Vec<String>)> {
-        let mut base = without(&scenario.echo, &["study"]);
-        let known = all_keys(&base, &LEFT_OUT);
+        let mut base = match self.ask {
+            Ask::Run => scenario.echo.clone(),
+            Ask::Bearing => without(&scenario.echo, left_out(self.ask)),
+        };
+        let known = all_keys(&base, left_out(self.ask));
         for (index, set) in self.set.iter().enumerate() {
             let found = key::find(&known, set.key.all(), &format!("set[{}].key", index + 1));
             let key = problems.take(found)?;
@@ -240,8 +265,7 @@ impl StudyFileInput {
     }
 
     /// The numbers that are kept: of a scene all, or those that are named and the measured error.
-    fn columns(&self, model: &Model, problems: &mut Problems<'_>) -> Vec<NumberColumn> {
-        let all = number_columns(&model.rotor);
+    fn columns(&self, all: Vec<NumberColumn>, problems: &mut Problems<'_>) -> Vec<NumberColumn> {
         let Some(named) = &self.keep.numbers else {
             return all.into_iter().filter(|own| !own.on_request).collect();
         };
@@ -258,6 +282,30 @@ impl StudyFileInput {
         let kept =
             |column: &NumberColumn| named.contains(&column.column.name()) || column.is_error();
         all.into_iter().filter(kept).collect()
+    }
+
+    /// Refuses what plays no part in what is asked.
+    fn check_asked(&self, problems: &mut Problems<'_>) {
+        let keep = &self.keep;
+        let idle = match self.ask {
+            Ask::Run => vec![("keep.positions", keep.positions.is_some())],
+            Ask::Bearing => vec![
+                ("sweep", self.sweep.is_some()),
+                ("cycles", self.cycles.is_some()),
+                ("keep.spectra", keep.spectra),
+                ("keep.traces", keep.traces),
+                ("keep.bearing_stiffness", keep.bearing_stiffness),
+                ("keep.poincare", keep.poincare.is_some()),
+            ],
+        };
+        for (key, _) in idle.into_iter().filter(|(_, given)| *given) {
+            let message = match self.ask {
+                Ask::Run => "runs are not looked at around a bearing",
+                Ask::Bearing => "nothing moves where a static question is asked",
+            };
+            let issue = Issue::new(key, message).help("remove it, or change `ask`");
+            problems.refuse(issue.against("ask"));
+        }
     }
 
     fn sampling(&self, axes: &[Axis], problems: &mut Problems<'_>) -> Option<Sampling> {
@@ -392,11 +440,39 @@ impl StudyFile {
     /// [`Issue`] where its values make no scenario.
     pub fn model(&self, values: &[f64]) -> Result<Model, Issue> {
         let mut model = questions(&self.scenario(values)?, &self.folder)?.motion()?;
-        model
-            .rotor
-            .warnings
-            .splice(0..0, self.warnings.iter().cloned());
+        let warnings = self.warnings.iter().cloned();
+        model.rotor.warnings.splice(0..0, warnings);
         Ok(model)
+    }
+
+    /// The static question of a point.
+    ///
+    /// # Errors
+    /// [`Issue`] where its values make no scenario.
+    pub fn question(&self, values: &[f64]) -> Result<StaticQuestion, Issue> {
+        let mut question = questions(&self.scenario(values)?, &self.folder)?.question;
+        let warnings = self.warnings.iter().cloned();
+        question.rotor.warnings.splice(0..0, warnings);
+        Ok(question)
+    }
+
+    /// The scenario of a point by itself, under a title.
+    ///
+    /// # Errors
+    /// [`ScenarioError`] where its values make none.
+    pub(crate) fn alone(&self, values: &[f64], title: &str) -> Result<Scenario, ScenarioError> {
+        let name = self.folder.join(&self.title).display().to_string();
+        let scenario = self.scenario(values);
+        let mut scenario = scenario.map_err(|issue| ScenarioError::new(&name, "", vec![issue]))?;
+        scenario["title"] = title.into();
+        super::parse(&scenario.to_string(), &name, Format::Json)
+    }
+
+    /// The answer to the static question of a point, or why there is none.
+    pub(crate) fn standing(&self, values: &[f64]) -> Result<Outcome, String> {
+        let question = self.question(values).map_err(|error| error.message)?;
+        let found = standing(&question, &self.columns, self.positions);
+        found.map_err(|error| error.to_string())
     }
 }
 
@@ -407,6 +483,9 @@ impl StudyFile {
 struct StudyFileInput {
     /// What the study is called. Default: the name of its file.
     pub title: Option<String>,
+    /// What is asked at every point: how the shaft moves, or where it stands. Default: "run".
+    #[serde(default)]
+    pub ask: Ask,
     /// The scenario that all runs start from, relative to this file.
     #[schemars(extend("examples" = ["../steady-7205c.toml"]))]
     pub base: String,
@@ -479,6 +558,10 @@ struct KeepInput {
     /// is always kept. Default: all but the lines of forces, as `bearing1_force_x_order_1_N`; the figures draw some.
     #[schemars(extend("minItems" = 1, "maxItems" = 64, "examples" = [["x_rms_m", "bearing_1_life_h"]]))]
     pub numbers: Option<Vec<String>>,
+    /// At how many azimuths around a bearing, from +X on, the answers of ask = "bearing" have deformation, loads and
+    /// contact angles, in `around.csv`. Default: where its balls are.
+    #[schemars(range(min = 3, max = 3600))]
+    pub positions: Option<u32>,
     /// Whether the amplitudes of the displacements are kept, in `spectra.csv`. Default: false.
     pub spectra: bool,
     /// Highest frequency of them in shaft orders. Default: 20.

@@ -7,14 +7,12 @@ mod contact_choice;
 mod fidelity;
 pub(crate) mod many;
 pub(crate) mod plan;
-mod static_study;
 
 pub(crate) use contact_choice::{
     ContactChoice, ContactQuestion, FidelityDifference, choose_contact,
 };
 pub(crate) use fidelity::Fidelity;
 pub(crate) use plan::Variable;
-pub(crate) use static_study::{Study, StudyPoint, StudyRow};
 
 pub use crate::quasi_static::{QuasiStatic, StaticQuestion, quasi_static};
 pub use crate::rotor::{Equilibrium, EquilibriumError};

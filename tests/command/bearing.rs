@@ -23,8 +23,6 @@ fn standing(folder: &TempDir, tables: &str) -> PathBuf {
 }
 
 const THRUST: &str = "[[load]]\nconstant = { z = \"1000 N\" }\n";
-const STUDY: &str =
-    "[study]\nvary = \"load[1].constant.z\"\nvalues = [\"200 N\", \"1 kN\"]\npositions = 16\n";
 
 #[test]
 fn the_answer_fits_the_terminal_and_names_what_is_asked() {
@@ -89,50 +87,6 @@ fn the_json_is_the_file_and_balances_the_load() {
     // the share of the gyroscopic moment is at the outer race: the inner contacts carry the thrust
     let carried: f64 = balls.iter().map(axial).sum();
     assert!((carried - 1000.0).abs() < 1e-6, "{carried}");
-}
-
-#[test]
-fn a_study_writes_its_tables_and_figures() {
-    let folder = TempDir::new().unwrap();
-    let file = standing(&folder, &format!("{THRUST}{STUDY}"));
-    let output = bearing(std::slice::from_ref(&file), folder.path(), &[]);
-    assert!(output.status.success(), "{}", text(&output.stderr));
-    assert!(text(&output.stdout).contains("load[1].constant.z in N: 2 values"));
-    let written = folder.path().join("standing");
-    let expected = [
-        "around.csv",
-        "contact_angle.svg",
-        "deformation.svg",
-        "stiffness.svg",
-        "study.csv",
-        "study.html",
-        "study.json",
-    ];
-    assert_eq!(names(&written), expected);
-    let study = fs::read_to_string(written.join("study.csv")).unwrap();
-    assert!(study.starts_with("load_1_constant_z_N,x_m,"));
-    assert_eq!(study.lines().count(), 3);
-    let around = fs::read_to_string(written.join("around.csv")).unwrap();
-    assert_eq!(around.lines().count(), 1 + 2 * 16);
-    let columns = |line: &str| line.split(',').count();
-    for table in [&study, &around] {
-        let first = columns(table.lines().next().unwrap());
-        assert!(table.lines().all(|line| columns(line) == first));
-    }
-}
-
-#[test]
-fn a_single_answer_does_not_stand_beside_an_earlier_study() {
-    let folder = TempDir::new().unwrap();
-    for tables in [format!("{THRUST}{STUDY}"), THRUST.to_owned()] {
-        let file = standing(&folder, &tables);
-        assert!(bearing(&[file], folder.path(), &[]).status.success());
-    }
-    let left = names(&folder.path().join("standing"));
-    assert_eq!(
-        left,
-        ["balls.csv", "balls.svg", "bearing.html", "bearing.json"]
-    );
 }
 
 #[test]

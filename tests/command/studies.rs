@@ -495,6 +495,51 @@ fn traces_are_kept_on_request() {
     assert!(kept == alone);
 }
 
+/// Static questions are asked in parts as in one piece; what has no answer keeps no other from its own. The JSON that is
+/// printed is that of the file.
+#[test]
+fn static_questions_make_tables_figures_and_parts() {
+    let folder = TempDir::new().expect("a folder");
+    let base = scenarios().join("seed/shaft.toml");
+    let file = folder.path().join("small.toml");
+    let text = format!(
+        "base = '{}'\nask = 'bearing'\n[[axis]]\nkey = 'load[1].constant.z'\n\
+         values = ['200 N', '1 kN', '500 MN']\n[keep]\npositions = 16\n",
+        base.display()
+    );
+    fs::write(&file, text).expect("a writable folder");
+    let whole = folder.path().join("whole");
+    let output = study(&file, &whole, &["--json"]);
+    assert_eq!(output.status.code(), Some(1), "{}", told(&output));
+    let whole = whole.join("small");
+    assert_eq!(output.stdout, fs::read(whole.join("runs.json")).expect("a file"));
+    let written = files(&whole).into_iter().map(|(name, _)| name);
+    let written: Vec<_> = written.filter(|name| name != "response.svg").collect();
+    let expected = [
+        "around.csv",
+        "contact_angle.svg",
+        "deformation.svg",
+        "report.html",
+        "runs.csv",
+        "runs.json",
+        "stiffness.svg",
+    ];
+    assert_eq!(written, expected);
+    assert_eq!(column(&whole.join("around.csv"), "run").len(), 2 * 16);
+    let error = &rows(&whole)[2];
+    assert!(error[error.len() - 2].contains("no static equilibrium"), "{error:?}");
+    for part in ["2/2", "1/2"] {
+        let output = study(&file, folder.path(), &["--shard", part]);
+        assert!(output.status.success(), "{}", told(&output));
+    }
+    let parts = folder.path().join("small");
+    assert_eq!(merge(&parts).status.code(), Some(1));
+    assert_same_files(&whole, &parts);
+    let output = study(&file, folder.path(), &["--only", "1"]);
+    assert!(output.status.success(), "{}", told(&output));
+    assert!(parts.join("run-1/bearing.json").exists());
+}
+
 // Bad input.
 
 /// Wrong studies are refused before a run begins, with what to do.

@@ -153,23 +153,6 @@ fn check_refuses_what_no_verb_can_answer() {
     }
 }
 
-#[test]
-fn a_study_of_many_values_warns_once_of_the_file() {
-    let out = TempDir::new().expect("a folder");
-    let study = "[study]\nvary = \"load[1].constant.z\"\nvalues = [\"-100 N\", \"500 N\"]\n";
-    let file = out.path().join("varied.toml");
-    fs::write(&file, fs::read_to_string(warned()).unwrap() + study).expect("a file");
-    let [settle, machine] = OF_THE_FILE;
-    let wrong_way = "load[1].constant.z = -100 N: bearing 1: loaded the wrong way";
-    says_alike(
-        "bearing",
-        &[],
-        "study.json",
-        &file,
-        &[settle, machine, wrong_way],
-    );
-}
-
 /// A study has the warnings of its runs, those of the file of its base among them; none on a key that it sets.
 #[test]
 fn the_runs_of_a_study_have_the_warnings_of_the_base() {

@@ -111,7 +111,7 @@ const WORDS: [&str; 30] = [
     "tilt_x",
     "µ",
 ];
-const LINES: [&str; 26] = [
+const LINES: [&str; 25] = [
     "[[bearing]]\ncatalogue = \"6205\"",
     "[[load]]\nconstant = { z = \"10 N\" }",
     "[[spectrum]]\nkind = \"whirl\"",
@@ -122,7 +122,6 @@ const LINES: [&str; 26] = [
     "film = true",
     "table = true",
     "contact = \"auto\"",
-    "[study]\nvary = \"shaft.mass\"\nvalues = [\"1 kg\"]",
     "preload = \"1 MN\"",
     "spring_preload = \"1 N\"",
     "position = \"1 m\"",

@@ -33,7 +33,6 @@ fn shown(name: &str, file: &Path, more: &[&str]) -> (Output, Shown) {
     let page = match name {
         "run" | "study" => "report.html".to_owned(),
         "steady" if more.contains(&"--over") => "response.html".to_owned(),
-        // with a [study] bearing answers as study.json
         other => format!("{other}.html"),
     };
     let page = folder.path().join(stem).join(page);

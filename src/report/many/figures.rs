@@ -41,7 +41,7 @@ const MOST_PLACES: usize = 200_000;
 const BAR: u32 = 26;
 
 /// What the figures show where a study names nothing: name of the column, what it is called and the unit that it is drawn in.
-const SHOWN: [(&str, (&str, &str)); 8] = [
+const SHOWN: [(&str, (&str, &str)); 9] = [
     ("x_rms_m", ("x, RMS", "µm")),
     ("y_rms_m", ("y, RMS", "µm")),
     ("z_rms_m", ("z, RMS", "µm")),
@@ -50,6 +50,7 @@ const SHOWN: [(&str, (&str, &str)); 8] = [
     ("bearing_1_life_h", ("life L10r of bearing 1", "h")),
     ("natural_frequency_1_Hz", ("lowest natural frequency", "Hz")),
     ("stiffness_y_N_m", ("stiffness K_yy", "N/m")),
+    ("K_y_N_m", ("stiffness K_yy", "N/m")),
 ];
 
 fn shown(name: &str, column: usize) -> Shown {

@@ -10,10 +10,12 @@ use super::rows::{RowFile, Rows, StudyHead};
 use super::traces::{self, Traces};
 use super::{Digest, StudyError, write};
 use crate::analysis::Channel;
+use crate::quasi_static::StaticQuestion;
 use crate::report::{FileSet, RunFolder};
+use crate::rotor::RotorDefinition;
 use crate::scenario::StudyFile;
 use crate::simulate::Model;
-use crate::study::many::{Maker, Schedule, Shard, Unmade, work};
+use crate::study::many::{Ask, Direction, Maker, RunRecord, Schedule, Shard, Unmade, work};
 
 /// A checked study whose first run can be made.
 #[derive(Debug)]
@@ -21,8 +23,26 @@ pub struct StudyRuns<'a> {
     study: &'a StudyFile,
     /// Its runs and in which order they are made.
     pub schedule: Schedule,
-    /// The motion of its first run.
-    pub first: Model,
+    /// What its first run is asked.
+    pub first: Asked,
+}
+
+/// What a run of a study is asked.
+#[derive(Debug)]
+pub enum Asked {
+    /// How the shaft moves.
+    Motion(Box<Model>),
+    /// Where the shaft stands.
+    Standing(Box<StaticQuestion>),
+}
+
+impl Asked {
+    fn rotor(&self) -> &RotorDefinition {
+        match self {
+            Self::Motion(model) => &model.rotor,
+            Self::Standing(question) => &question.rotor,
+        }
+    }
 }
 
 /// Which runs are made, where, and on how many threads.
@@ -57,7 +77,15 @@ impl<'a> StudyRuns<'a> {
         let plan = &study.plan;
         let points = plan.runs().unwrap_or(u64::MAX);
         let last = plan.axes.last().map_or(1, |axis| axis.length());
-        let first = study.model(&plan.values(0));
+        let values = plan.values(0);
+        let first = match study.ask {
+            Ask::Run => study
+                .model(&values)
+                .map(|model| Asked::Motion(model.into())),
+            Ask::Bearing => study
+                .question(&values)
+                .map(|question| Asked::Standing(question.into())),
+        };
         Ok(Self {
             study,
             schedule: Schedule::new(points, last, study.sweep),
@@ -74,7 +102,7 @@ impl<'a> StudyRuns<'a> {
     /// What the rows of a part begin with.
     fn head(&self, shard: Shard) -> StudyHead {
         let study = self.study;
-        let moving = self.first.rotor.shaft.freedoms.axes().iter();
+        let moving = self.first.rotor().shaft.freedoms.axes().iter();
         let displacements = moving.map(|axis| Channel::Displacement(*axis));
         let [asked, base] = ["study", "base"].map(|key| study.echo[key].clone());
         StudyHead {
@@ -83,6 +111,7 @@ impl<'a> StudyRuns<'a> {
             named: serde_json::from_value(asked["keep"]["numbers"].clone()).ok(),
             study: asked,
             base,
+            ask: study.ask,
             shard,
             runs: self.schedule.runs_of(shard.chains(&self.schedule)),
             axes: study.variables.clone(),
@@ -169,7 +198,7 @@ impl<'a> StudyRuns<'a> {
             runs.all(|run| rows.holds(run))
         };
         let done: BTreeSet<u64> = chains.clone().filter(is_done).collect();
-        let channels = || Channel::of_trace_in(&study.echo["base"], &self.first.rotor);
+        let channels = || Channel::of_trace_in(&study.echo["base"], self.first.rotor());
         let traces = study
             .keep
             .traces
@@ -189,7 +218,12 @@ impl<'a> StudyRuns<'a> {
             chains.filter(|chain| !done.contains(chain)),
             making.threads,
             watch.stop,
-            |chain, hand| maker.chain(chain, hand),
+            |chain, hand| match study.ask {
+                Ask::Run => maker.chain(chain, hand),
+                Ask::Bearing => {
+                    hand(Ok(self.stood(chain)));
+                }
+            },
             |row| -> Result<(), StudyError> {
                 match row {
                     // it is made again when the study goes on
@@ -203,6 +237,17 @@ impl<'a> StudyRuns<'a> {
         match rows.missing() {
             0 => Ok(()),
             _ => Err(Unmade::Stopped.into()),
+        }
+    }
+
+    /// The row of a static question.
+    fn stood(&self, run: u64) -> RunRecord {
+        let values = self.study.plan.values(run);
+        RunRecord {
+            run,
+            direction: Direction::Alone,
+            outcome: self.study.standing(&values),
+            values,
         }
     }
 }

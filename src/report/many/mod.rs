@@ -8,6 +8,7 @@ mod make;
 mod page;
 mod ross;
 mod rows;
+mod standing;
 mod statistics;
 mod tables;
 mod traces;
@@ -17,7 +18,7 @@ use std::path::{Path, PathBuf};
 
 pub use self::digest::Digest;
 pub use self::error::StudyError;
-pub use self::make::{Making, StudyRuns, StudyWatch};
+pub use self::make::{Asked, Making, StudyRuns, StudyWatch};
 use self::page::write_page;
 use self::ross::ross_files;
 use self::rows::Rows;
@@ -72,5 +73,6 @@ fn figures(digest: &Digest, rows: &Rows) -> Result<Vec<Figure>, ReportError> {
         digest.tornado(),
         digest.scatter(),
     ];
-    Ok(drawn.into_iter().flatten().collect())
+    let drawn = drawn.into_iter().flatten();
+    Ok(drawn.chain(digest.standing(rows)?).collect())
 }

@@ -15,7 +15,7 @@ use crate::analysis::Channel;
 use crate::report::{FileAction, ReportError};
 use crate::scenario::open_regular;
 use crate::study::Variable;
-use crate::study::many::{Keep, Outcome, RunRecord, Shard};
+use crate::study::many::{Ask, Keep, Outcome, RunRecord, Shard};
 use crate::table::Column;
 
 /// The first line of a file of rows: the study, and all that its tables, figures and page say beside the rows.
@@ -29,6 +29,8 @@ pub struct StudyHead {
     pub study: Value,
     /// The scenario that its runs start from.
     pub base: Value,
+    /// What it asks at every point.
+    pub ask: Ask,
     /// Which part of it this is.
     pub shard: Shard,
     /// Numbers of the runs of the part.
@@ -382,6 +384,7 @@ impl StudyHead {
             title: "a study".to_owned(),
             study: json!({ "seed": 1 }),
             base: Value::Null,
+            ask: Ask::Run,
             shard: Shard::WHOLE,
             runs: 3..13,
             axes: Vec::new(),

@@ -8,7 +8,7 @@ use crate::report::spectra::amplitude_column;
 use crate::report::table::{cell, number};
 use crate::report::variable::variable_column;
 use crate::report::{FileAction, PartialFile, ReportError, RunFolder, WholeFile};
-use crate::study::many::{BearingStiffness, Keep, Outcome, RunRecord, TraceSeal};
+use crate::study::many::{AROUND, Ask, BearingStiffness, Outcome, RunRecord, TraceSeal};
 use crate::table::Column;
 
 /// What stands between two warnings of a run.
@@ -28,25 +28,30 @@ enum Table {
     Points,
     /// Stiffness of every bearing in every run.
     Stiffness,
+    /// Every bearing all around in every static answer.
+    Around,
     /// What the trace of every run is known by.
     Traces,
 }
 
 impl Table {
-    const ALL: [Self; 5] = [
+    const ALL: [Self; 6] = [
         Self::Runs,
         Self::Spectra,
         Self::Points,
         Self::Stiffness,
+        Self::Around,
         Self::Traces,
     ];
 
-    fn is_kept(self, keep: &Keep) -> bool {
+    fn is_kept(self, head: &StudyHead) -> bool {
+        let keep = &head.keep;
         match self {
             Self::Runs => true,
             Self::Spectra => keep.highest_order.is_some(),
             Self::Points => keep.section.is_some(),
             Self::Stiffness => keep.bearing_stiffness,
+            Self::Around => head.ask == Ask::Bearing,
             Self::Traces => keep.traces,
         }
     }
@@ -57,6 +62,7 @@ impl Table {
             Self::Spectra => "spectra.csv",
             Self::Points => "poincare.csv",
             Self::Stiffness => "stiffness.csv",
+            Self::Around => "around.csv",
             Self::Traces => "traces.csv",
         }
     }
@@ -75,6 +81,12 @@ impl Table {
                 .chain(displacements.map(|of| of.column().name()))
                 .collect(),
             Self::Stiffness => stiffness_columns().collect(),
+            Self::Around => {
+                let places =
+                    AROUND.map(|(quantity, unit, _)| Column::number(quantity, unit).name());
+                let start = ["bearing", "position"].map(str::to_owned);
+                start.into_iter().chain(places).collect()
+            }
             Self::Traces => ["bytes", "checksum"].map(str::to_owned).to_vec(),
         };
         std::iter::once("run".to_owned()).chain(names).collect()
@@ -101,6 +113,12 @@ impl Table {
                 .map(|of| {
                     let start = vec![of.bearing.to_string(), number(of.speed)];
                     row(start, &[of.stiffness, of.damping].concat())
+                })
+                .collect(),
+            Self::Around => (outcome.around.iter())
+                .map(|place| {
+                    let start = vec![place.bearing.to_string(), place.position.to_string()];
+                    row(start, &place.numbers)
                 })
                 .collect(),
             Self::Traces => (outcome.trace.iter())
@@ -165,9 +183,7 @@ pub(super) struct Tables<'a> {
 impl<'a> Tables<'a> {
     /// Begins the tables that the study keeps.
     pub fn begin(folder: &RunFolder, head: &'a StudyHead) -> Result<Self, ReportError> {
-        let kept = Table::ALL
-            .into_iter()
-            .filter(|table| table.is_kept(&head.keep));
+        let kept = Table::ALL.into_iter().filter(|table| table.is_kept(head));
         let begin = |table: Table| {
             let file = folder.create(table.file())?;
             let path = file.path().to_owned();

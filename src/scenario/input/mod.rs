@@ -17,7 +17,6 @@ mod settings;
 mod shaft;
 mod spectrum;
 mod speed;
-mod study;
 mod support;
 mod unbalance;
 

@@ -13,7 +13,6 @@ use super::settings::{ContactChoice, IntegratorInput, MachineInput, ModelInput, 
 use super::shaft::{ShaftInput, TorsionInput};
 use super::spectrum::{self, Recorded, SpectrumInput};
 use super::speed::SpeedInput;
-use super::study::StudyInput;
 use super::support::LinearInput;
 use super::unbalance::{self, UnbalanceInput};
 use crate::analysis::SpectrumRequest;
@@ -102,8 +101,6 @@ pub struct ScenarioInput {
     /// What only static questions ask.
     #[serde(default, rename = "static")]
     pub statics: StaticInput,
-    /// A number that takes many values in a static question.
-    pub study: Option<StudyInput>,
 }
 
 /// What a scenario asks.

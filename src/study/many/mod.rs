@@ -4,17 +4,20 @@
 mod numbers;
 mod record;
 mod schedule;
+mod standing;
 
 use std::io;
 use std::sync::atomic::AtomicBool;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 pub use numbers::{NumberColumn, number_columns};
-pub use record::{BearingStiffness, Line, Outcome, Point, RunRecord, TraceSeal};
+pub use record::{BearingStiffness, Line, Outcome, Place, Point, RunRecord, TraceSeal};
 use record::{Carried, RunSink};
 use schedule::Turn;
 pub use schedule::{Cycles, Direction, Schedule, Shard, Sweep, work};
+pub use standing::{AROUND, standing, standing_columns};
 
 use crate::analysis::{Channel, Motion, SectionKind, Spectrum};
 use crate::integrate::IntegrateError;
@@ -22,6 +25,17 @@ use crate::simulate::{
     Analyses, Model, Monitor, MotionAnalysis, Run, SimulateError, StaticState, TraceSink, simulate,
 };
 use crate::study::plan::Plan;
+
+/// What a study asks at every point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Ask {
+    /// How the shaft moves, as `jeffcott run` does.
+    #[default]
+    Run,
+    /// Where the shaft stands, as `jeffcott bearing` does.
+    Bearing,
+}
 
 /// What is kept of every run, beside its numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -213,6 +227,7 @@ impl Maker<'_> {
             stiffness: equilibrium.map_or_else(Vec::new, |state| bearing_stiffness(state, speed)),
             trace,
             warnings: run.warnings.clone(),
+            ..Outcome::default()
         }
     }
 }

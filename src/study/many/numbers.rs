@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::analysis::{Channel, Kind, Moments, Motion, Spectrum};
+use crate::quasi_static::QuasiStatic;
 use crate::rotor::RotorDefinition;
 use crate::simulate::{Analyses, EventKind, MotionAnalysis, Run};
 use crate::table::Column;
@@ -22,8 +23,12 @@ const MOMENTS: [(&str, Moment); 3] = [
     ("peak_to_peak", Moments::peak_to_peak),
 ];
 
-/// How a number is found in a run; none where it has none.
-type Value = Arc<dyn Fn(&Run) -> Option<f64> + Send + Sync>;
+/// How a number is found in a run, which may have none, or in the answer to a static question.
+#[derive(Clone)]
+enum Value {
+    Run(Arc<dyn Fn(&Run) -> Option<f64> + Send + Sync>),
+    Answer(Arc<dyn Fn(&QuasiStatic) -> f64 + Send + Sync>),
+}
 
 /// A number of a run: what it is called, what it rests on, and how it is found.
 #[derive(Clone)]
@@ -51,9 +56,31 @@ impl NumberColumn {
         self.column.quantity == MEASURED_ERROR
     }
 
+    /// A number of the answer to a static question.
+    pub(super) fn of_answer(
+        column: Column,
+        value: impl Fn(&QuasiStatic) -> f64 + Send + Sync + 'static,
+    ) -> Self {
+        Self {
+            value: Value::Answer(Arc::new(value)),
+            ..number(column, NOTHING, |_| None)
+        }
+    }
+
     /// The number of a run; NaN where it has none.
     pub fn of(&self, run: &Run) -> f64 {
-        (self.value)(run).unwrap_or(f64::NAN)
+        match &self.value {
+            Value::Run(value) => value(run).unwrap_or(f64::NAN),
+            Value::Answer(_) => f64::NAN,
+        }
+    }
+
+    /// The number of an answer to a static question; NaN where it has none.
+    pub(super) fn in_answer(&self, answer: &QuasiStatic) -> f64 {
+        match &self.value {
+            Value::Run(_) => f64::NAN,
+            Value::Answer(value) => value(answer),
+        }
     }
 }
 
@@ -67,7 +94,7 @@ fn number(
         order: None,
         on_request: false,
         ask,
-        value: Arc::new(value),
+        value: Value::Run(Arc::new(value)),
     }
 }
 

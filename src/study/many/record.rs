@@ -40,6 +40,9 @@ pub struct Outcome {
     /// Stiffness of every bearing that has one of its own; empty where it is not kept.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub stiffness: Vec<BearingStiffness>,
+    /// Every bearing all around; empty but for the answer to a static question.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub around: Vec<Place>,
     /// What its trace is known by, where it is kept.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub trace: Option<TraceSeal>,
@@ -77,6 +80,20 @@ mod any_number {
         });
         Ok(numbers.collect())
     }
+}
+
+/// What is at one azimuth around a bearing.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Place {
+    /// Number of the bearing, from 1 on.
+    #[serde(rename = "b")]
+    pub bearing: usize,
+    /// Number of the azimuth, from 1 on.
+    #[serde(rename = "p")]
+    pub position: usize,
+    /// Its numbers in the order of their columns.
+    #[serde(rename = "n", with = "any_number")]
+    pub numbers: Vec<f64>,
 }
 
 /// What the trace of a run is known by wherever it goes.

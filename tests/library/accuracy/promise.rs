@@ -22,13 +22,8 @@ const TRUTH: f64 = 1e-13;
 
 fn shipped() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios");
-    let of = |folder: PathBuf| {
-        let entries = fs::read_dir(folder).unwrap();
-        entries
-            .map(|entry| entry.unwrap().path())
-            .collect::<Vec<_>>()
-    };
-    let mut files = [of(folder.clone()), of(folder.join("seed"))].concat();
+    let entries = fs::read_dir(folder).unwrap();
+    let mut files: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
     files.retain(|path| {
         path.extension()
             .is_some_and(|extension| extension == "toml")

@@ -1,0 +1,166 @@
+//! Static questions as runs of a study: the numbers of their answers, and the bearings all around.
+
+use super::numbers::NumberColumn;
+use super::record::{Outcome, Place};
+use crate::analysis::Channel;
+use crate::bearing::{Around, BallLine, BearingState};
+use crate::keys;
+use crate::quasi_static::{QuasiStatic, StaticQuestion, Twist, answer_on};
+use crate::rotor::{FREEDOMS, RotorDefinition, RotorError, build_supports};
+use crate::table::{Column, Named};
+
+/// Numbers of the whole shaft behind its stiffness.
+const SHAFT: [Named<QuasiStatic>; 4] = [
+    ("condition", "", |answer| answer.condition),
+    ("residual", "", |answer| answer.residual),
+    ("moment_z", "N m", |answer| {
+        twist(answer, |twist| twist.moment)
+    }),
+    ("twist", "rad", |answer| twist(answer, |twist| twist.angle)),
+];
+
+fn twist(answer: &QuasiStatic, value: fn(&Twist) -> f64) -> f64 {
+    answer.twist.as_ref().map_or(f64::NAN, value)
+}
+
+/// Numbers of the largest and the smallest value of all balls of a bearing; NaN where there are none.
+const EXTREMES: [Named<BallLine>; 3] = [
+    ("load_inner", "N", |ball| ball.inner.load),
+    ("load_outer", "N", |ball| ball.outer.load),
+    ("angle_inner", "rad", |ball| ball.inner.angle),
+];
+
+/// Numbers of one bearing after these.
+const BEARING: [Named<BearingState>; 8] = [
+    ("swing_of_angle_inner", "rad", |state| {
+        let angle = |ball: &BallLine| ball.inner.angle;
+        extreme(state, angle, f64::max) - extreme(state, angle, f64::min)
+    }),
+    ("largest_pressure", "Pa", |state| {
+        let pressure = |ball: &BallLine| ball.inner.peak_pressure.max(ball.outer.peak_pressure);
+        extreme(state, pressure, f64::max)
+    }),
+    ("life", "Mrev", |state| state.life.unwrap_or(f64::NAN)),
+    ("life", "h", |state| {
+        let lives = state.rating_lives.as_ref();
+        lives
+            .and_then(|lives| lives.reference_hours)
+            .unwrap_or(f64::NAN)
+    }),
+    ("modified_life", "h", |state| {
+        let lives = state.rating_lives.as_ref();
+        lives
+            .and_then(|lives| lives.modified?.hours)
+            .unwrap_or(f64::NAN)
+    }),
+    ("preload", "N", |state| state.preload),
+    ("static_safety", "", |state| {
+        state.static_safety.unwrap_or(f64::NAN)
+    }),
+    ("friction_moment", "N m", |state| {
+        state.friction_moment.total()
+    }),
+];
+
+/// Largest or smallest value of all balls; NaN where there are none.
+fn extreme(state: &BearingState, value: fn(&BallLine) -> f64, of: fn(f64, f64) -> f64) -> f64 {
+    state.balls.iter().map(value).fold(f64::NAN, of)
+}
+
+/// Columns of a position around a bearing.
+pub const AROUND: [Named<Around>; 6] = [
+    ("azimuth", "rad", |place| place.azimuth),
+    ("deformation", "m", |place| place.deformation),
+    ("load_inner", "N", |place| place.contact.load_inner),
+    ("load_outer", "N", |place| place.contact.load_outer),
+    ("angle_inner", "rad", |place| place.contact.angle_inner),
+    ("angle_outer", "rad", |place| place.contact.angle_outer),
+];
+
+/// The numbers of every answer to questions about a rotor.
+pub fn standing_columns(rotor: &RotorDefinition) -> Vec<NumberColumn> {
+    let mut columns = Vec::new();
+    for axis in 0..FREEDOMS {
+        let column = Channel::Displacement(axis).column();
+        columns.push(NumberColumn::of_answer(column, move |answer| {
+            answer.displacement[axis]
+        }));
+    }
+    for axis in 0..FREEDOMS {
+        let column = Channel::Force(axis).column();
+        columns.push(NumberColumn::of_answer(column, move |answer| {
+            answer.force[axis]
+        }));
+    }
+    for (axis, column) in keys::diagonal_columns().into_iter().enumerate() {
+        columns.push(NumberColumn::of_answer(column, move |answer| {
+            answer.stiffness[(axis, axis)]
+        }));
+    }
+    columns.extend(SHAFT.map(|(quantity, unit, value)| {
+        NumberColumn::of_answer(Column::number(quantity, unit), value)
+    }));
+    columns.extend((0..rotor.bearings.len()).flat_map(of_bearing));
+    columns
+}
+
+/// The numbers of a bearing.
+fn of_bearing(bearing: usize) -> Vec<NumberColumn> {
+    let number = |quantity: &str, unit, value: Box<dyn Fn(&BearingState) -> f64 + Send + Sync>| {
+        let column = Column::number(format!("bearing_{}_{quantity}", bearing + 1), unit);
+        NumberColumn::of_answer(column, move |answer| {
+            answer.bearings.get(bearing).map_or(f64::NAN, &value)
+        })
+    };
+    let loaded = |state: &BearingState| state.balls_loaded as f64;
+    let mut columns = vec![number("balls_loaded", "", Box::new(loaded))];
+    for (quantity, unit, value) in EXTREMES {
+        let both: [(&str, fn(f64, f64) -> f64); 2] =
+            [("largest", f64::max), ("smallest", f64::min)];
+        columns.extend(both.map(|(which, of)| {
+            let extreme = move |state: &BearingState| extreme(state, value, of);
+            number(&format!("{which}_{quantity}"), unit, Box::new(extreme))
+        }));
+    }
+    columns.extend(BEARING.map(|(quantity, unit, value)| number(quantity, unit, Box::new(value))));
+    columns
+}
+
+impl Place {
+    /// A number of the position by its quantity, as `deformation`; NaN where there is none of that name.
+    pub fn number(&self, quantity: &str) -> f64 {
+        let place = AROUND.iter().position(|(name, ..)| *name == quantity);
+        let number = place.and_then(|place| self.numbers.get(place));
+        number.copied().unwrap_or(f64::NAN)
+    }
+}
+
+/// The answer to a static question as what came of a run, with every bearing at so many azimuths from +X on, or where
+/// its balls are.
+///
+/// # Errors
+/// [`RotorError`] where it has no answer.
+pub fn standing(
+    question: &StaticQuestion,
+    columns: &[NumberColumn],
+    positions: Option<usize>,
+) -> Result<Outcome, RotorError> {
+    let rotor = &question.rotor;
+    let supports = build_supports(rotor)?;
+    let answer = answer_on(question, &supports)?;
+    let around = (1..).zip(&supports).flat_map(|(bearing, support)| {
+        let places = support.around(&answer.displacement, rotor.speed, positions);
+        let places = (1..).zip(places);
+        places.map(move |(position, place)| Place {
+            bearing,
+            position,
+            numbers: AROUND.map(|(.., value)| value(&place)).to_vec(),
+        })
+    });
+    Ok(Outcome {
+        around: around.collect(),
+        numbers: columns.iter().map(|own| own.in_answer(&answer)).collect(),
+        warnings: answer.warnings,
+        ..Outcome::default()
+    })
+}
