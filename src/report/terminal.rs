@@ -328,13 +328,6 @@ pub(super) fn shown_name(channel: Channel) -> String {
     }
 }
 
-/// ` in N`, or nothing of a plain number.
-pub(super) fn in_unit(unit: &str) -> String {
-    match unit {
-        "" => String::new(),
-        unit => format!(" in {unit}"),
-    }
-}
 
 /// m → µm, rad → µrad.
 pub(super) const MICRO: f64 = 1e6;

@@ -512,7 +512,10 @@ fn static_questions_make_tables_figures_and_parts() {
     let output = study(&file, &whole, &["--json"]);
     assert_eq!(output.status.code(), Some(1), "{}", told(&output));
     let whole = whole.join("small");
-    assert_eq!(output.stdout, fs::read(whole.join("runs.json")).expect("a file"));
+    assert_eq!(
+        output.stdout,
+        fs::read(whole.join("runs.json")).expect("a file")
+    );
     let written = files(&whole).into_iter().map(|(name, _)| name);
     let written: Vec<_> = written.filter(|name| name != "response.svg").collect();
     let expected = [
@@ -527,7 +530,10 @@ fn static_questions_make_tables_figures_and_parts() {
     assert_eq!(written, expected);
     assert_eq!(column(&whole.join("around.csv"), "run").len(), 2 * 16);
     let error = &rows(&whole)[2];
-    assert!(error[error.len() - 2].contains("no static equilibrium"), "{error:?}");
+    assert!(
+        error[error.len() - 2].contains("no static equilibrium"),
+        "{error:?}"
+    );
     for part in ["2/2", "1/2"] {
         let output = study(&file, folder.path(), &["--shard", part]);
         assert!(output.status.success(), "{}", told(&output));

@@ -44,10 +44,8 @@ impl Digest {
 
     /// K_x, K_y, K_z and both tilts against the variable, in four panels.
     fn stiffness(&self, variable: &Variable) -> Option<Figure> {
-        let mut columns = [0; keys::DIAGONAL.len()];
-        for (column, name) in columns.iter_mut().zip(keys::DIAGONAL) {
-            *column = self.column(name)?;
-        }
+        let columns = keys::diagonal_columns().map(|column| self.column(&column.name()));
+        let columns: Vec<usize> = columns.into_iter().collect::<Option<_>>()?;
         let values = self.rows.iter().map(|row| self.at(row, 0));
         let axis = Axis::spanning(axis_label(variable), values);
         let panel = |name: &str, axes: &[usize]| {

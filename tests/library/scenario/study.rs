@@ -29,7 +29,10 @@ fn answers(study: &StudyFile) -> Vec<Result<Outcome, String>> {
 
 #[test]
 fn each_row_is_the_answer_to_the_scenario_with_its_value() {
-    let study = study("key = \"load[1].constant.z\"\nvalues = [\"200 N\", \"1 kN\"]", "");
+    let study = study(
+        "key = \"load[1].constant.z\"\nvalues = [\"200 N\", \"1 kN\"]",
+        "",
+    );
     let names: Vec<_> = study.columns.iter().map(|own| own.column.name()).collect();
     for (row, thrust) in answers(&study).into_iter().zip(["200 N", "1 kN"]) {
         let row = row.unwrap();
@@ -99,7 +102,10 @@ fn positions_are_even_and_start_on_x() {
 
 #[test]
 fn a_value_without_an_answer_has_its_error() {
-    let study = study("key = \"load[1].constant.z\"\nvalues = [\"1 kN\", \"500 MN\"]", "");
+    let study = study(
+        "key = \"load[1].constant.z\"\nvalues = [\"1 kN\", \"500 MN\"]",
+        "",
+    );
     let rows = answers(&study);
     assert!(rows[0].is_ok());
     let error = rows[1].as_ref().unwrap_err();
