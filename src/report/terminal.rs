@@ -328,7 +328,6 @@ pub(super) fn shown_name(channel: Channel) -> String {
     }
 }
 
-
 /// m → µm, rad → µrad.
 pub(super) const MICRO: f64 = 1e6;
 /// s → ms, rad → mrad, m/s → mm/s, N m → N mm.
