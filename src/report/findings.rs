@@ -105,7 +105,7 @@ impl Findings {
             };
             files.push(folder.write_with(&self.set.page(), |file| page.write(file))?);
         }
-        folder.commit(files, format!("{:#}\n", self.document).as_bytes())
+        folder.commit(files, self.document.clone())
     }
 }
 

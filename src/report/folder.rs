@@ -1,141 +1,60 @@
 //! The folder of a run: either the whole of one run stands there, or it does not look whole.
 
 use std::fs::{self, File, TryLockError};
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufReader, BufWriter, Write};
 use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-use serde_json::Value;
+use serde::Deserialize;
+use serde_json::{Value, json};
 
 use super::figure::Figure;
 use super::table::{Origin, TableFiles};
 use super::{FileAction, ReportError};
-use crate::scenario::TableFormat;
+use crate::scenario::{TableFormat, open_regular};
 use crate::table::Table;
 
-/// Names of the files that one verb leaves in a folder.
+/// The files that one verb leaves in a folder, by the file that seals them.
+///
+/// The seal is a document whose `files` lists all others by their names: what an earlier run left, and whose files another
+/// verb is about to replace, is read there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FileSet {
-    /// The file that says that the set is whole: removed before the first rename, renamed last.
+    /// The file that says that the set is whole: set aside before the first rename, renamed last.
     pub seal: &'static str,
-    /// Tables, which stand in any of their formats; a name with a `*` as among the others.
-    pub tables: &'static [&'static str],
-    /// Files that may stand beside the seal; those of an earlier run do not outlive the next. A name
-    /// with a `*` stands for all that begin and end as it does.
-    pub others: &'static [&'static str],
-    /// Files that a whole set makes needless: removed when it stands.
-    pub spent: &'static [&'static str],
+    /// What a whole set makes needless: removed when it stands, with all that it seals.
+    spent: Option<&'static str>,
 }
 
 impl FileSet {
     /// What a motion leaves.
     pub const MOTION: Self = Self {
-        seal: "summary.json",
-        tables: &[
-            "trace",
-            "energy",
-            "drive",
-            "trace_balls",
-            "events",
-            "spectrum",
-            "peaks",
-            "spectrum_*",
-            "poincare",
-            "waterfall",
-            "order_tracks",
-            "campbell",
-        ],
-        others: &[
-            "trace.svg",
-            "spectrum.svg",
-            "spectrum_*.svg",
-            "orbit.svg",
-            "defects.svg",
-            "waterfall.svg",
-            "order_tracks.svg",
-            "campbell.svg",
-            "campbell.json",
-            "report.html",
-        ],
-        spent: &[
-            "failure.json",
-            "trace.until-failure.csv",
-            "trace.until-failure.parquet",
-        ],
+        spent: Some(Self::FAILURE.seal),
+        ..Self::sealed("summary.json")
     };
     /// What a run leaves that cannot go on; an earlier whole run may be beside it.
-    pub const FAILURE: Self = Self {
-        seal: "failure.json",
-        tables: &["trace.until-failure"],
-        others: &[],
-        spent: &[],
-    };
+    pub const FAILURE: Self = Self::sealed("failure.json");
     /// What the answer to a static question leaves.
-    pub const BEARING: Self = Self {
-        seal: "bearing.json",
-        tables: &["balls"],
-        others: &["balls.svg", "deflection.svg", "bearing.html"],
-        spent: &[],
-    };
+    pub const BEARING: Self = Self::sealed("bearing.json");
     /// What natural frequencies over the speed leave.
-    pub const CAMPBELL: Self = Self {
-        seal: "campbell.json",
-        tables: &["campbell"],
-        others: &["campbell.svg", "mode_shapes.svg", "campbell.html"],
-        spent: &[],
-    };
+    pub const CAMPBELL: Self = Self::sealed("campbell.json");
     /// What many runs of a scenario leave.
     pub const RUNS: Self = Self {
-        seal: "runs.json",
-        tables: &[
-            "runs",
-            "spectra",
-            "poincare",
-            "traces",
-            "stiffness",
-            "around",
-        ],
-        others: &[
-            "response.svg",
-            "map.svg",
-            "sensitivity.svg",
-            "scatter.svg",
-            "ross_*.toml",
-            "waterfall.svg",
-            "bifurcation.svg",
-            "stiffness.svg",
-            "deformation.svg",
-            "contact_angle.svg",
-            "report.html",
-        ],
-        spent: &["runs.jsonl"],
+        spent: Some("runs.jsonl"),
+        ..Self::sealed("runs.json")
     };
     /// What a measurement of speed against error leaves.
-    pub const ACCURACY: Self = Self {
-        seal: "accuracy.json",
-        tables: &["accuracy", "ladder"],
-        others: &["accuracy.svg", "ladder.svg", "accuracy.html"],
-        spent: &[],
-    };
+    pub const ACCURACY: Self = Self::sealed("accuracy.json");
     /// What a steady motion leaves.
-    pub const STEADY: Self = Self {
-        seal: "steady.json",
-        tables: &["steady_trace", "steady_spectrum"],
-        others: &["steady_trace.svg", "steady_spectrum.svg", "steady.html"],
-        spent: &[],
-    };
+    pub const STEADY: Self = Self::sealed("steady.json");
     /// What steady motions along a parameter leave.
-    pub const RESPONSE: Self = Self {
-        seal: "response.json",
-        tables: &["response", "response_specials"],
-        others: &["response.svg", "response.html"],
-        spent: &[],
-    };
+    pub const RESPONSE: Self = Self::sealed("response.json");
     /// All whose seals may stand in one folder.
-    const ALL: [Self; 7] = [
+    const ALL: [Self; 8] = [
         Self::MOTION,
+        Self::FAILURE,
         Self::BEARING,
         Self::CAMPBELL,
         Self::RUNS,
@@ -144,48 +63,52 @@ impl FileSet {
         Self::RESPONSE,
     ];
 
+    const fn sealed(seal: &'static str) -> Self {
+        Self { seal, spent: None }
+    }
+
     /// The page of an answer, called like its seal.
     pub(super) fn page(self) -> String {
         self.seal.replace(".json", ".html")
     }
 
-    /// The seals of other sets whose files are there and are replaced by these.
-    fn others_of(self, files: &[WholeFile]) -> Vec<&'static str> {
-        let replaced = files.iter().filter(|file| file.path.exists());
-        let names = replaced.filter_map(|file| file.path.file_name()?.to_str());
-        let names: Vec<_> = names.collect();
-        let shares = |set: &Self| {
-            let mut patterns = set.beside();
-            patterns.any(|pattern| names.iter().any(|name| is_alike(name, &pattern)))
-        };
-        let others = Self::ALL.into_iter();
-        let others = others.filter(|set| set.seal != self.seal && shares(set));
-        others.map(|set| set.seal).collect()
-    }
-
-    /// Names of what may stand beside the seal.
-    fn beside(self) -> impl Iterator<Item = String> {
-        let tables = self.tables.iter().flat_map(|stem| {
-            TableFormat::ALL.map(|format| format!("{stem}.{}", format.extension()))
-        });
-        let others = self.others.iter().filter(move |name| **name != self.seal);
-        tables.chain(others.map(|name| (*name).to_owned()))
+    /// Name of the earlier seal while its files are replaced, which a run that is killed meanwhile leaves to the next one.
+    fn set_aside(self) -> String {
+        format!(".{}.replaced", self.seal)
     }
 }
 
-/// Whether a pattern stands for a name: `*` is any text that is not empty.
-fn is_alike(name: &str, pattern: &str) -> bool {
-    let Some((start, end)) = pattern.split_once('*') else {
-        return name == pattern;
+/// Endings of the files that a set may list: no other file is removed, whatever a seal says.
+const ENDINGS: [&str; 5] = ["csv", "parquet", "svg", "html", "toml"];
+/// Bytes of the largest seal that is read.
+const LARGEST_SEAL: u64 = 1 << 30;
+
+/// What is read of an earlier seal.
+#[derive(Deserialize)]
+struct Sealed {
+    #[serde(default)]
+    files: Vec<String>,
+}
+
+/// Names of the files that a seal lists; none where there is no seal, or one without a list.
+fn sealed_files(seal: &Path) -> Vec<String> {
+    let file = open_regular(seal, LARGEST_SEAL).ok();
+    let read = file.and_then(|file| serde_json::from_reader(BufReader::new(file)).ok());
+    let Sealed { files } = read.unwrap_or(Sealed { files: Vec::new() });
+    let is_own = |name: &String| {
+        let path = Path::new(name);
+        let ending = path.extension().and_then(|ending| ending.to_str());
+        path.file_name() == Some(path.as_os_str())
+            && ending.is_some_and(|ending| ENDINGS.contains(&ending))
     };
-    name.len() > start.len() + end.len() && name.starts_with(start) && name.ends_with(end)
+    files.into_iter().filter(is_own).collect()
 }
 
 /// Files whose content is synced at a time.
 const SYNCED_AT_A_TIME: usize = 8;
 
-/// What a killed run may leave.
-const TEMPORARY: &str = ".*.partial";
+/// Ending of a file that is being written.
+const TEMPORARY: &str = ".partial";
 
 /// A folder that takes the files of one run.
 ///
@@ -215,7 +138,7 @@ impl RunFolder {
     pub fn open(path: &Path, set: FileSet) -> Result<Self, ReportError> {
         let mut folder = Self::of_any(path, set)?;
         folder._lock = Some(locked(path, File::try_lock)?);
-        folder.remove([TEMPORARY.to_owned()])?;
+        folder.remove_temporary()?;
         Ok(folder)
     }
 
@@ -322,90 +245,87 @@ impl RunFolder {
         TableFiles::write(self, stem, &table.columns(), table.rows())
     }
 
-    /// Gives all files their names, the seal with the content `sealed` last, and removes
-    /// what an earlier run left under the names of outputs that this one does not have.
+    /// Gives all files their names, the seal with the document last, and removes what an earlier run left that
+    /// this one does not have.
     ///
+    /// The document lists the names of the files. Where another verb has sealed one of them, that seal goes.
     /// Returns the paths of all files.
     ///
     /// # Errors
     /// [`ReportError::File`]; the folder then has no seal.
-    pub fn commit(self, files: Vec<WholeFile>, sealed: &[u8]) -> Result<Vec<PathBuf>, ReportError> {
-        let seal = self.write(self.set.seal, sealed)?;
-        // no seal of another verb stands over files that this one replaces; under its own seal they are its own
-        if !seal.path.exists() {
-            self.unseal(&self.set.others_of(&files))?;
-        }
-        let paths = self.put(files, seal, self.set.beside())?;
-        self.remove(self.set.spent.iter().map(|name| (*name).to_owned()))?;
-        Ok(paths)
-    }
-
-    /// Gives files their names, in place of what stands there under these names and those of `earlier`: an earlier
-    /// seal goes before all of that, and `seal` gets its name after all others.
-    ///
-    /// Returns the paths of all files.
-    ///
-    /// # Errors
-    /// [`ReportError::File`]; the folder then has no seal.
-    pub(super) fn put(
-        &self,
+    pub fn commit(
+        self,
         files: Vec<WholeFile>,
-        seal: WholeFile,
-        earlier: impl IntoIterator<Item = String>,
+        mut document: Value,
     ) -> Result<Vec<PathBuf>, ReportError> {
+        let names: Vec<String> = files.iter().map(WholeFile::name).collect();
+        document["files"] = json!(names);
+        let seal = self.write(self.set.seal, format!("{document:#}\n").as_bytes())?;
         sync_files(files.iter().chain([&seal]))?;
-        let name = seal.path.file_name().unwrap_or_default();
-        self.unseal(&[&name.to_string_lossy()])?;
-        self.remove(earlier)?;
+        let earlier = self.earlier_files();
+        self.unseal()?;
+        for other in FileSet::ALL.into_iter().filter(|set| *set != self.set) {
+            let sealed = sealed_files(&self.path.join(other.seal));
+            if sealed.iter().any(|name| names.contains(name)) {
+                self.remove([other.seal])?;
+            }
+        }
+        self.remove(earlier.iter().map(String::as_str))?;
         let paths: Result<Vec<_>, _> = files.into_iter().map(WholeFile::rename).collect();
         let mut paths = paths?;
         sync_folder(&self.path)?;
         paths.push(seal.rename()?);
         sync_folder(&self.path)?;
+        self.remove([&*self.set.set_aside()])?;
+        if let Some(spent) = self.set.spent {
+            let sealed = sealed_files(&self.path.join(spent));
+            self.remove(sealed.iter().map(String::as_str).chain([spent]))?;
+        }
         Ok(paths)
     }
 
-    /// Removes seals for good, before anything of what they seal is touched.
+    /// Sets the earlier seal aside, before anything of what it seals is touched.
     ///
     /// # Errors
-    /// [`ReportError::File`] where one cannot be removed.
-    pub(super) fn unseal(&self, seals: &[&str]) -> Result<(), ReportError> {
-        if seals.iter().any(|seal| self.path.join(seal).exists()) {
-            self.remove(seals.iter().map(|seal| (*seal).to_owned()))?;
-            sync_folder(&self.path)?;
+    /// [`ReportError::File`] where it cannot be renamed.
+    pub(super) fn unseal(&self) -> Result<(), ReportError> {
+        let seal = self.path.join(self.set.seal);
+        if seal.symlink_metadata().is_err() {
+            return Ok(());
         }
-        Ok(())
+        let renamed = fs::rename(&seal, self.path.join(self.set.set_aside()));
+        renamed.map_err(ReportError::file(FileAction::Rename, &seal))?;
+        sync_folder(&self.path)
     }
 
-    /// Files of the folder's set, if an earlier run stands here whole.
-    pub(super) fn earlier_files(&self) -> Vec<String> {
-        if !self.path.join(self.set.seal).exists() {
+    /// Names of the files that earlier runs of the set left.
+    fn earlier_files(&self) -> Vec<String> {
+        let seals = [self.set.seal.to_owned(), self.set.set_aside()];
+        let sealed = seals.iter().flat_map(|seal| sealed_files(&self.path.join(seal)));
+        sealed.collect()
+    }
+
+    /// Names of the files of an earlier run that stands here whole, the seal first.
+    pub(super) fn whole_files(&self) -> Vec<String> {
+        let seal = self.path.join(self.set.seal);
+        if !seal.exists() {
             return Vec::new();
         }
-        let others = self.set.beside();
-        let others = others.flat_map(|pattern| self.matching(&pattern));
-        let others = others.filter(|name| self.path.join(name).exists());
-        std::iter::once(self.set.seal.to_owned())
-            .chain(others)
-            .collect()
+        let sealed = sealed_files(&seal).into_iter();
+        [self.set.seal.to_owned()].into_iter().chain(sealed).collect()
     }
 
-    /// Names that a pattern stands for: itself, or those of the files that are there, in the order of
-    /// the alphabet.
-    fn matching(&self, pattern: &str) -> Vec<String> {
-        if !pattern.contains('*') {
-            return vec![pattern.to_owned()];
-        }
+    /// Removes what a killed run left under temporary names.
+    fn remove_temporary(&self) -> Result<(), ReportError> {
         let entries = fs::read_dir(&self.path).into_iter().flatten().flatten();
         let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
-        let mut names: Vec<_> = names.filter(|name| is_alike(name, pattern)).collect();
-        names.sort();
-        names
+        let temporary = |name: &String| name.starts_with('.') && name.ends_with(TEMPORARY);
+        let names: Vec<String> = names.filter(temporary).collect();
+        self.remove(names.iter().map(String::as_str))
     }
 
-    fn remove(&self, names: impl IntoIterator<Item = String>) -> Result<(), ReportError> {
-        let names = names.into_iter();
-        for name in names.flat_map(|pattern| self.matching(&pattern)) {
+    fn remove<'a>(&self, names: impl IntoIterator<Item = &'a str>) -> Result<(), ReportError> {
+        for name in names {
             let path = self.path.join(name);
             match fs::remove_file(&path) {
                 Err(error) if error.kind() != io::ErrorKind::NotFound => {
@@ -518,6 +438,12 @@ impl WholeFile {
     /// Path that the file will have.
     pub(super) fn path(&self) -> &Path {
         &self.path
+    }
+
+    /// Name that the file will have.
+    fn name(&self) -> String {
+        let name = self.path.file_name().unwrap_or_default();
+        name.to_string_lossy().into_owned()
     }
 
     /// The same file, to have another name.

@@ -112,7 +112,7 @@ impl RunReport {
         error: &IntegrateError,
         counters: Counters,
     ) -> Result<KeptFiles, ReportError> {
-        let earlier = self.folder.earlier_files();
+        let earlier = self.folder.whole_files();
         let trace = self.tables.into_iter().next();
         let trace = trace.filter(|_| self.output.trace);
         let files = trace.map(|trace| trace.files.close()).transpose()?;
@@ -133,7 +133,7 @@ impl RunReport {
         let json = document(&self.title, &self.scenario, json);
         let folder = self.folder.with_set(FileSet::FAILURE);
         Ok(KeptFiles {
-            files: folder.commit(files, format!("{json:#}\n").as_bytes())?,
+            files: folder.commit(files, json)?,
             beside_earlier: !earlier.is_empty(),
         })
     }
@@ -183,9 +183,7 @@ impl RunReport {
             };
             files.push(folder.write_with("report.html", write)?);
         }
-        let files = self
-            .folder
-            .commit(files, format!("{document:#}\n").as_bytes())?;
+        let files = self.folder.commit(files, document.clone())?;
         Ok(WrittenRun {
             text,
             document,

@@ -7,6 +7,7 @@ use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use serde_json::{Value, json};
 use tempfile::TempDir;
 
 use crate::support::{PROGRAM, done, loaded_7205c, names, root, text, told};
@@ -257,4 +258,25 @@ fn no_seal_stands_over_files_of_another_verb() {
     ));
     assert!(there("campbell.json").exists() && !there("summary.json").exists());
     assert!(there("trace.csv").exists());
+}
+
+/// A seal that lists files which are not its own, and what else stands in the folder.
+#[test]
+fn a_seal_removes_nothing_but_results_beside_it() {
+    let folder = folder_with(&[("a.toml", &loaded_7205c("", "")), ("kept.csv", "x\n1\n")]);
+    let out = folder.path().join("output/a");
+    done(says(folder.path(), &["bearing", "a.toml"]));
+    let sealed = fs::read_to_string(out.join("bearing.json")).expect("a seal");
+    let sealed: Value = serde_json::from_str(&sealed).expect("JSON");
+    let listed = sealed["files"].as_array().expect("a list").clone();
+    assert!(listed.contains(&"balls.csv".into()), "{listed:?}");
+    let foreign = json!({ "files": ["../../kept.csv", "notes.txt", "old.csv", "balls.csv"] });
+    for (name, text) in [("notes.txt", "mine"), ("old.csv", "x\n1\n")] {
+        fs::write(out.join(name), text).expect("a file");
+    }
+    fs::write(out.join("bearing.json"), foreign.to_string()).expect("a file");
+    done(says(folder.path(), &["bearing", "a.toml"]));
+    assert!(folder.path().join("kept.csv").exists() && out.join("notes.txt").exists());
+    assert!(!out.join("old.csv").exists() && out.join("balls.csv").exists());
+    assert!(!out.join(".bearing.json.replaced").exists());
 }

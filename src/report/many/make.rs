@@ -145,7 +145,7 @@ impl<'a> StudyRuns<'a> {
         traces::remove_unfinished(folder.path(), own, all)?;
         if has_traces && rows.count == 0 {
             // traces are put in place one by one: what sealed those of an earlier study goes before them
-            folder.unseal(&[FileSet::RUNS.seal])?;
+            folder.unseal()?;
             traces::remove_stale(folder.path(), own, all)?;
         }
         Ok((folder, rows))

@@ -59,7 +59,7 @@ fn write(folder: RunFolder, rows: &Rows) -> Result<(Vec<PathBuf>, Digest), Study
         files.push(folder.write(&name, text.as_bytes())?);
     }
     let document = digest.document();
-    let paths = folder.commit(files, format!("{document:#}\n").as_bytes())?;
+    let paths = folder.commit(files, document)?;
     Ok((paths, digest))
 }
 
