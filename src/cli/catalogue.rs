@@ -9,7 +9,7 @@ use serde_json::Value;
 use super::{Outcome, terminal};
 use crate::bearing::catalogue::{self, CatalogueEntry};
 use crate::bearing::{Bearing, Estimate};
-use crate::report::{entry_json, entry_text, wrapped};
+use crate::report::{entry_json, entry_text, versioned, wrapped};
 use crate::scenario::catalogue_file;
 
 /// Lists the bearings that a scenario can name, or shows one of them, with the source of every number.
@@ -74,7 +74,7 @@ fn one(designation: &str, json: bool) -> Result<String, String> {
     let estimate = estimate.map_err(|error| format!("{}: {error}", entry.designation))?;
     let bearing = Bearing::catalogue(designation).map_err(|error| error.to_string())?;
     Ok(match json {
-        true => format!("{:#}\n", entry_json(entry, &bearing, &estimate)),
+        true => format!("{:#}\n", versioned(entry_json(entry, &bearing, &estimate))),
         false => entry_text(entry, &bearing, &estimate).text(terminal::details()),
     })
 }

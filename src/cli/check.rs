@@ -12,7 +12,7 @@ use super::{Outcome, terminal};
 use crate::quasi_static::quasi_static;
 use crate::report::many::{Asked, StudyRuns};
 use crate::report::scene::scene_figure;
-use crate::report::write_whole;
+use crate::report::{versioned, write_whole};
 use crate::rotor::RotorDefinition;
 use crate::scenario::{self, Issue, Loaded, ScenarioError};
 
@@ -142,7 +142,7 @@ fn check(file: &Path) -> Result<Checked, ScenarioError> {
 }
 
 fn finding(name: &str, checked: &Result<Checked, ScenarioError>) -> Value {
-    match checked {
+    versioned(match checked {
         Ok(scenario) => json!({
             "file": name,
             "ok": true,
@@ -158,7 +158,7 @@ fn finding(name: &str, checked: &Result<Checked, ScenarioError>) -> Value {
             "warnings": [],
             "issues": error.issues_json(),
         }),
-    }
+    })
 }
 
 fn show(name: &str, checked: &Result<Checked, ScenarioError>) -> io::Result<()> {

@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use super::findings::versioned;
 use super::terminal::{Lines, mark_estimated, rounded};
 use crate::bearing::catalogue::CatalogueEntry;
 use crate::bearing::{Bearing, CatalogueLine, Estimate};
@@ -15,7 +16,7 @@ pub fn estimate_text(title: &str, line: &CatalogueLine, estimate: &Estimate) -> 
 
 /// The estimate as JSON: the geometry with the ratings that it has, beside what is printed.
 pub fn estimate_json(line: &CatalogueLine, estimate: &Estimate) -> Value {
-    let mut value = json!(estimate);
+    let mut value = versioned(estimate);
     value["printed"] = json!({
         "bore_m": line.bore,
         "outside_diameter_m": line.outside_diameter,

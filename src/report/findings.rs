@@ -137,6 +137,13 @@ pub fn document(title: &str, scenario: &Value, result: impl Serialize) -> Value 
     })
 }
 
+/// A result that rests on no scenario, with the version of the program and of the keys.
+pub fn versioned(result: impl Serialize) -> Value {
+    let version =
+        json!({ "jeffcott": env!("CARGO_PKG_VERSION"), "schema_version": SCHEMA_VERSION });
+    with_keys(version, value(result))
+}
+
 /// Warnings of a document.
 pub fn warnings(document: &Value) -> impl Iterator<Item = &str> {
     let warnings = document["warnings"].as_array().into_iter().flatten();

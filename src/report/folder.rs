@@ -301,7 +301,9 @@ impl RunFolder {
     /// Names of the files that earlier runs of the set left.
     fn earlier_files(&self) -> Vec<String> {
         let seals = [self.set.seal.to_owned(), self.set.set_aside()];
-        let sealed = seals.iter().flat_map(|seal| sealed_files(&self.path.join(seal)));
+        let sealed = seals
+            .iter()
+            .flat_map(|seal| sealed_files(&self.path.join(seal)));
         sealed.collect()
     }
 
@@ -312,7 +314,10 @@ impl RunFolder {
             return Vec::new();
         }
         let sealed = sealed_files(&seal).into_iter();
-        [self.set.seal.to_owned()].into_iter().chain(sealed).collect()
+        [self.set.seal.to_owned()]
+            .into_iter()
+            .chain(sealed)
+            .collect()
     }
 
     /// Removes what a killed run left under temporary names.

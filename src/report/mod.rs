@@ -39,7 +39,7 @@ pub(crate) use envelope::Decimator;
 pub(crate) use error::FileAction;
 pub use error::ReportError;
 pub(crate) use estimate::{entry_json, entry_text, estimate_json, estimate_text};
-pub(crate) use findings::{Findings, warnings};
+pub(crate) use findings::{Findings, versioned, warnings};
 pub(crate) use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole};
 #[cfg(test)]
 pub(crate) use histories::Histories;

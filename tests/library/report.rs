@@ -283,7 +283,9 @@ fn a_run_killed_while_it_renames_has_no_summary() {
     .unwrap();
     let other = run.write("blocked.csv", b"new").unwrap();
     drop(blocked);
-    let error = run.commit(vec![file, other], serde_json::json!({})).unwrap_err();
+    let error = run
+        .commit(vec![file, other], serde_json::json!({}))
+        .unwrap_err();
     assert!(matches!(
         error,
         ReportError::File {

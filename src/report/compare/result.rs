@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 
 use super::rules::Allowance;
 use super::{CompareError, Rules};
+use crate::report::findings::versioned;
 use crate::table::Column;
 
 /// What the comparison of two results found; shown as a table by `Display`.
@@ -59,12 +60,12 @@ impl Comparison {
 
     /// The comparison as JSON; a difference that is not finite is null.
     pub fn to_json(&self) -> Value {
-        json!({
+        versioned(json!({
             "agrees": self.agrees(),
             "differences": self.differences,
             "left_out": self.left_out,
             "tables": self.tables.iter().map(TableComparison::to_json).collect::<Value>(),
-        })
+        }))
     }
 }
 
