@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use super::envelope::{Decimator, SCREEN_BUCKETS};
 use super::figure::{Axis, Curve, Figure, Panel, distinct};
-use super::terminal::{shown_name, shown_unit};
+use super::terminal::shown_column;
 use crate::analysis::Channel;
 use crate::rotor::{Freedoms, Sample};
 
@@ -133,8 +133,7 @@ impl Histories {
         };
         let height = HEIGHT / histories.len().clamp(1, 4) as u32;
         let panels = histories.iter().enumerate().map(|(index, history)| {
-            let (unit, scale) = shown_unit(history.channel.unit());
-            let label = (shown_name(history.channel), unit);
+            let (label, scale) = shown_column(&history.channel.column());
             let time = Axis::over(("time", "s"), time.clone());
             Panel::of(time, label, height, vec![history.curve(index, scale)])
         });

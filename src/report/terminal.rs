@@ -6,9 +6,10 @@ use std::path::PathBuf;
 use comfy_table::{CellAlignment, Table, presets};
 use serde::{Serialize, Serializer};
 
-use crate::analysis::Channel;
 use crate::bearing::Clearance;
+use crate::keys::AXES;
 use crate::rotor::FREEDOMS;
+use crate::table::{Column, ColumnKind};
 
 /// Most characters of a line.
 const WIDTH: usize = 100;
@@ -320,12 +321,23 @@ pub(super) fn shown_unit(unit: &str) -> (String, f64) {
     }
 }
 
-/// What a channel is called in figures: `θx`, `force x`.
-pub(super) fn shown_name(channel: Channel) -> String {
-    match channel {
-        Channel::Displacement(freedom) => NAMES[freedom].to_owned(),
-        other => other.name().replace('_', " "),
-    }
+/// What a column is called in figures, with the unit that it is drawn in, and how many of that make one of its own:
+/// `θx`, `force x`, `amplitude of x`, `x, order 1`.
+pub(super) fn shown_column(column: &Column) -> ((String, String), f64) {
+    let freedom = AXES.iter().position(|axis| *axis == column.quantity);
+    let quantity = freedom.map_or_else(
+        || column.quantity.replace('_', " "),
+        |freedom| NAMES[freedom].to_owned(),
+    );
+    let (unit, factor) = shown_unit(&column.unit);
+    let name = match column.kind {
+        ColumnKind::Phase => format!("phase of {quantity}"),
+        ColumnKind::Measure("amplitude") => format!("amplitude of {quantity}"),
+        ColumnKind::Measure("rms") => format!("{quantity}, RMS"),
+        ColumnKind::Measure(what) => format!("{quantity}, {}", what.replace('_', " ")),
+        _ => quantity,
+    };
+    ((name, unit), factor)
 }
 
 /// m → µm, rad → µrad.

@@ -375,7 +375,7 @@ fn a_study_keeps_the_numbers_that_it_names() {
     ];
     assert_eq!(names, expected);
     let figure = fs::read_to_string(small.join("response.svg")).expect("a figure");
-    assert!(figure.contains("lowest natural frequency in Hz") && !figure.contains("ball load"));
+    assert!(figure.contains("natural frequency 1 in Hz") && !figure.contains("ball load"));
 }
 
 /// Runs counted in ball passes last as many at every speed: each leaves as many points.

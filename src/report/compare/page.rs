@@ -8,10 +8,12 @@ use serde_json::Value;
 use super::figure::difference_figure;
 use super::table::Source;
 use super::{CompareError, Comparison, sealed};
+use crate::analysis::Channel;
 use crate::report::envelope::Decimator;
 use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct, ends};
 use crate::report::page::AnswerPage;
-use crate::report::terminal::{Lines, MICRO, MILLI, digits, or_dash};
+use crate::report::spectra::amplitude_column;
+use crate::report::terminal::{Lines, MILLI, digits, or_dash, shown_column};
 use crate::table::Column;
 
 /// Height of a plot, px.
@@ -19,23 +21,14 @@ const HEIGHT: u32 = 190;
 /// Points of all curves of a quantity together, so that the page stays small.
 const MOST_POINTS: usize = 40_000;
 
-/// A column that is drawn, its quantity with the unit that it is drawn in, and how many of that make one of its own.
-type Shown = (&'static str, (&'static str, &'static str), f64);
-
 /// What is drawn of the traces.
-const TRACES: [Shown; 6] = [
-    ("x_m", ("x", "µm"), MICRO),
-    ("y_m", ("y", "µm"), MICRO),
-    ("z_m", ("z", "µm"), MICRO),
-    ("tilt_x_rad", ("θx", "µrad"), MICRO),
-    ("tilt_y_rad", ("θy", "µrad"), MICRO),
-    ("largest_ball_load_N", ("largest ball load", "N"), 1.0),
-];
-/// What is drawn of the spectra.
-const SPECTRA: [Shown; 3] = [
-    ("x_amplitude_m", ("amplitude of x", "µm"), MICRO),
-    ("y_amplitude_m", ("amplitude of y", "µm"), MICRO),
-    ("z_amplitude_m", ("amplitude of z", "µm"), MICRO),
+const TRACES: [Channel; 6] = [
+    Channel::Displacement(0),
+    Channel::Displacement(1),
+    Channel::Displacement(2),
+    Channel::Displacement(3),
+    Channel::Displacement(4),
+    Channel::LargestBallLoad,
 ];
 
 /// A run as its folder has it.
@@ -100,9 +93,11 @@ fn show_runs(folders: &[PathBuf], lines: &mut Lines) -> Result<Vec<Figure>, Comp
     let runs = runs.collect::<Result<Vec<_>, _>>()?;
     let names = names(&runs, folders);
     tell_key_numbers(&runs, &names, lines);
+    let traces = TRACES.map(Channel::column);
+    let spectra = [0, 1, 2].map(|axis| amplitude_column(Channel::Displacement(axis)));
     let figures = [
-        figure("traces", ("time", "s"), &runs, &TRACES, |run| &run.trace),
-        figure("spectra", ("frequency", "Hz"), &runs, &SPECTRA, |run| {
+        figure("traces", ("time", "s"), &runs, &traces, |run| &run.trace),
+        figure("spectra", ("frequency", "Hz"), &runs, &spectra, |run| {
             &run.spectrum
         }),
     ];
@@ -171,24 +166,22 @@ fn figure(
     file: &str,
     over: (&str, &str),
     runs: &[Folder],
-    columns: &[Shown],
+    columns: &[Column],
     table: fn(&Folder) -> &Option<Source<'static>>,
 ) -> Option<Figure> {
     let is_spectrum = file == "spectra";
     let tables: Vec<Option<&Source<'_>>> = runs.iter().map(|run| table(run).as_ref()).collect();
-    let shown = columns.iter().filter(|(column, ..)| {
+    let shown = columns.iter().filter(|column| {
         let mut tables = tables.iter().flatten();
-        tables.any(|table| table.largest(&Column::from_name(column)) > 0.0)
+        tables.any(|table| table.largest(column) > 0.0)
     });
     let axes = tables.iter().flatten().flat_map(|table| table.axis().1);
     let [first, last] = ends(axes.copied())?;
-    let panels = shown.map(|(column, name, factor)| {
+    let panels = shown.map(|column| {
+        let (label, factor) = shown_column(column);
         let curves = tables.iter().enumerate().filter_map(|(index, table)| {
             let table = (*table)?;
-            let values = table
-                .values(&Column::from_name(column))?
-                .iter()
-                .map(|value| factor * value);
+            let values = table.values(column)?.iter().map(|value| factor * value);
             let points = table.axis().1.iter().copied().zip(values);
             // the mean stands apart from what vibrates
             let points = points.filter(|(at, _)| !is_spectrum || *at > 0.0);
@@ -198,13 +191,13 @@ fn figure(
         let curves: Vec<Curve> = curves.collect();
         let over = Axis::over(over, first..last);
         if !is_spectrum {
-            return Panel::of(over, *name, HEIGHT, curves);
+            return Panel::of(over, label, HEIGHT, curves);
         }
         let points = curves.iter().flat_map(|curve| &curve.points);
         let strongest = points.fold(0.0, |most: f64, point| most.max(point.1));
         Panel {
             curves,
-            ..Panel::new(over, Axis::below(*name, strongest), HEIGHT)
+            ..Panel::new(over, Axis::below(label, strongest), HEIGHT)
         }
     });
     let panels: Vec<Panel> = panels.collect();

@@ -7,7 +7,7 @@ use crate::report::figure::{
     Axis, Cell, Curve, Figure, GREY, Label, Mark, Name, Panel, Point, distinct, ends, graded,
     padded,
 };
-use crate::report::terminal::MICRO;
+use crate::report::terminal::{MICRO, shown_column};
 use crate::report::variable::{axis_label, key_in_words, variable_column};
 use crate::study::many::RunRecord;
 
@@ -40,40 +40,18 @@ const MOST_PLACES: usize = 200_000;
 /// Height of a bar, px.
 const BAR: u32 = 26;
 
-/// What the figures show where a study names nothing: name of the column, what it is called and the unit that it is drawn in.
-const SHOWN: [(&str, (&str, &str)); 9] = [
-    ("x_rms_m", ("x, RMS", "µm")),
-    ("y_rms_m", ("y, RMS", "µm")),
-    ("z_rms_m", ("z, RMS", "µm")),
-    ("x_order_1_m", ("x, order 1", "µm")),
-    ("largest_ball_load_N", ("largest ball load", "N")),
-    ("bearing_1_life_h", ("life L10r of bearing 1", "h")),
-    ("natural_frequency_1_Hz", ("lowest natural frequency", "Hz")),
-    ("stiffness_y_N_m", ("stiffness K_yy", "N/m")),
-    ("K_y_N_m", ("stiffness K_yy", "N/m")),
+/// What the figures show where a study names nothing.
+const SHOWN: [&str; 9] = [
+    "x_rms_m",
+    "y_rms_m",
+    "z_rms_m",
+    "x_order_1_m",
+    "largest_ball_load_N",
+    "bearing_1_life_h",
+    "natural_frequency_1_Hz",
+    "stiffness_y_N_m",
+    "K_y_N_m",
 ];
-
-fn shown(name: &str, column: usize) -> Shown {
-    // what ends in N_m is a stiffness or a moment
-    let length = name.strip_suffix("_m").filter(|rest| !rest.ends_with("_N"));
-    let known = SHOWN.iter().find(|(known, _)| *known == name);
-    let label: Label = match (known, length) {
-        (Some((_, label)), _) => (*label).into(),
-        (None, Some(rest)) => (rest, "µm").into(),
-        (None, None) => stiffness_label(name).unwrap_or_else(|| name.into()),
-    };
-    Shown {
-        column,
-        label,
-        factor: if length.is_some() { MICRO } else { 1.0 },
-    }
-}
-
-/// `stiffness K_xx in N/m` of `stiffness_x_N_m`.
-fn stiffness_label(name: &str) -> Option<Label> {
-    let axis = name.strip_prefix("stiffness_")?.strip_suffix("_N_m")?;
-    Some((format!("stiffness K_{axis}{axis}"), "N/m").into())
-}
 
 /// A number that the figures show.
 #[derive(Debug, Clone, PartialEq)]
@@ -82,7 +60,7 @@ pub(super) struct Shown {
     pub column: usize,
     /// What it is called, with the unit in which it is drawn.
     label: Label,
-    /// What its values are multiplied by: lengths are drawn in µm.
+    /// What its values are multiplied by for that.
     factor: f64,
 }
 
@@ -91,13 +69,18 @@ impl Digest {
     pub(super) fn shown(&self) -> Vec<Shown> {
         let names: Vec<&str> = match &self.head.named {
             Some(named) => named.iter().map(String::as_str).collect(),
-            None => SHOWN.iter().map(|(name, _)| *name).collect(),
+            None => SHOWN.to_vec(),
         };
         let known = |name: &&str| {
             let column = self.column(name)?;
             let digest = &self.columns[column];
             let tells = digest.varies() || (self.head.named.is_some() && digest.known > 1);
-            tells.then(|| shown(name, column))
+            let (label, factor) = shown_column(&digest.column);
+            tells.then(|| Shown {
+                column,
+                label: label.into(),
+                factor,
+            })
         };
         names.iter().filter_map(known).collect()
     }
@@ -192,7 +175,8 @@ impl Digest {
         let Some((places, (_, channel))) = widest else {
             return Ok(None);
         };
-        let heights = Axis::over(format!("{channel} in µm"), range(&places));
+        let (label, _) = shown_column(&channel.column());
+        let heights = Axis::over(label, range(&places));
         let places = places.into_iter().enumerate();
         let dots = places.map(|(down, (points, runs))| Curve {
             mark: Mark::Spot,

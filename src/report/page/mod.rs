@@ -14,11 +14,12 @@ pub(super) use self::frame::Frame;
 use super::figure::Figure;
 use super::histories::Histories;
 use super::spectra::{estimated_figure, frequency_limit_of, spectra_figures};
-use super::terminal::shown_name;
+use super::terminal::shown_column;
 use crate::analysis::Channel;
 use crate::bearing::{BallLine, BearingState};
 use crate::rotor::Freedoms;
 use crate::simulate::Run;
+use crate::table::Column;
 
 const SCRIPT: &str = include_str!("page.js");
 const FILM: &str = include_str!("film.js");
@@ -66,10 +67,11 @@ fn columns(run: &Run) -> Value {
     let severity = run.vibration_severity.iter().map(|own| own.channel);
     let channels = places.chain(statistics.map(|own| own.channel));
     let channels = channels.chain(velocities.map(|own| own.channel));
-    let told = |channel: Channel| json!([shown_name(channel), channel.unit()]);
-    let columns = channels
-        .chain(severity)
-        .map(|channel| (channel.column().name(), told(channel)));
+    let told = |column: Column| {
+        let ((name, _), _) = shown_column(&column);
+        (column.name(), json!([name, column.unit]))
+    };
+    let columns = channels.chain(severity).map(Channel::column).map(told);
     Value::Object(columns.collect())
 }
 

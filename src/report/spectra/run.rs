@@ -11,7 +11,7 @@ use super::shown::{FREQUENCY, ShownPeak, ShownSpectrum};
 use crate::analysis::{Channel, Peak, Spectrum};
 use crate::report::figure::Figure;
 use crate::report::table::CsvTable;
-use crate::report::terminal::{MICRO, MILLI, shown_name, shown_unit};
+use crate::report::terminal::{MICRO, MILLI, shown_column, shown_unit};
 use crate::simulate::Run;
 use crate::table::{Column, Table};
 
@@ -200,7 +200,7 @@ fn shown_group<'a>(
     });
     let columns = members.iter().map(|entry| {
         let values = Cow::Borrowed(&entry.amplitude[..]);
-        (shown_name(entry.channel), values)
+        (shown_column(&entry.channel.column()).0.0, values)
     });
     Some(ShownSpectrum {
         name: name.to_owned(),
