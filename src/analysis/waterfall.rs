@@ -88,6 +88,19 @@ impl WaterfallRecorder {
         }
     }
 
+    /// How many numbers the table of so many samples has.
+    pub fn table_numbers(&self, samples: f64) -> f64 {
+        let Waterfall {
+            length,
+            hop,
+            ref channels,
+            ..
+        } = self.waterfall;
+        let slices = ((samples - length as f64) / hop as f64).floor() + 1.0;
+        // time, speed and frequency beside the amplitudes
+        slices.max(0.0) * (self.bins * (3 + channels.len())) as f64
+    }
+
     /// Takes one sample of a run.
     pub fn record(&mut self, sample: &Sample) {
         for (channel, samples) in self.waterfall.channels.iter().zip(&mut self.samples) {

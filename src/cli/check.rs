@@ -98,13 +98,18 @@ fn refused<E: Display>(file: &Path) -> impl FnOnce(E) -> ScenarioError {
 fn check(file: &Path) -> Result<Checked, ScenarioError> {
     let mut checked = match scenario::load_any(file)? {
         Loaded::Study(study) => {
-            let first = StudyRuns::new(&study).map_err(refused(file))?.first;
+            let StudyRuns {
+                first, schedule, ..
+            } = StudyRuns::new(&study).map_err(refused(file))?;
             let failing = |error: &dyn Display| vec![format!("the first run fails: {error}")];
             let (demand, warnings) = match first {
                 Asked::Motion(model) => {
                     let warnings = model.first_warnings();
                     let warnings = warnings.unwrap_or_else(|error| failing(&error));
-                    (Demand::of_runs(&model, &study).ok(), warnings)
+                    (
+                        Demand::of_runs(&model, &study, schedule.runs()).ok(),
+                        warnings,
+                    )
                 }
                 Asked::Standing(question) => {
                     let found = quasi_static(&question).map(|answer| answer.warnings);

@@ -21,6 +21,8 @@ const DRIVE: f64 = 8.0;
 const BALL: f64 = 4.0;
 /// Columns of a line of a spectrum, or of a point, beside its displacements.
 const PLACE: f64 = 3.0;
+/// Columns of a bearing's stiffness and damping.
+const STIFFNESS: f64 = 13.0;
 /// Memory beside that of the run that a limit on addresses has to hold.
 const ADDRESSES: f64 = 40e6;
 
@@ -48,13 +50,12 @@ impl Demand {
         })
     }
 
-    /// Of the runs of a study, all of which are taken to be like its first one.
+    /// Of so many runs of a study, all of which are taken to be like its first one.
     ///
     /// # Errors
     /// [`SimulateError`] where that cannot be run at all.
-    pub fn of_runs(first: &Model, study: &StudyFile) -> Result<Self, SimulateError> {
+    pub fn of_runs(first: &Model, study: &StudyFile, runs: u64) -> Result<Self, SimulateError> {
         let size = RunSize::of(first)?;
-        let runs = study.plan.runs().unwrap_or(u64::MAX);
         let mut numbers = study.columns.len() as f64;
         if study.keep.traces {
             let channels = Channel::of_trace_in(&study.echo["base"], &first.rotor);
@@ -65,10 +66,14 @@ impl Demand {
         let lines = study.keep.highest_order.unwrap_or(0.0) + points;
         let displacements = first.rotor.shaft.freedoms.axes().len() as f64;
         numbers += revolutions * lines * (PLACE + displacements);
+        if study.keep.bearing_stiffness {
+            numbers += STIFFNESS * first.rotor.bearings.len() as f64;
+        }
         Ok(Self {
             runs: Some(runs),
             size,
-            tables: TEXT * numbers * runs as f64,
+            // until its end a study has its rows beside them
+            tables: 2.0 * TEXT * numbers * runs as f64,
         })
     }
 
@@ -175,7 +180,7 @@ fn tables(scenario: &Scenario, model: &Model, size: &RunSize) -> f64 {
         let balls = bearings.map(|bearing| bearing.bearing.geometry.balls());
         columns += BALL * balls.sum::<usize>() as f64;
     }
-    let mut numbers = columns * rows;
+    let mut numbers = columns * rows + size.table_numbers;
     if model.spectrum.is_some() {
         // amplitude and phase of every column at half as many frequencies as samples
         let part = 1.0 - model.settle / model.duration;

@@ -110,7 +110,7 @@ impl Findings {
 }
 
 /// Version of the keys of the documents: it grows where a key goes or changes its meaning.
-const SCHEMA_VERSION: u32 = 1;
+pub(super) const SCHEMA_VERSION: u32 = 1;
 
 /// What every document begins with.
 #[derive(Serialize)]

@@ -132,7 +132,12 @@ fn whole_revolutions(settle: f64, end: f64, speed: f64, interval: f64) -> f64 {
     end - revolutions * TAU / speed + 0.5 * interval
 }
 
-fn maps_of(model: &Model, rotor: &Rotor, rate: f64) -> (WaterfallRecorder, TrackRecorder) {
+/// What takes the maps of a run at so many samples a second.
+pub(super) fn maps_of(
+    model: &Model,
+    rotor: &Rotor,
+    rate: f64,
+) -> (WaterfallRecorder, TrackRecorder) {
     let lengths = 0..rotor.freedoms().lengths();
     let channels: Vec<Channel> = lengths.map(Channel::Displacement).collect();
     let passes = rotor.ball_pass_orders();

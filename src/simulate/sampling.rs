@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::recorders::maps_of;
 use super::{Model, Sampling, SimulateError};
 use crate::analysis::{
     Analysis, BearingFrequencies, Channel, Line, LineSurfaces, Recording, SampleGrid, Segment,
@@ -208,6 +209,8 @@ pub struct RunSize {
     pub samples: u64,
     /// Columns that are kept in memory for the spectra.
     pub columns: usize,
+    /// Numbers in the tables of its maps and of spectra by segments.
+    pub table_numbers: f64,
     /// Memory, bytes: of the run alone, somewhat more than it turns out to take.
     pub memory: f64,
 }
@@ -228,18 +231,22 @@ impl RunSize {
         if model.spectrum.is_some() {
             numbers += (columns as f64 + TRANSFORM) * recorded;
         }
-        let requests = model.spectra.iter();
-        let estimated = requests.map(|request| {
+        let mut table_numbers = 0.0;
+        for request in &model.spectra {
             let segment = segment_samples(request, recorded, rate, rotor.highest_speed());
-            ESTIMATED * request.channels.len() as f64 * segment + TRANSFORM * recorded
-        });
-        numbers += estimated.sum::<f64>();
+            let channels = request.channels.len() as f64;
+            numbers += ESTIMATED * channels * segment + TRANSFORM * recorded;
+            table_numbers += 0.5 * segment * (channels + 1.0);
+        }
         if model.analyses.maps {
-            numbers += MAPS * grid.count as f64;
+            let samples = grid.count as f64;
+            numbers += MAPS * samples;
+            table_numbers += maps_of(model, &rotor, rate).0.table_numbers(samples);
         }
         Ok(Self {
             samples: grid.count,
             columns,
+            table_numbers,
             memory: FLAT + NUMBER * numbers,
         })
     }

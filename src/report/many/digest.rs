@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 
 use super::rows::StudyHead;
 use super::statistics::{ResponsePeak, Sensitivity, peaks, sensitivities};
+use crate::report::findings::SCHEMA_VERSION;
 use crate::study::many::{Direction, RunRecord};
 use crate::table::Column;
 
@@ -248,6 +249,7 @@ impl Digest {
         let head = &self.head;
         json!({
             "jeffcott": head.jeffcott,
+            "schema_version": SCHEMA_VERSION,
             "title": head.title,
             "study": { "study": head.study, "base": head.base },
             "digest": self.json(),
