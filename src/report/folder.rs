@@ -446,7 +446,7 @@ impl WholeFile {
     }
 
     /// Name that the file will have.
-    fn name(&self) -> String {
+    pub(super) fn name(&self) -> String {
         let name = self.path.file_name().unwrap_or_default();
         name.to_string_lossy().into_owned()
     }

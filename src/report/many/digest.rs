@@ -91,6 +91,8 @@ pub struct Digest {
     pub(super) points: usize,
     pub(super) sensitivities: Vec<Sensitivity>,
     peaks: Vec<ResponsePeak>,
+    /// Names of the files of the study.
+    pub(super) files: Vec<String>,
 }
 
 impl Digest {
@@ -115,6 +117,7 @@ impl Digest {
             points: 0,
             sensitivities: Vec::new(),
             peaks: Vec::new(),
+            files: Vec::new(),
         }
     }
 
@@ -253,6 +256,7 @@ impl Digest {
             "title": head.title,
             "study": { "study": head.study, "base": head.base },
             "digest": self.json(),
+            "files": self.files,
         })
     }
 

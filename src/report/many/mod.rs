@@ -24,7 +24,7 @@ use self::ross::ross_files;
 use self::rows::Rows;
 use self::tables::Tables;
 use crate::report::figure::Figure;
-use crate::report::{FileSet, PartialFile, ReportError, RunFolder};
+use crate::report::{FileSet, PartialFile, ReportError, RunFolder, WholeFile};
 
 /// Puts the parts of a study together, in the folder that they stand in: to the bytes of the study made in
 /// one piece.
@@ -58,8 +58,8 @@ fn write(folder: RunFolder, rows: &Rows) -> Result<(Vec<PathBuf>, Digest), Study
     for (name, text) in ross_files(&digest) {
         files.push(folder.write(&name, text.as_bytes())?);
     }
-    let document = digest.document();
-    let paths = folder.commit(files, document)?;
+    digest.files = files.iter().map(WholeFile::name).collect();
+    let paths = folder.commit(files, digest.document())?;
     Ok((paths, digest))
 }
 
