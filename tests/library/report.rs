@@ -538,7 +538,7 @@ fn the_text_shows_key_numbers_and_peaks() {
     let flat: Vec<&str> = shown.split_whitespace().collect();
     let flat = flat.join(" ");
     for expected in [
-        "A title",
+        "7205C & <1000 N>",
         "z 17.0000 µm",
         "431.00 Hz (ζ 0.020)",
         "5 to 12 of 12 balls loaded, mean 8.50; contact lost 7 times, 0.0100 s to 0.0900 s; \
