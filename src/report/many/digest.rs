@@ -12,7 +12,7 @@ use crate::study::many::{Direction, RunRecord};
 use crate::table::Column;
 
 /// Most rows that are looked at for quantiles and figures: of more, every so many.
-const MOST_ROWS: u64 = 20_000;
+const MOST_ROWS: u64 = 8_000;
 /// Most kinds of warnings that are told.
 const MOST_WARNINGS: usize = 20;
 /// Most failed runs that are named.
@@ -151,6 +151,7 @@ impl Digest {
                 for (column, value) in self.columns.iter_mut().zip(&outcome.numbers) {
                     column.add(row.run, *value);
                 }
+                outcome.numbers.shrink_to_fit();
                 self.keep(row);
             }
         }
