@@ -205,15 +205,11 @@ impl Job {
 
     /// Writes the files of what was found, and answers with it after telling its warnings.
     pub fn write(&self, findings: &Findings) -> Result<Answer, Failure> {
-        let files = findings.write(&self.folder)?;
+        let (files, document) = findings.write(&self.folder)?;
         self.warn_besides(findings.warnings());
         Ok(Answer {
             incomplete: findings.incomplete,
-            ..Answer::new(
-                findings.text(terminal::details()),
-                findings.document.clone(),
-                &files,
-            )
+            ..Answer::new(findings.text(terminal::details()), document, &files)
         })
     }
 

@@ -236,7 +236,7 @@ fn only(
             let scenario = scenario.map_err(|error| no_run(error.to_string()))?;
             let findings = BearingQuestion::new(&scenario, None, None).answer();
             let findings = findings.map_err(|error| no_run(error.to_string()))?;
-            let files = findings.write(&folder).map_err(failed)?;
+            let (files, _) = findings.write(&folder).map_err(failed)?;
             let warnings = findings.warnings().map(str::to_owned).collect();
             (findings.text(terminal::details()), warnings, files)
         }
@@ -272,8 +272,9 @@ fn show(
         terminal::tell(&format!("warning: {title}: {warning}\n"));
     }
     if as_json {
-        let part = || json!({ "title": title, "files": files });
-        let document = digest.map_or_else(part, Digest::document);
+        let part = || json!({ "title": title });
+        let mut document = digest.map_or_else(part, Digest::document);
+        document["files"] = json!(files);
         terminal::print(&format!("{document:#}\n"))?;
     } else {
         let digest = digest.map(Digest::text).unwrap_or_default();

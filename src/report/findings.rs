@@ -80,11 +80,12 @@ impl Findings {
         found.map(Figure::svg)
     }
 
-    /// Writes tables and figures into a folder, and the document last; returns the paths of all files.
+    /// Writes tables and figures into a folder, and the document last; returns the paths of all files, and the
+    /// document, which lists them.
     ///
     /// # Errors
     /// [`ReportError`] where a file cannot be written.
-    pub fn write(&self, folder: &Path) -> Result<Vec<PathBuf>, ReportError> {
+    pub fn write(&self, folder: &Path) -> Result<(Vec<PathBuf>, Value), ReportError> {
         let folder = RunFolder::open(folder, self.set)?;
         let folder = folder.with_tables(&self.formats, &self.document["scenario"]);
         let mut files = Vec::new();

@@ -18,7 +18,7 @@ use crate::table::Table;
 
 /// The files that one verb leaves in a folder, by the file that seals them.
 ///
-/// The seal is a document whose `files` lists all others by their names: what an earlier run left, and whose files another
+/// The seal is a document whose `sealed` lists all others by their names: what an earlier run left, and whose files another
 /// verb is about to replace, is read there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FileSet {
@@ -87,21 +87,21 @@ const LARGEST_SEAL: u64 = 1 << 30;
 #[derive(Deserialize)]
 struct Sealed {
     #[serde(default)]
-    files: Vec<String>,
+    sealed: Vec<String>,
 }
 
 /// Names of the files that a seal lists; none where there is no seal, or one without a list.
 fn sealed_files(seal: &Path) -> Vec<String> {
     let file = open_regular(seal, LARGEST_SEAL).ok();
     let read = file.and_then(|file| serde_json::from_reader(BufReader::new(file)).ok());
-    let Sealed { files } = read.unwrap_or(Sealed { files: Vec::new() });
+    let Sealed { sealed } = read.unwrap_or(Sealed { sealed: Vec::new() });
     let is_own = |name: &String| {
         let path = Path::new(name);
         let ending = path.extension().and_then(|ending| ending.to_str());
         path.file_name() == Some(path.as_os_str())
             && ending.is_some_and(|ending| ENDINGS.contains(&ending))
     };
-    files.into_iter().filter(is_own).collect()
+    sealed.into_iter().filter(is_own).collect()
 }
 
 /// Files whose content is synced at a time.
@@ -248,8 +248,8 @@ impl RunFolder {
     /// Gives all files their names, the seal with the document last, and removes what an earlier run left that
     /// this one does not have.
     ///
-    /// The document lists the names of the files. Where another verb has sealed one of them, that seal goes.
-    /// Returns the paths of all files.
+    /// The document lists the names of the files as `sealed`. Where another verb has sealed one of them, that seal goes.
+    /// Returns the paths of all files, and the document.
     ///
     /// # Errors
     /// [`ReportError::File`]; the folder then has no seal.
@@ -257,9 +257,9 @@ impl RunFolder {
         self,
         files: Vec<WholeFile>,
         mut document: Value,
-    ) -> Result<Vec<PathBuf>, ReportError> {
+    ) -> Result<(Vec<PathBuf>, Value), ReportError> {
         let names: Vec<String> = files.iter().map(WholeFile::name).collect();
-        document["files"] = json!(names);
+        document["sealed"] = json!(names);
         let seal = self.write(self.set.seal, format!("{document:#}\n").as_bytes())?;
         sync_files(files.iter().chain([&seal]))?;
         let earlier = self.earlier_files();
@@ -281,7 +281,7 @@ impl RunFolder {
             let sealed = sealed_files(&self.path.join(spent));
             self.remove(sealed.iter().map(String::as_str).chain([spent]))?;
         }
-        Ok(paths)
+        Ok((paths, document))
     }
 
     /// Sets the earlier seal aside, before anything of what it seals is touched.

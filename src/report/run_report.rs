@@ -133,7 +133,7 @@ impl RunReport {
         let json = document(&self.title, &self.scenario, json);
         let folder = self.folder.with_set(FileSet::FAILURE);
         Ok(KeptFiles {
-            files: folder.commit(files, json)?,
+            files: folder.commit(files, json)?.0,
             beside_earlier: !earlier.is_empty(),
         })
     }
@@ -183,7 +183,7 @@ impl RunReport {
             };
             files.push(folder.write_with("report.html", write)?);
         }
-        let files = self.folder.commit(files, document.clone())?;
+        let (files, document) = self.folder.commit(files, document)?;
         Ok(WrittenRun {
             text,
             document,

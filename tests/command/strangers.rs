@@ -268,9 +268,9 @@ fn a_seal_removes_nothing_but_results_beside_it() {
     done(says(folder.path(), &["bearing", "a.toml"]));
     let sealed = fs::read_to_string(out.join("bearing.json")).expect("a seal");
     let sealed: Value = serde_json::from_str(&sealed).expect("JSON");
-    let listed = sealed["files"].as_array().expect("a list").clone();
+    let listed = sealed["sealed"].as_array().expect("a list").clone();
     assert!(listed.contains(&"balls.csv".into()), "{listed:?}");
-    let foreign = json!({ "files": ["../../kept.csv", "notes.txt", "old.csv", "balls.csv"] });
+    let foreign = json!({ "sealed": ["../../kept.csv", "notes.txt", "old.csv", "balls.csv"] });
     for (name, text) in [("notes.txt", "mine"), ("old.csv", "x\n1\n")] {
         fs::write(out.join(name), text).expect("a file");
     }

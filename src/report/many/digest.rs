@@ -92,7 +92,7 @@ pub struct Digest {
     pub(super) sensitivities: Vec<Sensitivity>,
     peaks: Vec<ResponsePeak>,
     /// Names of the files of the study.
-    pub(super) files: Vec<String>,
+    pub(super) sealed: Vec<String>,
 }
 
 impl Digest {
@@ -117,7 +117,7 @@ impl Digest {
             points: 0,
             sensitivities: Vec::new(),
             peaks: Vec::new(),
-            files: Vec::new(),
+            sealed: Vec::new(),
         }
     }
 
@@ -257,7 +257,7 @@ impl Digest {
             "title": head.title,
             "study": { "study": head.study, "base": head.base },
             "digest": self.json(),
-            "files": self.files,
+            "sealed": self.sealed,
         })
     }
 

@@ -58,8 +58,8 @@ fn write(folder: RunFolder, rows: &Rows) -> Result<(Vec<PathBuf>, Digest), Study
     for (name, text) in ross_files(&digest) {
         files.push(folder.write(&name, text.as_bytes())?);
     }
-    digest.files = files.iter().map(WholeFile::name).collect();
-    let paths = folder.commit(files, digest.document())?;
+    digest.sealed = files.iter().map(WholeFile::name).collect();
+    let (paths, _) = folder.commit(files, digest.document())?;
     Ok((paths, digest))
 }
 
