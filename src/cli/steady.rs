@@ -70,7 +70,7 @@ pub struct Arguments {
 /// A motion, or a branch of them.
 enum Question<'a> {
     Motion(SteadyQuestion<'a>),
-    Branch(ResponseQuestion<'a>),
+    Branch(Box<ResponseQuestion<'a>>),
 }
 
 /// Checks all files, then finds their motions in turn.
@@ -99,7 +99,7 @@ impl Arguments {
         question.multiple = self.period.unwrap_or(1);
         question.points = self.points as usize;
         question.doubled = !self.no_doubled;
-        Ok(Question::Branch(question))
+        Ok(Question::Branch(Box::new(question)))
     }
 }
 

@@ -100,14 +100,14 @@ impl Table {
         );
         let speeds: Vec<f64> = self.rows.iter().map(|row| row.speed).collect();
         let _ = writeln!(text, "speed = {speeds:?}");
-        let parts: [(char, fn(&BearingStiffness) -> &[f64]); 2] =
-            [('k', |row| &row.stiffness), ('c', |row| &row.damping)];
-        for (letter, part) in parts {
+        let mut write = |letter: char, part: fn(&BearingStiffness) -> &[f64]| {
             for (place, (entry, _)) in BearingStiffness::ENTRIES.iter().enumerate() {
                 let column: Vec<f64> = self.rows.iter().map(|row| part(row)[place]).collect();
                 let _ = writeln!(text, "{letter}{entry} = {column:?}");
             }
-        }
+        };
+        write('k', |row| &row.stiffness);
+        write('c', |row| &row.damping);
         text
     }
 }

@@ -23,11 +23,14 @@ const MOMENTS: [(&str, Moment); 3] = [
     ("peak_to_peak", Moments::peak_to_peak),
 ];
 
+/// Finds something in a result.
+type Find<Result, Found> = Arc<dyn Fn(&Result) -> Found + Send + Sync>;
+
 /// How a number is found in a run, which may have none, or in the answer to a static question.
 #[derive(Clone)]
 enum Value {
-    Run(Arc<dyn Fn(&Run) -> Option<f64> + Send + Sync>),
-    Answer(Arc<dyn Fn(&QuasiStatic) -> f64 + Send + Sync>),
+    Run(Find<Run, Option<f64>>),
+    Answer(Find<QuasiStatic, f64>),
 }
 
 /// A number of a run: what it is called, what it rests on, and how it is found.

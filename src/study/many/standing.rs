@@ -115,12 +115,11 @@ fn of_bearing(bearing: usize) -> Vec<NumberColumn> {
     let loaded = |state: &BearingState| state.balls_loaded as f64;
     let mut columns = vec![number("balls_loaded", "", Box::new(loaded))];
     for (quantity, unit, value) in EXTREMES {
-        let both: [(&str, fn(f64, f64) -> f64); 2] =
-            [("largest", f64::max), ("smallest", f64::min)];
-        columns.extend(both.map(|(which, of)| {
+        let of_all = |which: &str, of: fn(f64, f64) -> f64| {
             let extreme = move |state: &BearingState| extreme(state, value, of);
             number(&format!("{which}_{quantity}"), unit, Box::new(extreme))
-        }));
+        };
+        columns.extend([of_all("largest", f64::max), of_all("smallest", f64::min)]);
     }
     columns.extend(BEARING.map(|(quantity, unit, value)| number(quantity, unit, Box::new(value))));
     columns
