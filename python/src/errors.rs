@@ -1,7 +1,7 @@
 //! Errors of the crate as exceptions of the package.
 
 use jeffcott::ask::AskError;
-use jeffcott::scenario::{Issue, ScenarioError, ScenarioRunError};
+use jeffcott::scenario::{Issue, ScenarioError};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 
@@ -57,28 +57,7 @@ pub fn ask_error(py: Python<'_>, error: &AskError) -> PyErr {
     }
 }
 
-/// A scenario that asks nothing of the kind is a `ScenarioError`, everything else a `RunError`.
-pub fn scenario_run_error(py: Python<'_>, error: &ScenarioRunError) -> PyErr {
-    match error {
-        ScenarioRunError::NoTime => no_time(py),
-        other => run_error(py, other),
-    }
-}
-
-/// `ScenarioError` of a scenario without `[time]`.
-pub fn no_time(py: Python<'_>) -> PyErr {
-    let problem = serde_json::json!([{
-        "key": "time",
-        "message": "the scenario has no [time], so that nothing moves",
-        "line": null,
-        "column": null,
-        "help": "add one, with a duration",
-    }]);
-    let text = ScenarioRunError::NoTime.to_string();
-    exception(py, "ScenarioError", (text, problem.to_string()))
-}
-
-/// What the drawing library or memory refuses.
+/// What memory or a thread refuses.
 pub fn other(error: impl std::fmt::Display) -> PyErr {
     PyRuntimeError::new_err(error.to_string())
 }

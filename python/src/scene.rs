@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicU64;
 
 use jeffcott::ask::{
     AccuracyQuestion, AskError, BearingQuestion, CampbellQuestion, Findings, Followed, Order,
-    ResponseQuestion, RunFindings, SteadyQuestion,
+    ResponseQuestion, SteadyQuestion, record,
 };
 use jeffcott::bearing::CATALOGUE;
 use jeffcott::internals::{frequency, method, speed, time, tolerance, written};
@@ -16,7 +16,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::answer::{Answer, RunAnswer};
-use crate::errors::{ask_error, issue_error, scenario_error, scenario_run_error};
+use crate::errors::{ask_error, issue_error, scenario_error};
 use crate::watch::{Watch, watched};
 
 /// Number of the scenario that is followed, and its first and last value.
@@ -124,9 +124,9 @@ impl Scene {
                 stop: watch.stop,
                 progress: watch.progress,
             };
-            RunFindings::of(scenario, &mut monitor)
+            record(scenario, &mut monitor)
         })?;
-        let answer = answer.map_err(|error| scenario_run_error(py, &error))?;
+        let answer = answer.map_err(|error| ask_error(py, &error))?;
         Ok(RunAnswer(answer))
     }
 

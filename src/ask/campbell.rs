@@ -69,6 +69,7 @@ impl<'a> CampbellQuestion<'a> {
         let (mut found, mut named): (Vec<f64>, _) = (Vec::new(), Vec::new());
         for order in orders {
             match order {
+                Order::Number(order) if found.contains(order) => {}
                 Order::Number(order) => found.push(*order),
                 Order::OfBearings(name, of) => {
                     for (number, pass) in (1..).zip(ball_passes(&rotor, from)) {
@@ -81,14 +82,8 @@ impl<'a> CampbellQuestion<'a> {
                 }
             }
         }
-        let mut orders: Vec<f64> = Vec::new();
-        for order in found {
-            if !orders.contains(&order) {
-                orders.push(order);
-            }
-        }
         let refused = |error: campbell::CampbellError| Issue::new("speed", error.to_string());
-        check_range([from, to], count, &orders).map_err(refused)?;
+        check_range([from, to], count, &found).map_err(refused)?;
         Ok(Self {
             scenario,
             question: campbell::CampbellQuestion {
@@ -96,7 +91,7 @@ impl<'a> CampbellQuestion<'a> {
                 from,
                 to,
                 count,
-                orders,
+                orders: found,
             },
             named,
             highest,

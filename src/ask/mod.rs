@@ -13,7 +13,7 @@ mod steady;
 use std::error::Error;
 
 use crate::scenario::{Issue, Scenario};
-use crate::simulate::Model;
+use crate::simulate::{Model, Monitor};
 
 pub use crate::report::findings::Findings;
 pub use crate::report::recorded::RunFindings;
@@ -46,6 +46,15 @@ impl From<Issue> for AskError {
     fn from(issue: Issue) -> Self {
         Self::Asked(issue)
     }
+}
+
+/// Runs a scenario and keeps its samples.
+///
+/// # Errors
+/// [`AskError::Asked`] where nothing moves, [`AskError::Failed`] where the run fails.
+pub fn record(scenario: Scenario, monitor: &mut Monitor<'_>) -> Result<RunFindings, AskError> {
+    let model = motion(&scenario)?.clone();
+    RunFindings::new(scenario, model, monitor).map_err(AskError::failed)
 }
 
 /// How the shaft of a scenario moves.

@@ -12,7 +12,7 @@ use super::run_up::{waterfall_columns, waterfall_rows};
 use super::spectra::estimated_table;
 use super::{FileAction, ReportError, RunReport};
 use crate::analysis::Channel;
-use crate::scenario::{Scenario, ScenarioRunError};
+use crate::scenario::Scenario;
 use crate::simulate::{Maps, Model, Monitor, RecordedRun, SimulateError};
 use crate::study::campbell::{Campbell, along_run_up};
 use crate::table::Table;
@@ -29,12 +29,15 @@ pub struct RunFindings {
 }
 
 impl RunFindings {
-    /// Runs a scenario and keeps its samples.
+    /// Runs the model of a scenario and keeps its samples.
     ///
     /// # Errors
-    /// [`ScenarioRunError`].
-    pub fn of(scenario: Scenario, monitor: &mut Monitor<'_>) -> Result<Self, ScenarioRunError> {
-        let model = scenario.model.clone().ok_or(ScenarioRunError::NoTime)?;
+    /// [`SimulateError`].
+    pub(crate) fn new(
+        scenario: Scenario,
+        model: Model,
+        monitor: &mut Monitor<'_>,
+    ) -> Result<Self, SimulateError> {
         let mut recorded = RecordedRun::watched(&model, scenario.output.balls, monitor)?;
         let campbell = along_run_up(&model, &mut recorded.run);
         Ok(Self {
