@@ -42,10 +42,16 @@ pub trait System {
     /// continuous, with a simple zero at its surface.
     fn events(&self, _time: f64, _state: &[f64], _values: &mut [f64]) {}
 
-    /// Writes an upper bound of the force jump, what each component of the derivative gains at a distance past an
-    /// event surface: it grows with a broken power of the distance, like a contact force.
+    /// Writes an upper bound of the force jump: what each component of the derivative gains at a distance past an
+    /// event surface.
     fn force_jump(&self, _event: usize, _time: f64, _distance: f64, rate: &mut [f64]) {
         rate.fill(0.0);
+    }
+
+    /// Power of the distance that the force jump past an event surface grows with: 1 for a spring with a gap, 3/2 for a
+    /// ball on a race. A whole power is smooth on either side of its surface, a broken one is not.
+    fn event_exponent(&self, _event: usize) -> f64 {
+        1.0
     }
 
     /// Whether the motion is expected to cross event surfaces: estimated before the motion is known.
@@ -162,6 +168,10 @@ impl System for Shifted<'_> {
     fn force_jump(&self, event: usize, time: f64, distance: f64, rate: &mut [f64]) {
         let system = self.system;
         system.force_jump(event, self.start + time, distance, rate);
+    }
+
+    fn event_exponent(&self, event: usize) -> f64 {
+        self.system.event_exponent(event)
     }
 
     fn expects_crossings(&self) -> bool {

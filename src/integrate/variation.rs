@@ -71,11 +71,12 @@ impl System for Augmented<'_> {
             .events(time, &all[..self.system.states()], values);
     }
 
-    /// The force of a contact grows with the power 3/2 of the depth δ, so that its stiffness is 3/2 of the force
-    /// over δ; neighbouring motions are a unit of each component apart at the start.
+    /// A force F that grows with the power n of the distance δ has the stiffness n F/δ; neighbouring motions are a unit
+    /// of each component apart at the start.
     fn force_jump(&self, event: usize, time: f64, distance: f64, rate: &mut [f64]) {
         let (own, slopes) = rate.split_at_mut(self.system.states());
         self.system.force_jump(event, time, distance, own);
+        let exponent = self.system.event_exponent(event);
         let length = self.scale[..own.len() / 2]
             .iter()
             .copied()
@@ -83,9 +84,14 @@ impl System for Augmented<'_> {
         let columns = slopes.chunks_exact_mut(own.len());
         for (column, scale) in columns.zip(self.scale) {
             for (slope, force) in column.iter_mut().zip(&*own) {
-                *slope = 1.5 * force / distance * length / scale;
+                *slope = exponent * force / distance * length / scale;
             }
         }
+    }
+
+    /// That of the states; that of their slopes is one less, and as whole or broken.
+    fn event_exponent(&self, event: usize) -> f64 {
+        self.system.event_exponent(event)
     }
 }
 

@@ -72,6 +72,10 @@ impl System for Rotor {
         }
     }
 
+    fn event_exponent(&self, _event: usize) -> f64 {
+        1.5
+    }
+
     fn expects_crossings(&self) -> bool {
         self.balls_may_part()
     }

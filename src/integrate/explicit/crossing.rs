@@ -1,12 +1,12 @@
 //! Event surfaces: seen in a trial step, and landed on.
 //!
-//! A step over the surface of a contact has an error of order 2.5, and its estimate may be blind to it.
-//! So a trial that crosses a surface is given up where the force jump counts; the next one ends
-//! on the surface, and the one after it begins there, each in a variable in which it is smooth.
+//! A step over a surface, behind which the derivative grows with the power n of the distance, has an error of order
+//! n + 1, and its estimate may be blind to it. So a trial that crosses a surface is given up where the force jump counts;
+//! the next one ends on the surface, and the one after it begins there, each in a variable in which it is smooth.
 
 use super::plan::Plan;
 use super::stepper::ExplicitStepper;
-use super::verner76::CROSSED;
+use super::verner76::{FACTORS, LAST, error_over_surface};
 use crate::integrate::System;
 use crate::integrate::problem::Problem;
 use crate::integrate::root::root;
@@ -25,27 +25,32 @@ const TOGETHER: f64 = 1e-3;
 const AT_END: f64 = 1e-6;
 /// Part of the trial to which a crossing is found.
 const FOUND: f64 = 1e-9;
-/// Error of a step over its size and the force jump over a short part at its end, over that part:
-/// ∫ x^(3/2), for none of it need be seen.
-const CROSSED_AT_END: f64 = 0.4;
+
+/// Error of a step over its size and the force jump over a short part at its end, over that part: ∫ x^n over 0 … 1, for
+/// none of it need be seen.
+fn error_at_end(exponent: f64) -> f64 {
+    1.0 / (exponent + 1.0)
+}
 
 /// A step that is to end on event surfaces.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Landing {
     /// s.
     pub time: f64,
-    /// Whether a surface ceases there to add to the derivative.
+    /// Whether a broken power ends there.
     pub ends: bool,
 }
 
 /// Where the motion is between the event surfaces.
 #[derive(Debug, Clone)]
 pub(super) struct Crossings {
+    /// Whether the derivative grows with a broken power past each surface.
+    broken: Vec<bool>,
     /// Whether the state at the end of the latest step is past each surface.
     pub past: Vec<bool>,
     /// End of the latest step that crossed a surface, s.
     pub latest: f64,
-    /// Whether the latest step ended on a surface that adds to the derivative from there on.
+    /// Whether the latest step ended on a surface from which on the derivative grows with a broken power.
     pub fresh: bool,
     /// When a step is to end on each surface, s; infinite where none is.
     pub due: Vec<f64>,
@@ -64,7 +69,9 @@ pub(super) struct Crossings {
 impl Crossings {
     pub fn new(system: &dyn System) -> Self {
         let (events, states) = (system.event_count(), system.states());
+        let is_broken = |event| system.event_exponent(event).fract() != 0.0;
         Self {
+            broken: (0..events).map(is_broken).collect(),
             past: vec![false; events],
             latest: f64::NEG_INFINITY,
             fresh: false,
@@ -82,10 +89,10 @@ impl Crossings {
     /// The earliest landing that is planned.
     pub fn next_landing(&self) -> Option<Landing> {
         let time = earliest(&self.due, f64::NEG_INFINITY);
-        let ends = |(due, past): (&f64, &bool)| *due == time && *past;
+        let ends = |event: usize| self.due[event] == time && self.past[event] && self.broken[event];
         (time < f64::INFINITY).then(|| Landing {
             time,
-            ends: self.due.iter().zip(&self.past).any(ends),
+            ends: (0..self.due.len()).any(ends),
         })
     }
 
@@ -169,17 +176,24 @@ impl ExplicitStepper {
     fn error_over(&mut self, problem: &Problem<'_>, plan: &Plan, event: usize) -> f64 {
         let [from, to] = self.ends_past(event);
         let (past, apart) = (from.max(to), (from - to).abs());
+        let exponent = problem.system.event_exponent(event);
         let mut change = |distance| self.change_by_jump(problem, plan, event, distance);
-        let anywhere = CROSSED * change(apart);
-        let at_end = CROSSED_AT_END * past / apart;
+        let anywhere = error_over_surface(exponent) * change(apart);
+        let at_end = error_at_end(exponent) * past / apart;
         anywhere.min(at_end * change(past))
     }
 
     /// Error of a trial that was to end on a surface, over the tolerance.
     fn error_beside(&mut self, problem: &Problem<'_>, plan: &Plan, event: usize) -> f64 {
         let [from, to] = self.ends_past(event);
-        let part = CROSSED_AT_END * (to.abs() / (from - to).abs());
-        part * self.change_by_jump(problem, plan, event, to.abs())
+        let exponent = problem.system.event_exponent(event);
+        let part = error_at_end(exponent) * (to.abs() / (from - to).abs());
+        // the next step counts the derivative at its start with the weight of the first stage; a broken power is flat there
+        let next = match self.crossing.broken[event] {
+            true => 0.0,
+            false => FACTORS[LAST][0],
+        };
+        part.max(next) * self.change_by_jump(problem, plan, event, to.abs())
     }
 
     /// Change of the state over the trial by the force jump at a distance, over the tolerance.
@@ -268,7 +282,7 @@ impl ExplicitStepper {
         if is_over || (0.0..near).contains(&left) || !misses {
             // round-off must not bring it back
             crossing.past[event] = past;
-            crossing.fresh |= past;
+            crossing.fresh |= past && crossing.broken[event];
         } else if (near..self.size).contains(&left) && self.time + left < self.limit {
             // not quite there: a short step more
             crossing.due[event] = self.time + left;

@@ -24,10 +24,11 @@ pub(super) struct Plan {
     pub landing: Option<Landing>,
 }
 
-/// A change of variable within a step, by which broken powers at its ends become smooth: which of them are singular: at a surface that a contact force starts from, or comes down to.
+/// A change of the variable of a step, by which broken powers at its ends become smooth: which ends are singular, as
+/// where the derivative begins to grow with a broken power of the distance past a surface, or comes down to it.
 ///
-/// The step `t = t₀ + h φ(s)` runs over s from 0 to 1. A derivative that grows with the power 3/2 of
-/// the time from a singular end is then smooth in s:
+/// The step `t = t₀ + h φ(s)` runs over s from 0 to 1. What grows with the power n of the time from a singular end grows
+/// with the power 2n of s: smooth for halves, as 3/2, and of twice the order for all others.
 ///
 /// ```text
 /// singular   φ(s)

@@ -35,8 +35,10 @@ pub(super) const ERROR_POWER: i32 = 7;
 pub(super) const STABILITY: f64 = 4.65;
 
 /// Error of the quadrature by the weights, over a step of one, of a derivative that grows from some position on, or
-/// falls to it, with the power 3/2 of the distance; root mean square over all positions.
-pub(super) const CROSSED: f64 = 9.4e-4;
+/// falls to it, with a power of the distance: root mean square over all positions, within a third for powers from 1 to 2.
+pub(super) fn error_over_surface(exponent: f64) -> f64 {
+    9.4e-4 * 10_f64.powf(1.5 - exponent)
+}
 
 /// The stage at the end of the step, which is the first stage of the next step: the coefficients of its argument
 /// are the weights b_i.

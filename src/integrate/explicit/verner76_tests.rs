@@ -154,24 +154,26 @@ fn limit_of_stability_is_that_of_the_coefficients() {
     assert!(decay(1.02 * STABILITY) > 1.0);
 }
 
-/// Error of a quadrature by weights at nodes of 0 … 1, root mean square over the positions where a power 3/2 begins.
-fn error_over_a_kink(weights: &[f64], nodes: &[f64]) -> f64 {
+/// Error of the quadrature over 0 … 1, root mean square over the positions where a power begins.
+fn quadrature_error(exponent: f64) -> f64 {
     const POSITIONS: u32 = 2000;
     let error = |position: f64| {
-        let value = |node: &f64| (node - position).max(0.0).powf(1.5);
-        let terms = weights.iter().zip(nodes);
-        let sum: f64 = terms.map(|(weight, node)| weight * value(node)).sum();
-        // ∫ x^(3/2) = 2/5 x^(5/2)
-        0.4 * (1.0 - position).powf(2.5) - sum
+        let value = |node: &f64| (node - position).max(0.0).powf(exponent);
+        let terms = FACTORS[LAST].iter().zip(NODES);
+        let sum: f64 = terms.map(|(weight, node)| weight * value(&node)).sum();
+        // ∫ x^n = x^(n+1)/(n+1)
+        (1.0 - position).powf(exponent + 1.0) / (exponent + 1.0) - sum
     };
     let positions = (0..=POSITIONS).map(|position| f64::from(position) / f64::from(POSITIONS));
     let squares: f64 = positions.map(|position| error(position).powi(2)).sum();
     (squares / f64::from(POSITIONS + 1)).sqrt()
 }
 
-fn the_error_over_a_kink_is_as_stated() {
-    let found = error_over_a_kink(FACTORS[LAST], &NODES);
-    assert!((found / CROSSED - 1.0).abs() < 0.02, "{found}");
+fn the_error_over_a_surface_is_as_stated() {
+    for (exponent, within) in [(1.0, 0.34), (1.5, 0.02), (2.0, 0.34)] {
+        let found = quadrature_error(exponent) / error_over_surface(exponent);
+        assert!((found - 1.0).abs() < within, "{exponent}: {found}");
+    }
 }
 
 #[test]
@@ -187,7 +189,7 @@ fn the_orders_are_seven_and_six_and_that_of_the_interpolant_is_six() {
         has_order(&weights, part, 6, ROUND_OFF_DENSE);
     }
     limit_of_stability_is_that_of_the_coefficients();
-    the_error_over_a_kink_is_as_stated();
+    the_error_over_a_surface_is_as_stated();
 }
 
 #[test]
