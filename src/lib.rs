@@ -1,6 +1,9 @@
-//! `jeffcott` simulates a shaft that spins on ball bearings: a concentrated, eccentric mass (a
-//! Jeffcott rotor) whose restoring force is the quasi-static model of a real bearing. A scenario
-//! goes in; traces, spectra and the measured error of the answer come out.
+//! `jeffcott` simulates a shaft that spins on ball bearings: a rigid, eccentric mass (a Jeffcott rotor), or sections and
+//! discs that bend, whose restoring force is the quasi-static model of real bearings. A scenario goes in; traces,
+//! spectra and the measured error of the answer come out.
+//!
+//! The command and its reports are the feature `command`, on by default. With `default-features = false` the library has
+//! all floors below but `cli`, `ask` and [`report`], and a third fewer packages.
 //!
 //! # Floors
 //!
@@ -97,14 +100,21 @@
 //! [`simulate::simulate`] takes samples as they come, tells its progress and can be stopped.
 
 #![warn(clippy::panic, clippy::unwrap_used)]
+#![cfg_attr(
+    not(feature = "command"),
+    allow(dead_code, unused_imports, reason = "what the command alone asks for")
+)]
 
 pub mod analysis;
+#[cfg(feature = "command")]
 #[doc(hidden)]
 pub mod ask;
 pub mod bearing;
+#[cfg(feature = "command")]
 #[doc(hidden)]
 pub mod cli;
 mod integrate;
+#[cfg(feature = "command")]
 #[doc(hidden)]
 pub mod internals;
 mod keys;
@@ -112,6 +122,7 @@ mod panels;
 pub mod physics;
 mod quasi_static;
 mod registers;
+#[cfg(feature = "command")]
 pub mod report;
 mod rotor;
 pub mod scenario;
