@@ -15,7 +15,6 @@ pub use crate::bearing::rotation::BearingRotation;
 pub use crate::bearing::support::Support;
 pub use crate::bearing::surface::Imperfections;
 pub use crate::integrate::System;
-pub use crate::report::many::{Making, StudyError, StudyRuns, StudyWatch, merge as merge_study};
 pub use crate::report::run_tables::trace_columns;
 #[cfg(feature = "parquet")]
 pub use crate::report::table::ParquetTable;
@@ -26,5 +25,5 @@ pub use crate::scenario::document::written;
 pub use crate::scenario::key::{frequency, method, speed, time, tolerance};
 pub use crate::scenario::study_file::{StudyFile, load_study, parse_study};
 pub use crate::simulate::passes::BareRun;
-pub use crate::study::many::{Shard, Unmade};
+pub use crate::study::many::Shard;
 pub use crate::table::{Column, ColumnKind, Table};

@@ -4,14 +4,12 @@ use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::thread;
 
-use jeffcott::internals::{
-    Making, Shard, StudyError, StudyFile, StudyRuns, StudyWatch, Unmade, load_study,
-    merge_study as merge_parts, parse_study,
-};
-use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
+use jeffcott::ask::{Making, StudyQuestion, StudyWatch, merge as merge_parts};
+use jeffcott::internals::{Shard, StudyFile, load_study, parse_study};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::errors::{run_error, scenario_error};
+use crate::errors::{ask_error, scenario_error};
 use crate::scene::{Scene, format};
 use crate::watch::{Stop, watched};
 
@@ -42,8 +40,8 @@ impl StudyPlan {
 
     /// Number of runs, and of the parts that they can be made in.
     fn size(&self, py: Python<'_>) -> PyResult<(u64, u64)> {
-        let runs = self.runs(py)?;
-        Ok((runs.schedule.runs(), runs.schedule.chains()))
+        let schedule = self.question(py, Shard::WHOLE)?.schedule;
+        Ok((schedule.runs(), schedule.chains()))
     }
 
     /// Makes part `number` of `count`, or all by 1 of 1, and writes its files into `folder`.
@@ -63,37 +61,28 @@ impl StudyPlan {
             let text = format!("there is no part {number} of {count}");
             return Err(PyValueError::new_err(text));
         }
-        let runs = self.runs(py)?;
+        let question = self.question(py, Shard { number, count })?;
         let available = || thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
         let making = Making {
             folder: &folder,
-            shard: Shard { number, count },
             threads: threads.unwrap_or_else(available).get(),
             anew,
         };
-        let made = watched(py, stop, progress.as_ref(), |watch| {
-            runs.make(
-                &making,
-                &mut StudyWatch {
-                    stop: watch.stop,
-                    resumed: &mut |_| {},
-                    progress: watch.progress,
-                },
-            )
+        let found = watched(py, stop, progress.as_ref(), |watch| {
+            let mut watch = StudyWatch {
+                stop: watch.stop,
+                resumed: &mut |_| {},
+                progress: watch.progress,
+            };
+            question.answer(&making, &mut watch)
         })?;
-        match made {
-            Ok((files, _)) => Ok(files),
-            Err(StudyError::Unmade(Unmade::Stopped)) => Err(PyKeyboardInterrupt::new_err(
-                "interrupted; the same call goes on from what is done",
-            )),
-            Err(error) => Err(run_error(py, &error)),
-        }
+        Ok(found.map_err(|error| ask_error(py, &error))?.files)
     }
 }
 
 impl StudyPlan {
-    fn runs(&self, py: Python<'_>) -> PyResult<StudyRuns<'_>> {
-        StudyRuns::new(&self.0).map_err(|error| run_error(py, &error))
+    fn question(&self, py: Python<'_>, shard: Shard) -> PyResult<StudyQuestion<'_>> {
+        StudyQuestion::new(&self.0, shard).map_err(|error| ask_error(py, &error))
     }
 }
 
@@ -102,6 +91,5 @@ impl StudyPlan {
 pub fn merge(py: Python<'_>, folder: PathBuf) -> PyResult<Vec<PathBuf>> {
     let folder: &Path = &folder;
     let merged = py.detach(|| merge_parts(folder));
-    let (files, _) = merged.map_err(|error| run_error(py, &error))?;
-    Ok(files)
+    Ok(merged.map_err(|error| ask_error(py, &error))?.files)
 }

@@ -243,6 +243,17 @@ impl TrackRecorder {
         }
     }
 
+    /// How many numbers the table of so many revolutions has.
+    pub fn table_numbers(&self, revolutions: f64) -> f64 {
+        let OrderTracks {
+            tracked, channels, ..
+        } = &self.found;
+        // time and speed beside amplitude and phase of every order and channel
+        let columns = 2 + 2 * tracked.len() * channels.len();
+        let windows = (revolutions / self.found.revolutions - 1.0) * OVERLAP;
+        (windows.floor() + 1.0).max(0.0) * columns as f64
+    }
+
     /// Takes one sample of a run: samples are at equal times, and the angle does not fall.
     pub fn record(&mut self, sample: &Sample) {
         let (angle, speed) = (sample.angle, sample.speed);

@@ -9,6 +9,7 @@ mod bearing;
 mod campbell;
 mod response;
 mod steady;
+mod study;
 
 use std::error::Error;
 
@@ -16,12 +17,14 @@ use crate::scenario::{Issue, Scenario};
 use crate::simulate::{Model, Monitor};
 
 pub use crate::report::findings::Findings;
+pub use crate::report::many::StudyFindings;
 pub use crate::report::recorded::RunFindings;
 pub use accuracy::AccuracyQuestion;
 pub use bearing::BearingQuestion;
 pub use campbell::{CampbellQuestion, Order};
 pub use response::{Followed, ResponseQuestion};
 pub use steady::SteadyQuestion;
+pub use study::{Asked, Making, StudyQuestion, StudyWatch, merge};
 
 /// Why a question has no answer.
 #[derive(Debug, thiserror::Error)]

@@ -54,17 +54,10 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
         job.write(&found)
     };
     let (methods, tolerances) = (&arguments.methods, &arguments.tolerances);
+    let longest = arguments.longest;
     arguments.files.answer(
         &jobs,
-        |job| {
-            let longest = arguments.longest;
-            Ok(AccuracyQuestion::new(
-                &job.scenario,
-                methods,
-                tolerances,
-                longest,
-            )?)
-        },
+        |job| AccuracyQuestion::new(&job.scenario, methods, tolerances, longest),
         answer,
     )
 }

@@ -4,7 +4,7 @@ use std::io;
 
 use super::Outcome;
 use super::jobs::Files;
-use crate::ask::BearingQuestion;
+use crate::ask::{AskError, BearingQuestion};
 use crate::scenario::{self, Issue};
 
 /// Finds where the shaft stands, without motion: equilibrium, stiffness and every ball.
@@ -41,7 +41,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let (shaft, cage) = (arguments.shaft_angle, arguments.cage_angle);
     arguments.files.answer(
         &jobs,
-        |job| Ok(BearingQuestion::new(&job.scenario, shaft, cage)),
+        |job| Ok::<_, AskError>(BearingQuestion::new(&job.scenario, shaft, cage)),
         |job, question| job.write(&question.answer()?),
     )
 }

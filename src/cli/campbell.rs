@@ -52,15 +52,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let (orders, highest) = (&arguments.orders, arguments.highest_frequency);
     arguments.files.answer(
         &jobs,
-        |job| {
-            Ok(CampbellQuestion::new(
-                &job.scenario,
-                range,
-                count,
-                orders,
-                highest,
-            )?)
-        },
+        |job| CampbellQuestion::new(&job.scenario, range, count, orders, highest),
         |job, question| job.write(&question.answer()?),
     )
 }

@@ -4,7 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use comfy_table::{Table, presets};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use super::{Outcome, terminal};
 use crate::bearing::catalogue::{self, CatalogueEntry};
@@ -97,7 +97,8 @@ fn all(json: bool) -> String {
         let entries = found()
             .into_iter()
             .map(|(entry, bearing, estimate)| entry_json(entry, &bearing, &estimate));
-        return format!("{:#}\n", Value::Array(entries.collect()));
+        let all = json!({ "bearings": entries.collect::<Value>() });
+        return format!("{:#}\n", versioned(all));
     }
     let mut table = Table::new();
     table.load_style(presets::UTF8_HORIZONTAL_ONLY).set_header([

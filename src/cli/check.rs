@@ -9,12 +9,13 @@ use serde_json::{Value, json};
 use super::demand::Demand;
 use super::jobs::name_of;
 use super::{Outcome, terminal};
+use crate::ask::{Asked, StudyQuestion};
 use crate::quasi_static::quasi_static;
-use crate::report::many::{Asked, StudyRuns};
 use crate::report::scene::scene_figure;
 use crate::report::{versioned, write_whole};
 use crate::rotor::RotorDefinition;
 use crate::scenario::{self, Issue, Loaded, ScenarioError};
+use crate::study::many::Shard;
 
 /// Checks scenario and study files without running them; shows all that is wrong, and what a run takes. A scenario whose
 /// shaft cannot be built, or has no equilibrium, is wrong as well.
@@ -98,9 +99,9 @@ fn refused<E: Display>(file: &Path) -> impl FnOnce(E) -> ScenarioError {
 fn check(file: &Path) -> Result<Checked, ScenarioError> {
     let mut checked = match scenario::load_any(file)? {
         Loaded::Study(study) => {
-            let StudyRuns {
+            let StudyQuestion {
                 first, schedule, ..
-            } = StudyRuns::new(&study).map_err(refused(file))?;
+            } = StudyQuestion::new(&study, Shard::WHOLE).map_err(refused(file))?;
             let failing = |error: &dyn Display| vec![format!("the first run fails: {error}")];
             let (demand, warnings) = match first {
                 Asked::Motion(model) => {

@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 use crate::analysis::Channel;
 use crate::scenario::{Scenario, StudyFile, TableFormat};
 use crate::simulate::{Model, RunSize, SimulateError};
+use crate::study::many::cycles_a_revolution;
 
 /// Bytes of a number in a table of text.
 const TEXT: f64 = 19.5;
@@ -62,8 +63,10 @@ impl Demand {
             numbers += (channels.len() as u64 * size.samples) as f64;
         }
         let revolutions = first.rotor.speed / TAU * (first.duration - first.settle);
-        let points = study.keep.section.map_or(0.0, |_| 1.0);
-        let lines = study.keep.highest_order.unwrap_or(0.0) + points;
+        let section = study.keep.section;
+        // a scene without such cycles has no points
+        let points = section.map(|kind| cycles_a_revolution(kind, &first.rotor).unwrap_or(0.0));
+        let lines = study.keep.highest_order.unwrap_or(0.0) + points.unwrap_or(0.0);
         let displacements = first.rotor.shaft.freedoms.axes().len() as f64;
         numbers += revolutions * lines * (PLACE + displacements);
         if study.keep.bearing_stiffness {

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 use std::error::Error;
+use std::fmt::Display;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -80,17 +81,17 @@ impl Files {
     ///
     /// # Errors
     /// Whatever keeps stdout from taking the answers.
-    pub fn answer<'j, T>(
+    pub fn answer<'j, T, E: Display>(
         &self,
         jobs: &'j [Job],
-        ask: impl Fn(&'j Job) -> Result<T, Failure>,
+        ask: impl Fn(&'j Job) -> Result<T, E>,
         answer: impl Fn(&'j Job, T) -> Result<Answer, Failure>,
     ) -> io::Result<Outcome> {
         let (mut questions, mut wrong) = (Vec::new(), Vec::new());
         for job in jobs {
             match ask(job) {
                 Ok(question) => questions.push((job, question)),
-                Err(failure) => wrong.push(job.failed(&failure.to_string())),
+                Err(error) => wrong.push(job.failed(&error.to_string())),
             }
         }
         if let Some(refused) = self.refuse(wrong)? {
@@ -103,11 +104,9 @@ impl Files {
                     if answer.incomplete {
                         outcome = Outcome::Failed;
                     }
-                    if self.json {
-                        documents.push(answer.json);
-                    } else {
-                        terminal::summarise(&answer.text)?;
-                        terminal::remark(&answer.told);
+                    match self.json {
+                        true => documents.push(answer.json),
+                        false => answer.tell()?,
                     }
                 }
                 Err(failure) => {
@@ -168,7 +167,7 @@ impl Files {
 }
 
 /// Why a file has no answer, for programs.
-fn failure(name: &str, message: &str) -> Value {
+pub fn failure(name: &str, message: &str) -> Value {
     json!({ "file": name, "error": message })
 }
 
@@ -239,7 +238,7 @@ impl Job {
     }
 
     /// Tells warnings.
-    pub fn warn(&self, warnings: impl IntoIterator<Item = impl std::fmt::Display>) {
+    pub fn warn(&self, warnings: impl IntoIterator<Item = impl Display>) {
         for warning in warnings {
             self.tell("warning", &warning.to_string());
         }
@@ -260,7 +259,32 @@ impl Answer {
         }
     }
 
-    /// The same with the time that it took.
+    /// Tells people.
+    ///
+    /// # Errors
+    /// Whatever keeps stdout from taking it.
+    fn tell(&self) -> io::Result<()> {
+        terminal::summarise(&self.text)?;
+        terminal::remark(&self.told);
+        Ok(())
+    }
+
+    /// Shows the only answer of a verb, to people or to programs.
+    ///
+    /// # Errors
+    /// Whatever keeps stdout from taking it.
+    pub fn show(self, as_json: bool) -> io::Result<Outcome> {
+        match as_json {
+            true => terminal::print(&document(1, vec![self.json]))?,
+            false => self.tell()?,
+        }
+        Ok(match self.incomplete {
+            true => Outcome::Failed,
+            false => Outcome::Done,
+        })
+    }
+
+    /// Takes note of the time that it took.
     pub fn timed(mut self, started: Instant) -> Self {
         let seconds = started.elapsed().as_secs_f64();
         self.json["wall_time_s"] = seconds.into();

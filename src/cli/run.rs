@@ -78,8 +78,8 @@ impl Arguments {
     }
 }
 
-/// Runs a checked scenario; `opens` shows its page.
-fn run_motion(job: &Job, model: &Model, opens: bool) -> Result<Answer, Failure> {
+/// Runs a checked scenario and writes its files; `opens` shows its page.
+pub fn run_motion(job: &Job, model: &Model, opens: bool) -> Result<Answer, Failure> {
     let started = Instant::now();
     let mut report = RunReport::of(&job.scenario, model, &job.folder)?;
     tell_of_thinning(job, model);

@@ -43,20 +43,10 @@ pub struct Arguments {
     #[arg(long, value_name = "KEY", requires_all = ["from", "to"])]
     over: Option<String>,
     /// Its first value, as it is written in a scenario
-    #[arg(
-        long,
-        value_name = "VALUE",
-        requires = "over",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, requires = "over", allow_hyphen_values = true)]
     from: Option<String>,
     /// Its last value
-    #[arg(
-        long,
-        value_name = "VALUE",
-        requires = "over",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, requires = "over", allow_hyphen_values = true)]
     to: Option<String>,
     /// Most motions of a branch
     #[arg(long, value_name = "N", requires = "over", default_value_t = ResponseQuestion::MOST_POINTS as u32,
@@ -79,7 +69,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let Some(jobs) = arguments.files.read(set)? else {
         return Ok(Outcome::WrongInput);
     };
-    let ask = |job| Ok(arguments.question(job)?);
+    let ask = |job| arguments.question(job);
     arguments.files.answer(&jobs, ask, |job, question| {
         let started = Instant::now();
         let findings = SearchPace::default().watched(job, &question)?;

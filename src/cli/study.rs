@@ -1,25 +1,22 @@
 //! `jeffcott study`.
 
 use std::io;
-use std::num::{NonZeroU64, NonZeroUsize};
+use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::Instant;
 
-use serde_json::json;
-
 use super::demand::check_memory;
-use super::jobs::{folder_of, name_of};
+use super::jobs::{Answer, Failure, Job, failure, folder_of, name_of};
+use super::run::run_motion;
 use super::terminal::Progress;
 use super::{Outcome, terminal};
-use crate::ask::BearingQuestion;
-use crate::report::many::{
-    Asked, Digest, Making, StudyError, StudyRuns, StudyWatch, merge as merge_parts,
+use crate::ask::{
+    AskError, Asked, BearingQuestion, Making, StudyFindings, StudyQuestion, StudyWatch, merge,
 };
-use crate::report::{self, RunReport};
-use crate::scenario::{self, Output, StudyFile};
-use crate::simulate::{Monitor, RunSize, simulate};
-use crate::study::many::{Ask, Shard};
+use crate::scenario::{self, Issue, StudyFile};
+use crate::simulate::RunSize;
+use crate::study::many::Shard;
 
 /// Makes many runs of one scenario: grids, samples, sweeps.
 #[derive(Debug, clap::Args)]
@@ -103,186 +100,130 @@ fn shard(text: &str) -> Result<Shard, String> {
 
 /// Makes the runs of a study, or puts its parts together.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
-    if let Some(Then::Merge(merge)) = &arguments.then {
-        return merge.run();
+    if let Some(Then::Merge(parts)) = &arguments.then {
+        let merged = merge(&parts.folder).map_err(Failure::from);
+        return show(&parts.folder, parts.json, merged.map(answered));
     }
     let make = &arguments.make;
     let file = make.file.as_deref().unwrap_or(Path::new(""));
-    let study = match scenario::load_study(file) {
-        Ok(study) => study,
+    let answer = match scenario::load_study(file) {
+        Ok(study) => make.answer(&study, file),
         Err(error) => {
             terminal::tell_problems(&error);
+            print_failure(file, make.json, &error.to_string())?;
             return Ok(Outcome::WrongInput);
         }
     };
-    let folder = match folder_of(file, &make.out) {
-        Ok(folder) => folder,
-        Err(message) => return Ok(terminal::refuse(message)),
+    show(file, make.json, answer)
+}
+
+/// What was found, with its files, after telling its warnings.
+fn answered(findings: StudyFindings) -> Answer {
+    let title = findings.document["title"].as_str().unwrap_or_default();
+    for warning in &findings.warnings {
+        terminal::tell(&format!("warning: {title}: {warning}\n"));
+    }
+    Answer {
+        incomplete: findings.incomplete,
+        ..Answer::new(findings.text, findings.document, &findings.files)
+    }
+}
+
+/// Shows the answer, or tells why there is none.
+fn show(path: &Path, json: bool, answer: Result<Answer, Failure>) -> io::Result<Outcome> {
+    let error = match answer {
+        Ok(answer) => return answer.show(json),
+        Err(error) => error,
     };
-    let runs = StudyRuns::new(&study).map_err(unmade);
-    let made = runs.and_then(|runs| match make.only {
-        Some(number) => only(&study, &runs, &folder, number),
-        None => all(&study, &runs, &folder, make),
-    });
-    made.unwrap_or_else(|(outcome, message)| {
-        terminal::tell(&format!("error: {}: {message}\n", name_of(file)));
-        Ok(outcome)
+    terminal::tell(&format!("error: {}: {error}\n", name_of(path)));
+    print_failure(path, json, &error.to_string())?;
+    Ok(match error.downcast_ref() {
+        Some(AskError::Asked(_)) => Outcome::WrongInput,
+        _ => Outcome::Failed,
     })
 }
 
-/// How a study ended that did not come to its end, and why.
-type Failure = (Outcome, String);
-
-/// What failed on the way.
-fn failed(reason: impl ToString) -> Failure {
-    (Outcome::Failed, reason.to_string())
+/// Tells programs why there is no answer.
+fn print_failure(path: &Path, json: bool, message: &str) -> io::Result<()> {
+    if json {
+        let failure = failure(&name_of(path), message);
+        terminal::print(&format!("{failure:#}\n"))?;
+    }
+    Ok(())
 }
 
-/// What kept the runs from being made: the study as it is asked for, or something on the way.
-fn unmade(error: StudyError) -> Failure {
-    let outcome = match error.is_wrong_input() {
-        true => Outcome::WrongInput,
-        false => Outcome::Failed,
-    };
-    (outcome, error.to_string())
+/// What keeps a study from being made as it is asked for.
+fn wrong(message: String) -> AskError {
+    Issue::new("", message).into()
 }
 
-/// Makes all runs, or those of a part.
-fn all(
-    study: &StudyFile,
-    runs: &StudyRuns<'_>,
-    folder: &Path,
-    make: &Make,
-) -> Result<io::Result<Outcome>, Failure> {
-    let started = Instant::now();
-    let available = || thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
-    let threads = make.threads.map(usize::from);
-    let threads = threads.unwrap_or_else(|| available().get());
-    // what keeps the first run from beginning it tells itself
-    if let Asked::Motion(first) = &runs.first
-        && let Ok(size) = RunSize::of(first)
-    {
-        check_memory(&size, threads).map_err(|message| (Outcome::WrongInput, message))?;
-    }
-    let making = Making {
-        folder,
-        shard: make.shard.unwrap_or(Shard::WHOLE),
-        threads,
-        anew: make.restart,
-    };
-    let mut progress = Progress::new(&study.title);
-    let mut watch = StudyWatch {
-        stop: terminal::stop(),
-        resumed: &mut |runs| {
-            terminal::remark(&format!("going on behind {runs} runs that are done\n"));
-        },
-        progress: &mut |part| progress.show(part),
-    };
-    let (files, digest) = runs.make(&making, &mut watch).map_err(unmade)?;
-    drop(progress);
-    let count = runs.runs_of(making.shard.chains(&runs.schedule));
-    let seconds = started.elapsed().as_secs_f64();
-    if make.open {
-        terminal::open_page(&files);
-    }
-    let shown = show(&study.title, &files, digest.as_ref(), make.json);
-    let rate = count as f64 / seconds;
-    let remark = format!("{count} runs in {seconds:.3} s, {rate:.4} a second\n");
-    Ok(shown.inspect(|_| terminal::remark(&remark)))
-}
-
-/// Makes one run with all its files.
-fn only(
-    study: &StudyFile,
-    runs: &StudyRuns<'_>,
-    folder: &Path,
-    number: u64,
-) -> Result<io::Result<Outcome>, Failure> {
-    let last = runs.schedule.runs().saturating_sub(1);
-    if number > last {
-        let message = format!("there is no run {number}: they count from 0 to {last}");
-        return Err((Outcome::WrongInput, message));
-    }
-    let values = study.plan.values(runs.schedule.turn(number).point);
-    let title = format!("{}, run {number}", study.title);
-    let folder = folder.join(format!("run-{number}"));
-    let no_run = |message| failed(format!("run {number}: {message}"));
-    let (text, warnings, files) = match study.ask {
-        Ask::Run => {
-            let model = |values: &[f64]| study.model(values).map_err(|error| error.message);
-            let maker = study.maker(runs.schedule, &model, terminal::stop());
-            let alone = maker.alone(number).map_err(|error| unmade(error.into()))?;
-            let model = alone.map_err(no_run)?;
-            let scenario = study.scenario(&values);
-            let scenario = scenario.map_err(|error| no_run(error.message))?;
-            let mut output = Output::default();
-            output.every = Some(NonZeroU64::MIN);
-            let report = RunReport::open(&folder, output, &model, &title, scenario);
-            let mut report = report.map_err(failed)?;
-            let mut progress = Progress::new(&title);
-            let mut monitor = Monitor {
-                stop: terminal::stop(),
-                progress: &mut |part| progress.show(part),
-            };
-            let run = simulate(&model, &mut report, &mut monitor).map_err(failed)?;
-            drop(progress);
-            let written = report.finish(&model, run).map_err(failed)?;
-            let warnings = report::warnings(&written.document).map(str::to_owned);
-            let warnings: Vec<_> = warnings.collect();
-            (written.text(terminal::details()), warnings, written.files)
-        }
-        Ask::Bearing => {
-            let scenario = study.alone(&values, &title);
-            let scenario = scenario.map_err(|error| no_run(error.to_string()))?;
-            let findings = BearingQuestion::new(&scenario, None, None).answer();
-            let findings = findings.map_err(|error| no_run(error.to_string()))?;
-            let (files, _) = findings.write(&folder).map_err(failed)?;
-            let warnings = findings.warnings().map(str::to_owned).collect();
-            (findings.text(terminal::details()), warnings, files)
-        }
-    };
-    for warning in warnings {
-        terminal::tell(&format!("warning: {title}: {warning}\n"));
-    }
-    let text = text + &report::wrote(&files);
-    Ok(terminal::summarise(&text).map(|()| Outcome::Done))
-}
-
-impl Merge {
-    fn run(&self) -> io::Result<Outcome> {
-        match merge_parts(&self.folder) {
-            Ok((files, digest)) => show("merged", &files, Some(&digest), self.json),
-            Err(error) => {
-                let (outcome, message) = unmade(error);
-                terminal::refuse(format!("{}: {message}", self.folder.display()));
-                Ok(outcome)
+impl Make {
+    fn answer(&self, study: &StudyFile, file: &Path) -> Result<Answer, Failure> {
+        let folder = folder_of(file, &self.out).map_err(wrong)?;
+        let question = StudyQuestion::new(study, self.shard.unwrap_or(Shard::WHOLE))?;
+        match self.only {
+            None => self.all(&study.title, &question, &folder),
+            Some(number) => {
+                let scenario = question.alone(number, terminal::stop())?;
+                alone(&Job {
+                    file: file.to_owned(),
+                    name: scenario.title.clone(),
+                    folder: folder.join(format!("run-{number}")),
+                    scenario,
+                })
             }
         }
     }
+
+    /// Makes all runs, or those of a part.
+    fn all(
+        &self,
+        title: &str,
+        question: &StudyQuestion<'_>,
+        folder: &Path,
+    ) -> Result<Answer, Failure> {
+        let started = Instant::now();
+        let available = || thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
+        let threads = self.threads.map(usize::from);
+        let threads = threads.unwrap_or_else(|| available().get());
+        // what keeps the first run from beginning it tells itself
+        if let Asked::Motion(first) = &question.first
+            && let Ok(size) = RunSize::of(first)
+        {
+            check_memory(&size, threads).map_err(wrong)?;
+        }
+        let making = Making {
+            folder,
+            threads,
+            anew: self.restart,
+        };
+        let mut progress = Progress::new(title);
+        let mut watch = StudyWatch {
+            stop: terminal::stop(),
+            resumed: &mut |runs| {
+                terminal::remark(&format!("going on behind {runs} runs that are done\n"));
+            },
+            progress: &mut |part| progress.show(part),
+        };
+        let findings = question.answer(&making, &mut watch)?;
+        drop(progress);
+        if self.open {
+            terminal::open_page(&findings.files);
+        }
+        let (count, seconds) = (question.runs(), started.elapsed().as_secs_f64());
+        let rate = count as f64 / seconds;
+        Ok(Answer {
+            told: format!("{count} runs in {seconds:.3} s, {rate:.4} a second\n"),
+            ..answered(findings)
+        })
+    }
 }
 
-/// Shows what came of a study, some of whose runs may have failed, or of a part, which has no digest.
-fn show(
-    title: &str,
-    files: &[PathBuf],
-    digest: Option<&Digest>,
-    as_json: bool,
-) -> io::Result<Outcome> {
-    for warning in digest.iter().flat_map(|digest| &digest.warnings) {
-        terminal::tell(&format!("warning: {title}: {warning}\n"));
+/// Answers what one run is asked, with all its files.
+fn alone(job: &Job) -> Result<Answer, Failure> {
+    job.warn(&job.scenario.warnings);
+    match &job.scenario.model {
+        Some(model) => run_motion(job, model, false),
+        None => job.write(&BearingQuestion::new(&job.scenario, None, None).answer()?),
     }
-    if as_json {
-        let part = || json!({ "title": title });
-        let mut document = digest.map_or_else(part, Digest::document);
-        document["files"] = json!(files);
-        terminal::print(&format!("{document:#}\n"))?;
-    } else {
-        let digest = digest.map(Digest::text).unwrap_or_default();
-        let wrote = report::wrote(files);
-        terminal::summarise(&format!("{title}\n{digest}{wrote}"))?;
-    }
-    Ok(match digest {
-        Some(digest) if digest.failed > 0 => Outcome::Failed,
-        _ => Outcome::Done,
-    })
 }

@@ -157,22 +157,10 @@ fn check(document: &Document) -> Result<Scenario, ScenarioError> {
         return Err(document.refused(issue));
     }
     let mut problems = document.problems();
-    let made = build(&mut problems).map(|(input, questions)| {
-        let echo = echo(&input);
-        (input, questions, echo)
-    });
-    let ((input, questions, echo), warnings) = document.finish(made, problems)?;
-    let questions = questions.with_warnings(&warnings);
-    Ok(Scenario {
-        title: input.title.unwrap_or_else(|| document.stem()),
-        question: questions.question,
-        model: questions.model,
-        contact_choice: questions.contact_choice,
-        oils: questions.oils,
-        output: input.output,
-        echo,
-        warnings,
-    })
+    let built = build(&mut problems);
+    let ((input, questions), warnings) = document.finish(built, problems)?;
+    let name = || document.stem();
+    Ok(Scenario::new(input, questions, warnings, name))
 }
 
 /// The tables of a scenario and what they ask.
@@ -204,14 +192,23 @@ fn questions_at(base: &Value, key: &Key, si: f64, folder: &Path) -> Result<Quest
 
 /// What a scenario asks; the files that it names stand in `folder`.
 fn questions(scenario: &Value, folder: &Path) -> Result<Questions, Issue> {
+    let (_, questions, warnings) = built(scenario, folder)?;
+    Ok(questions.with_warnings(&warnings))
+}
+
+/// The tables of a scenario, what they ask and warnings; the files that it names stand in `folder`.
+fn built(
+    scenario: &Value,
+    folder: &Path,
+) -> Result<(ScenarioInput, Questions, Vec<String>), Issue> {
     let root = Node::from(scenario);
     let mut problems = Problems::new(&root, folder);
     let built = build(&mut problems);
     if let Some(issue) = problems.issues.into_iter().next() {
         return Err(issue);
     }
-    let (_, questions) = built.ok_or_else(|| Issue::new("", "the scenario asks nothing"))?;
-    Ok(questions.with_warnings(&problems.warnings))
+    let (input, questions) = built.ok_or_else(|| Issue::new("", "the scenario asks nothing"))?;
+    Ok((input, questions, problems.warnings))
 }
 
 /// A scenario without some of its tables.
@@ -254,6 +251,26 @@ pub enum ScenarioRunError {
 }
 
 impl Scenario {
+    /// Some tables and what they ask, with the warnings that all answers repeat; `name` stands for a title that is not given.
+    fn new(
+        input: ScenarioInput,
+        questions: Questions,
+        warnings: Vec<String>,
+        name: impl FnOnce() -> String,
+    ) -> Self {
+        let questions = questions.with_warnings(&warnings);
+        Self {
+            echo: echo(&input),
+            title: input.title.unwrap_or_else(name),
+            question: questions.question,
+            model: questions.model,
+            contact_choice: questions.contact_choice,
+            oils: questions.oils,
+            output: input.output,
+            warnings,
+        }
+    }
+
     /// Reads and checks the text of a scenario in TOML; as [`parse`].
     ///
     /// # Errors

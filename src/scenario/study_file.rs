@@ -9,10 +9,11 @@ use serde_json::{Value, json};
 
 use super::axis::{AxisInput, AxisReader, Scalar};
 use super::document::Document;
+use super::input::Questions;
 use super::key::{Key, KeyPaths, all_keys, entry, number_keys, set_value};
 use super::problems::Problems;
 use super::schema::schema_of;
-use super::{Format, Issue, Scenario, ScenarioError, echo, key, questions, reader, without};
+use super::{Format, Issue, Scenario, ScenarioError, built, echo, key, questions, reader, without};
 use crate::analysis::SectionKind;
 use crate::quasi_static::StaticQuestion;
 use crate::simulate::Model;
@@ -439,10 +440,7 @@ impl StudyFile {
     /// # Errors
     /// [`Issue`] where its values make no scenario.
     pub fn model(&self, values: &[f64]) -> Result<Model, Issue> {
-        let mut model = questions(&self.scenario(values)?, &self.folder)?.motion()?;
-        let warnings = self.warnings.iter().cloned();
-        model.rotor.warnings.splice(0..0, warnings);
-        Ok(model)
+        self.questions(values)?.motion()
     }
 
     /// The static question of a point.
@@ -450,22 +448,29 @@ impl StudyFile {
     /// # Errors
     /// [`Issue`] where its values make no scenario.
     pub fn question(&self, values: &[f64]) -> Result<StaticQuestion, Issue> {
-        let mut question = questions(&self.scenario(values)?, &self.folder)?.question;
-        let warnings = self.warnings.iter().cloned();
-        question.rotor.warnings.splice(0..0, warnings);
-        Ok(question)
+        Ok(self.questions(values)?.question)
+    }
+
+    fn questions(&self, values: &[f64]) -> Result<Questions, Issue> {
+        let (_, questions, warnings) = built(&self.scenario(values)?, &self.folder)?;
+        Ok(questions.with_warnings(&self.all_warnings(warnings)))
     }
 
     /// The scenario of a point by itself, under a title.
     ///
     /// # Errors
-    /// [`ScenarioError`] where its values make none.
-    pub(crate) fn alone(&self, values: &[f64], title: &str) -> Result<Scenario, ScenarioError> {
-        let name = self.folder.join(&self.title).display().to_string();
-        let scenario = self.scenario(values);
-        let mut scenario = scenario.map_err(|issue| ScenarioError::new(&name, "", vec![issue]))?;
+    /// [`Issue`] where its values make none.
+    pub(crate) fn alone(&self, values: &[f64], title: String) -> Result<Scenario, Issue> {
+        let mut scenario = self.scenario(values)?;
         scenario["title"] = title.into();
-        super::parse(&scenario.to_string(), &name, Format::Json)
+        let (input, questions, warnings) = built(&scenario, &self.folder)?;
+        let warnings = self.all_warnings(warnings);
+        Ok(Scenario::new(input, questions, warnings, String::new))
+    }
+
+    /// Warnings of the file of the base, and those of a point.
+    fn all_warnings(&self, of_point: Vec<String>) -> Vec<String> {
+        self.warnings.iter().cloned().chain(of_point).collect()
     }
 
     /// The answer to the static question of a point, or why there is none.

@@ -187,15 +187,19 @@ fn waterfall_window(model: &Model, rotor: &Rotor) -> f64 {
         .min(model.duration / LEAST_WINDOWS)
 }
 
+/// Revolutions of the shaft in a run; of one with a drive about as many.
+pub(super) fn revolutions(model: &Model, rotor: &Rotor) -> f64 {
+    let angle = match rotor.is_driven() {
+        true => 0.5 * rotor.highest_speed() * model.duration,
+        false => rotor.speed_profile().at(model.duration).angle,
+    };
+    angle.abs() / TAU
+}
+
 /// Revolutions of a window: as few as tell the orders apart, as far as the sweep leaves time for it.
 fn track_window(model: &Model, rotor: &Rotor, orders: &[TrackedOrder]) -> f64 {
     let [least, most] = TRACK_REVOLUTIONS;
-    let angle = if rotor.is_driven() {
-        0.5 * rotor.highest_speed() * model.duration
-    } else {
-        rotor.speed_profile().at(model.duration).angle
-    };
-    let passing = TRACK_PARTS.map(|part| part * (2.0 * angle.abs() / TAU).sqrt());
+    let passing = TRACK_PARTS.map(|part| part * (2.0 * revolutions(model, rotor)).sqrt());
     let [shortest, longest] = passing.map(|revolutions| revolutions.round().clamp(least, most));
     let mut places: Vec<f64> = orders.iter().map(|order| order.order).collect();
     places.sort_by(f64::total_cmp);

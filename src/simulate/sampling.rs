@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::recorders::maps_of;
+use super::recorders::{maps_of, revolutions};
 use super::{Model, Sampling, SimulateError};
 use crate::analysis::{
     Analysis, BearingFrequencies, Channel, Line, LineSurfaces, Recording, SampleGrid, Segment,
@@ -241,7 +241,9 @@ impl RunSize {
         if model.analyses.maps {
             let samples = grid.count as f64;
             numbers += MAPS * samples;
-            table_numbers += maps_of(model, &rotor, rate).0.table_numbers(samples);
+            let (waterfall, tracks) = maps_of(model, &rotor, rate);
+            table_numbers += waterfall.table_numbers(samples);
+            table_numbers += tracks.table_numbers(revolutions(model, &rotor));
         }
         Ok(Self {
             samples: grid.count,

@@ -16,7 +16,8 @@ use std::time::Duration;
 
 use tempfile::TempDir;
 
-use crate::report::many::{Making, StudyRuns, merge};
+use crate::ask::{AskError, StudyQuestion, merge};
+use crate::report::many::open;
 use crate::scenario::{self, Format, ScenarioError};
 use crate::simulate::{Model, Monitor, RunSize, simulate};
 use crate::study::many::{Direction, Outcome, RunRecord, Shard};
@@ -405,14 +406,9 @@ fn changed_rows_are_gone_on_with_or_refused() {
     let folder = TempDir::new().expect("a folder");
     let study = scenario::load_study(&scenarios().join("studies/resonance-7205c.toml"))
         .expect("it is good");
-    let runs = StudyRuns::new(&study).expect("its first run can be made");
-    let making = Making {
-        folder: folder.path(),
-        shard: Shard::WHOLE,
-        threads: 1,
-        anew: false,
-    };
-    let (_, mut rows) = runs.open(&making).expect("a folder");
+    let question = StudyQuestion::new(&study, Shard::WHOLE).expect("its first run can be made");
+    let open = || open(folder.path(), question.head(), question.runs(), false);
+    let (_, mut rows) = open().expect("a folder");
     for run in rows.head.runs.clone() {
         let numbers = vec![run as f64; rows.head.numbers.len()];
         let outcome = Outcome {
@@ -433,7 +429,7 @@ fn changed_rows_are_gone_on_with_or_refused() {
     let make = |chance: &mut Chance| changed(&text, chance) + "\n";
     campaign(mutants(), make, String::clone, |text, chance| {
         fs::write(&path, text).expect("a written file");
-        let mut errors = vec![runs.open(&making).err()];
+        let mut errors = vec![open().err().map(AskError::from)];
         if chance.below(20) == 0 {
             // as the only part of a study
             let part = folder.path().join("runs.part-1-of-1.jsonl");

@@ -91,8 +91,6 @@ pub struct Digest {
     pub(super) points: usize,
     pub(super) sensitivities: Vec<Sensitivity>,
     peaks: Vec<ResponsePeak>,
-    /// Names of the files of the study.
-    pub(super) sealed: Vec<String>,
 }
 
 impl Digest {
@@ -117,7 +115,6 @@ impl Digest {
             points: 0,
             sensitivities: Vec::new(),
             peaks: Vec::new(),
-            sealed: Vec::new(),
         }
     }
 
@@ -228,9 +225,10 @@ impl Digest {
         column.map_or(0, |column| self.columns[column].known)
     }
 
-    /// The digest for people.
+    /// The digest for people, below the title.
     pub fn text(&self) -> String {
-        let mut text = format!("  runs          {} done", self.runs - self.failed);
+        let done = self.runs - self.failed;
+        let mut text = format!("{}\n  runs          {done} done", self.head.title);
         if self.failed > 0 {
             text += &format!(", {} failed; alone again by --only I", self.failed);
         }
@@ -257,7 +255,6 @@ impl Digest {
             "title": head.title,
             "study": { "study": head.study, "base": head.base },
             "digest": self.json(),
-            "sealed": self.sealed,
         })
     }
 

@@ -8,21 +8,6 @@ use crate::study::many::Unmade;
 /// Why a study did not come to its end, in words.
 #[derive(Debug, thiserror::Error)]
 pub enum StudyError {
-    /// Nothing can be made of its first values.
-    #[error("the first point of the study is no scenario: {0}")]
-    First(String),
-    /// The study has fewer parts.
-    #[error(
-        "there is no part {number} of {count}: the study can be divided into at most {most} parts"
-    )]
-    NoPart {
-        /// The part that was asked for.
-        number: u64,
-        /// Of how many.
-        count: u64,
-        /// How many there can be.
-        most: u64,
-    },
     /// The rows that stand there belong to other runs.
     #[error(
         "{} holds runs of another study: `{key}` was {there} there and is {here} now; undo the change, or \
@@ -59,10 +44,12 @@ pub enum StudyError {
     )]
     NoParts(PathBuf),
     /// Some parts are missing.
-    #[error("{} of {count} parts are missing: {}", numbers.len(), listed(numbers))]
+    #[error("{missing} of {count} parts are missing: {}", listed(first, *missing))]
     Missing {
-        /// Their numbers.
-        numbers: Vec<u64>,
+        /// How many.
+        missing: u64,
+        /// Numbers of the first of them.
+        first: Vec<u64>,
         /// Of how many.
         count: u64,
     },
@@ -118,8 +105,13 @@ impl StudyError {
     }
 }
 
-fn listed(numbers: &[u64]) -> String {
-    let shown: Vec<_> = numbers.iter().take(20).map(u64::to_string).collect();
-    let more = if numbers.len() > 20 { ", …" } else { "" };
+/// The first of some numbers, and whether there are more.
+fn listed(first: &[u64], count: u64) -> String {
+    let shown: Vec<_> = first.iter().map(u64::to_string).collect();
+    let more = if count > first.len() as u64 {
+        ", …"
+    } else {
+        ""
+    };
     shown.join(", ") + more
 }

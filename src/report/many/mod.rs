@@ -4,7 +4,6 @@ mod digest;
 mod error;
 mod figures;
 mod identity;
-mod make;
 mod page;
 mod ross;
 mod rows;
@@ -16,29 +15,101 @@ mod waterfall;
 
 use std::path::{Path, PathBuf};
 
-pub use self::digest::Digest;
+use serde_json::{Value, json};
+
+use self::digest::Digest;
 pub use self::error::StudyError;
-pub use self::make::{Asked, Making, StudyRuns, StudyWatch};
 use self::page::write_page;
 use self::ross::ross_files;
-use self::rows::Rows;
+pub use self::rows::StudyHead;
+pub(crate) use self::rows::{RowFile, Rows};
 use self::tables::Tables;
+pub(crate) use self::traces::Traces;
 use crate::report::figure::Figure;
-use crate::report::{FileSet, PartialFile, ReportError, RunFolder, WholeFile};
+use crate::report::{FileSet, PartialFile, ReportError, RunFolder};
+use crate::study::many::Shard;
+
+/// What a study has found, whose files are written.
+#[derive(Debug)]
+pub struct StudyFindings {
+    /// Paths of the files.
+    pub files: Vec<PathBuf>,
+    /// What `runs.json` says; of a part its title alone.
+    pub document: Value,
+    /// What people read.
+    pub text: String,
+    /// What the reader should know, each of the first run that has it.
+    pub warnings: Vec<String>,
+    /// Whether some runs failed.
+    pub incomplete: bool,
+}
+
+/// Opens folder and rows of a part of a study of so many runs, behind the rows that an earlier attempt has kept, unless all is
+/// to begin `anew`.
+///
+/// # Errors
+/// [`StudyError`] where the folder cannot be written, or holds runs of another study.
+pub(crate) fn open(
+    folder: &Path,
+    head: StudyHead,
+    runs: u64,
+    anew: bool,
+) -> Result<(RunFolder, RowFile), StudyError> {
+    let (folder, name) = match head.shard {
+        Shard::WHOLE => {
+            let folder = RunFolder::open(folder, FileSet::RUNS)?;
+            (folder, "runs.jsonl".to_owned())
+        }
+        Shard { number, count } => {
+            let folder = RunFolder::open_for_part(folder, FileSet::RUNS)?;
+            (folder, format!("runs.part-{number}-of-{count}.jsonl"))
+        }
+    };
+    let rows = RowFile::open(&folder.path().join(name), head, anew)?;
+    let own = &rows.head.runs;
+    let has_traces = traces::stand(folder.path())? || rows.head.keep.traces;
+    traces::remove_unfinished(folder.path(), own, runs)?;
+    if has_traces && rows.count == 0 {
+        // traces are put in place one by one: what sealed those of an earlier study goes before them
+        folder.unseal()?;
+        traces::remove_stale(folder.path(), own, runs)?;
+    }
+    Ok((folder, rows))
+}
+
+/// Ends the files of a part, whose rows are all there, or of the whole study.
+///
+/// # Errors
+/// [`StudyError`] where a file cannot be written.
+pub(crate) fn finish(folder: RunFolder, rows: RowFile) -> Result<StudyFindings, StudyError> {
+    let rows = Rows::from_one(rows);
+    let head = rows.head();
+    if head.shard == Shard::WHOLE {
+        return write(folder, &rows);
+    }
+    traces::sync(folder.path(), &rows)?;
+    Ok(StudyFindings {
+        files: rows.synced()?,
+        document: json!({ "title": head.title }),
+        text: format!("{}\n", head.title),
+        warnings: Vec::new(),
+        incomplete: false,
+    })
+}
 
 /// Puts the parts of a study together, in the folder that they stand in: to the bytes of the study made in
 /// one piece.
 ///
 /// # Errors
 /// [`StudyError`] where one is missing, broken or of another study.
-pub fn merge(folder: &Path) -> Result<(Vec<PathBuf>, Digest), StudyError> {
-    let rows = Rows::of_parts(folder)?;
+pub(crate) fn merge(folder: &Path) -> Result<StudyFindings, StudyError> {
+    let rows = Rows::from_parts(folder)?;
     traces::check(folder, &rows)?;
     write(RunFolder::open(folder, FileSet::RUNS)?, &rows)
 }
 
 /// Writes tables, figures and page of the rows of a whole study and, last, what seals them.
-fn write(folder: RunFolder, rows: &Rows) -> Result<(Vec<PathBuf>, Digest), StudyError> {
+fn write(folder: RunFolder, rows: &Rows) -> Result<StudyFindings, StudyError> {
     traces::sync(folder.path(), rows)?;
     let mut tables = Tables::begin(&folder, rows.head())?;
     let mut digest = Digest::new(rows.head());
@@ -58,9 +129,14 @@ fn write(folder: RunFolder, rows: &Rows) -> Result<(Vec<PathBuf>, Digest), Study
     for (name, text) in ross_files(&digest) {
         files.push(folder.write(&name, text.as_bytes())?);
     }
-    digest.sealed = files.iter().map(WholeFile::name).collect();
-    let (paths, _) = folder.commit(files, digest.document())?;
-    Ok((paths, digest))
+    let (files, document) = folder.commit(files, digest.document())?;
+    Ok(StudyFindings {
+        files,
+        document,
+        text: digest.text(),
+        warnings: digest.warnings.iter().map(ToString::to_string).collect(),
+        incomplete: digest.failed > 0,
+    })
 }
 
 /// What there is to draw.

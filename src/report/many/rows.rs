@@ -73,6 +73,9 @@ impl StudyHead {
     }
 }
 
+/// Most missing parts that are named.
+const MOST_NAMED: usize = 20;
+
 /// A file of rows.
 #[derive(Debug)]
 pub(crate) struct RowFile {
@@ -91,7 +94,7 @@ impl RowFile {
     /// Goes on with the rows of the same study, if they stand there, or else begins a file for them; a last row that a
     /// kill has cut off is dropped. `anew` throws away what stands there.
     pub fn open(path: &Path, head: StudyHead, anew: bool) -> Result<Self, StudyError> {
-        let mut rows = Self::of(alone(path)?, path, head);
+        let mut rows = Self::new(alone(path)?, path, head);
         let mut reader = rows.reader(0)?;
         let mut first = String::new();
         let read = reader.read_line(&mut first);
@@ -127,15 +130,19 @@ impl RowFile {
             path: path.to_owned(),
             reason,
         };
-        let file = open_regular(path, u64::MAX).map_err(|error| broken(error.to_string()))?;
-        let mut reader = BufReader::new(
-            file.try_clone()
-                .map_err(|error| broken(error.to_string()))?,
-        );
+        let opened = open_regular(path, u64::MAX);
+        let opened = opened.and_then(|file| Ok((file.try_clone()?, file.metadata()?.len(), file)));
+        let (reader, bytes, file) = opened.map_err(|error| broken(error.to_string()))?;
+        let mut reader = BufReader::new(reader);
         let mut first = String::new();
         let _ = reader.read_line(&mut first);
         let head = parsed(&first).ok_or_else(|| broken("it does not begin as one".to_owned()))?;
-        let mut rows = Self::of(file, path, head);
+        let mut rows = Self::new(file, path, head);
+        // room is made for every run of the part, each of which has a row
+        if rows.missing() > bytes {
+            let runs = rows.missing();
+            return Err(broken(format!("{bytes} bytes cannot hold {runs} runs")));
+        }
         rows.take_whole(reader, first.len());
         match rows.missing() {
             0 => Ok(rows),
@@ -143,7 +150,7 @@ impl RowFile {
         }
     }
 
-    fn of(file: File, path: &Path, head: StudyHead) -> Self {
+    fn new(file: File, path: &Path, head: StudyHead) -> Self {
         Self {
             file,
             path: path.to_owned(),
@@ -278,11 +285,11 @@ fn alone(path: &Path) -> Result<File, StudyError> {
 
 /// All rows of a study: those of its parts, one after the other.
 #[derive(Debug)]
-pub(super) struct Rows(Vec<RowFile>);
+pub(crate) struct Rows(Vec<RowFile>);
 
 impl Rows {
     /// Those of one file.
-    pub fn of_one(rows: RowFile) -> Self {
+    pub fn from_one(rows: RowFile) -> Self {
         Self(vec![rows])
     }
 
@@ -290,7 +297,7 @@ impl Rows {
     ///
     /// # Errors
     /// [`StudyError`] where a part is missing, not whole, or of another study.
-    pub fn of_parts(folder: &Path) -> Result<Self, StudyError> {
+    pub fn from_parts(folder: &Path) -> Result<Self, StudyError> {
         let entries = fs::read_dir(folder).map_err(ReportError::file(FileAction::Read, folder))?;
         let paths = entries.flatten().map(|entry| entry.path());
         let parts = paths.filter(|path| {
@@ -325,10 +332,15 @@ impl Rows {
         }
         let count = first.head.shard.count;
         let there = |number: &u64| parts.iter().any(|part| part.head.shard.number == *number);
-        let numbers: Vec<u64> = (1..=count).filter(|number| !there(number)).collect();
-        match numbers.is_empty() {
-            true => Ok(Self(parts)),
-            false => Err(StudyError::Missing { numbers, count }),
+        let missing = count.saturating_sub(parts.len() as u64);
+        let numbers = (1..=count).filter(|number| !there(number));
+        match numbers.take(MOST_NAMED).collect::<Vec<_>>() {
+            none if none.is_empty() => Ok(Self(parts)),
+            first => Err(StudyError::Missing {
+                missing,
+                first,
+                count,
+            }),
         }
     }
 
@@ -422,7 +434,7 @@ mod tests {
 
     fn runs(rows: RowFile) -> Vec<u64> {
         let mut runs = Vec::new();
-        let shown = Rows::of_one(rows).each(|found| {
+        let shown = Rows::from_one(rows).each(|found| {
             assert_eq!(format!("{found:?}"), format!("{:?}", row(found.run)));
             runs.push(found.run);
             Ok::<_, ReportError>(())
@@ -476,6 +488,29 @@ mod tests {
             told.contains("`study.seed` was 1 there and is 2 now"),
             "{told}"
         );
+    }
+
+    #[test]
+    fn parts_that_cannot_be_whole_take_no_room() {
+        let folder = tempfile::tempdir().unwrap();
+        let part = Shard {
+            number: 1,
+            count: u64::MAX,
+        };
+        for (shard, runs, last, told) in [
+            (Shard::WHOLE, 0..u64::MAX, u64::MAX - 1, "cannot hold"),
+            (part, 0..1, 0, "parts are missing: 2, 3, "),
+        ] {
+            let head = StudyHead {
+                shard,
+                runs,
+                ..StudyHead::of_tests()
+            };
+            let text = json!(head).to_string() + "\n" + &json_line(&row(last));
+            fs::write(folder.path().join("runs.part-1-of-1.jsonl"), text).unwrap();
+            let error = Rows::from_parts(folder.path()).unwrap_err().to_string();
+            assert!(error.contains(told), "{error}");
+        }
     }
 
     #[test]

@@ -33,7 +33,7 @@ impl Traces {
     ///
     /// # Errors
     /// [`ReportError::File`] where it cannot be created, or a link stands there, which is not followed.
-    pub(super) fn open(study: &Path, channels: Vec<Channel>) -> Result<Self, ReportError> {
+    pub fn open(study: &Path, channels: Vec<Channel>) -> Result<Self, ReportError> {
         let folder = RunFolder::of_any(&study.join(FOLDER), FileSet::RUNS)?;
         Ok(Self { folder, channels })
     }

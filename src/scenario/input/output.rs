@@ -132,7 +132,7 @@ impl Output {
             let path = entry("output.formats", index);
             if !format.is_built() {
                 let issue = Issue::new(path, "this `jeffcott` is built without Parquet");
-                let help = "take \"csv\" or \"mat\", or build it with `--features parquet`";
+                let help = "take \"csv\", or build it with `--features parquet`";
                 problems.refuse(issue.help(help));
             } else if self.formats[..index].contains(format) {
                 problems.refuse(twice(path, format.extension()));

@@ -16,7 +16,7 @@ pub use numbers::{NumberColumn, number_columns};
 pub use record::{BearingStiffness, Line, Outcome, Place, Point, RunRecord, TraceSeal};
 use record::{Carried, RunSink};
 use schedule::Turn;
-pub use schedule::{Cycles, Direction, Schedule, Shard, Sweep, work};
+pub use schedule::{Cycles, Direction, Schedule, Shard, Sweep, cycles_a_revolution, work};
 pub use standing::{AROUND, standing, standing_columns};
 
 use crate::analysis::{Channel, Motion, SectionKind, Spectrum};

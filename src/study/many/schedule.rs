@@ -254,25 +254,28 @@ impl Cycles {
         if !steady || rotor.speed <= 0.0 {
             return Err(CyclesError::Speed);
         }
-        let cycle = TAU / (rotor.speed * self.order(rotor)?);
+        let cycle = TAU / (rotor.speed * cycles_a_revolution(self.of, rotor)?);
         let cycles = [self.settle, self.settle.saturating_add(self.kept)];
         Ok(cycles.map(|count| f64::from(count) * cycle))
     }
+}
 
-    /// Cycles a revolution.
-    fn order(&self, rotor: &RotorDefinition) -> Result<f64, CyclesError> {
-        if self.of == SectionKind::Revolution {
-            return Ok(1.0);
-        }
-        let supports = rotor.rolling_supports().unwrap_or_default();
-        let passing = supports
-            .iter()
-            .find(|support| support.definition().law != ContactLaw::Linear);
-        let passes = passing.map(Support::passes);
-        passes
-            .filter(|passes| *passes > 0.0)
-            .ok_or(CyclesError::BallPass)
+/// Cycles of a kind in a revolution of a shaft.
+///
+/// # Errors
+/// [`CyclesError::BallPass`] where no ball passes.
+pub fn cycles_a_revolution(kind: SectionKind, rotor: &RotorDefinition) -> Result<f64, CyclesError> {
+    if kind == SectionKind::Revolution {
+        return Ok(1.0);
     }
+    let supports = rotor.rolling_supports().unwrap_or_default();
+    let passing = supports
+        .iter()
+        .find(|support| support.definition().law != ContactLaw::Linear);
+    let passes = passing.map(Support::passes);
+    passes
+        .filter(|passes| *passes > 0.0)
+        .ok_or(CyclesError::BallPass)
 }
 
 #[cfg(test)]

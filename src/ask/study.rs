@@ -1,27 +1,25 @@
-//! Makes the runs of a study, or of a part of it, and writes their files.
+//! Many runs of one scenario.
 
 use std::collections::BTreeSet;
 use std::io;
-use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
-use super::rows::{RowFile, Rows, StudyHead};
-use super::traces::{self, Traces};
-use super::{Digest, StudyError, write};
+use super::AskError;
 use crate::analysis::Channel;
 use crate::quasi_static::StaticQuestion;
-use crate::report::{FileSet, RunFolder};
+use crate::report::many::{self, RowFile, StudyError, StudyFindings, StudyHead, Traces};
 use crate::rotor::RotorDefinition;
-use crate::scenario::StudyFile;
+use crate::scenario::{Issue, Scenario, StudyFile};
 use crate::simulate::Model;
 use crate::study::many::{Ask, Direction, Maker, RunRecord, Schedule, Shard, Unmade, work};
 
-/// A checked study whose first run can be made.
+/// The runs of a study, or of a part of it.
 #[derive(Debug)]
-pub struct StudyRuns<'a> {
+pub struct StudyQuestion<'a> {
     study: &'a StudyFile,
-    /// Its runs and in which order they are made.
+    shard: Shard,
+    /// All its runs and in which order they are made.
     pub schedule: Schedule,
     /// What its first run is asked.
     pub first: Asked,
@@ -45,13 +43,11 @@ impl Asked {
     }
 }
 
-/// Which runs are made, where, and on how many threads.
+/// Where the runs are made, and on how many threads.
 #[derive(Debug, Clone, Copy)]
 pub struct Making<'a> {
     /// Folder of the files.
     pub folder: &'a Path,
-    /// The part that is made.
-    pub shard: Shard,
     /// Number of threads.
     pub threads: usize,
     /// Whether to begin anew, whatever runs an earlier attempt has kept.
@@ -68,15 +64,41 @@ pub struct StudyWatch<'a> {
     pub progress: &'a mut dyn FnMut(f64),
 }
 
-impl<'a> StudyRuns<'a> {
-    /// The runs of a study.
+impl From<StudyError> for AskError {
+    fn from(error: StudyError) -> Self {
+        match error.is_wrong_input() {
+            true => Self::Asked(Issue::new("", error.to_string())),
+            false => Self::failed(error),
+        }
+    }
+}
+
+/// Puts the parts of a study together, in the folder that they stand in: to the bytes of the study made in one piece.
+///
+/// # Errors
+/// [`AskError::Asked`] where a part is missing, broken or of another study, [`AskError::Failed`] where a file cannot be
+/// written.
+pub fn merge(folder: &Path) -> Result<StudyFindings, AskError> {
+    Ok(many::merge(folder)?)
+}
+
+impl<'a> StudyQuestion<'a> {
+    /// Asks for the runs of a part of a study.
     ///
     /// # Errors
-    /// [`StudyError::First`] where its first values make no scenario.
-    pub fn new(study: &'a StudyFile) -> Result<Self, StudyError> {
+    /// [`AskError::Asked`] where its first values make no scenario, or where it has fewer parts.
+    pub fn new(study: &'a StudyFile, shard: Shard) -> Result<Self, AskError> {
         let plan = &study.plan;
         let points = plan.runs().unwrap_or(u64::MAX);
         let last = plan.axes.last().map_or(1, |axis| axis.length());
+        let schedule = Schedule::new(points, last, study.sweep);
+        let (Shard { number, count }, most) = (shard, schedule.chains());
+        if count > most.max(1) {
+            let message = format!(
+                "there is no part {number} of {count}: the study can be divided into at most {most} parts"
+            );
+            return Err(Issue::new("", message).into());
+        }
         let values = plan.values(0);
         let first = match study.ask {
             Ask::Run => study
@@ -86,22 +108,30 @@ impl<'a> StudyRuns<'a> {
                 .question(&values)
                 .map(|question| Asked::Standing(question.into())),
         };
+        let first = first.map_err(|issue| Issue {
+            message: format!(
+                "the first point of the study is no scenario: {}",
+                issue.message
+            ),
+            ..issue
+        });
         Ok(Self {
             study,
-            schedule: Schedule::new(points, last, study.sweep),
-            first: first.map_err(|error| StudyError::First(error.message))?,
+            shard,
+            schedule,
+            first: first?,
         })
     }
 
-    /// Number of runs of some chains.
-    pub(crate) fn runs_of(&self, chains: Range<u64>) -> u64 {
-        let runs = self.schedule.runs_of(chains);
+    /// Number of runs of the part.
+    pub fn runs(&self) -> u64 {
+        let runs = self.schedule.runs_of(self.shard.chains(&self.schedule));
         runs.end - runs.start
     }
 
-    /// What the rows of a part begin with.
-    fn head(&self, shard: Shard) -> StudyHead {
-        let study = self.study;
+    /// What the rows of the part begin with.
+    pub(crate) fn head(&self) -> StudyHead {
+        let (study, shard) = (self.study, self.shard);
         let moving = self.first.rotor().shaft.freedoms.axes().iter();
         let displacements = moving.map(|axis| Channel::Displacement(*axis));
         let [asked, base] = ["study", "base"].map(|key| study.echo[key].clone());
@@ -123,68 +153,26 @@ impl<'a> StudyRuns<'a> {
         }
     }
 
-    /// Opens the folder and the rows of a part, behind those that an earlier attempt has kept.
+    /// Makes the runs of the part, behind those that an earlier attempt has kept, and writes its files.
     ///
     /// # Errors
-    /// [`StudyError`] where the folder cannot be written, or holds runs of another study.
-    pub(crate) fn open(&self, making: &Making<'_>) -> Result<(RunFolder, RowFile), StudyError> {
-        let shard = making.shard;
-        let (folder, name) = match shard {
-            Shard::WHOLE => {
-                let folder = RunFolder::open(making.folder, FileSet::RUNS)?;
-                (folder, "runs.jsonl".to_owned())
-            }
-            Shard { number, count } => {
-                let folder = RunFolder::open_for_part(making.folder, FileSet::RUNS)?;
-                (folder, format!("runs.part-{number}-of-{count}.jsonl"))
-            }
-        };
-        let rows = RowFile::open(&folder.path().join(name), self.head(shard), making.anew)?;
-        let (own, all) = (&rows.head.runs, self.schedule.runs());
-        let has_traces = traces::stand(folder.path())? || self.study.keep.traces;
-        traces::remove_unfinished(folder.path(), own, all)?;
-        if has_traces && rows.count == 0 {
-            // traces are put in place one by one: what sealed those of an earlier study goes before them
-            folder.unseal()?;
-            traces::remove_stale(folder.path(), own, all)?;
-        }
-        Ok((folder, rows))
-    }
-
-    /// Makes the runs of one part, behind those that an earlier attempt has kept, and writes its files; returns their
-    /// paths and, of a whole study, its digest.
-    ///
-    /// # Errors
-    /// [`StudyError`].
-    pub fn make(
+    /// [`AskError::Asked`] where the folder holds runs of another study, [`AskError::Failed`] where a file cannot be written
+    /// or the study is stopped.
+    pub fn answer(
         &self,
         making: &Making<'_>,
         watch: &mut StudyWatch<'_>,
-    ) -> Result<(Vec<PathBuf>, Option<Digest>), StudyError> {
-        let Shard { number, count } = making.shard;
-        let most = self.schedule.chains();
-        if count > most.max(1) {
-            return Err(StudyError::NoPart {
-                number,
-                count,
-                most,
-            });
-        }
-        let (folder, mut rows) = self.open(making)?;
+    ) -> Result<StudyFindings, AskError> {
+        let (folder, runs) = (making.folder, self.schedule.runs());
+        let (folder, mut rows) = many::open(folder, self.head(), runs, making.anew)?;
         if rows.count > 0 {
             (watch.resumed)(rows.count);
         }
         self.add_missing(&mut rows, making, watch)?;
-        let rows = Rows::of_one(rows);
-        if making.shard != Shard::WHOLE {
-            traces::sync(folder.path(), &rows)?;
-            return Ok((rows.synced()?, None));
-        }
-        let (paths, digest) = write(folder, &rows)?;
-        Ok((paths, Some(digest)))
+        Ok(many::finish(folder, rows)?)
     }
 
-    /// Makes the runs of a part that have no row, and adds their rows.
+    /// Makes the runs of the part that have no row, and adds their rows.
     fn add_missing(
         &self,
         rows: &mut RowFile,
@@ -192,7 +180,7 @@ impl<'a> StudyRuns<'a> {
         watch: &mut StudyWatch<'_>,
     ) -> Result<(), StudyError> {
         let (study, schedule) = (self.study, self.schedule);
-        let chains = making.shard.chains(&schedule);
+        let chains = self.shard.chains(&schedule);
         let is_done = |chain: &u64| {
             let mut runs = schedule.runs_of(*chain..chain + 1);
             runs.all(|run| rows.holds(run))
@@ -213,7 +201,7 @@ impl<'a> StudyRuns<'a> {
             traces: traces.is_some().then_some(&keep),
             ..study.maker(schedule, &model, watch.stop)
         };
-        let all = self.runs_of(chains.clone()) as f64;
+        let all = self.runs() as f64;
         work(
             chains.filter(|chain| !done.contains(chain)),
             making.threads,
@@ -249,5 +237,31 @@ impl<'a> StudyRuns<'a> {
             outcome: self.study.standing(&values),
             values,
         }
+    }
+
+    /// The scenario of one run by itself, called by its number; its motion starts where the runs before it in its chain lead
+    /// to.
+    ///
+    /// # Errors
+    /// [`AskError::Asked`] where there is no such run, [`AskError::Failed`] where its values make no scenario, or those runs
+    /// are stopped.
+    pub fn alone(&self, number: u64, stop: &AtomicBool) -> Result<Scenario, AskError> {
+        let (study, schedule) = (self.study, self.schedule);
+        let last = schedule.runs().saturating_sub(1);
+        if number > last {
+            let message = format!("there is no run {number}: they count from 0 to {last}");
+            return Err(Issue::new("", message).into());
+        }
+        let no_run = |message| AskError::Failed(format!("run {number}: {message}").into());
+        let values = study.plan.values(schedule.turn(number).point);
+        let title = format!("{}, run {number}", study.title);
+        let alone = study.alone(&values, title);
+        let mut alone = alone.map_err(|issue| no_run(issue.message))?;
+        if alone.model.is_some() {
+            let model = |values: &[f64]| study.model(values).map_err(|error| error.message);
+            let found = study.maker(schedule, &model, stop).alone(number);
+            alone.model = Some(found.map_err(AskError::failed)?.map_err(no_run)?);
+        }
+        Ok(alone)
     }
 }
