@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use jeffcott::bearing::{Bearing, Oil};
-use jeffcott::internals::{Ball, BallLaw, ForceLaw, HertzFilmLaw, JonesFilmLaw, JonesLaw};
+use jeffcott::internals::{Ball, BallLaw, HertzFilmLaw, JonesFilmLaw, JonesLaw};
 use jeffcott::physics::RaceControl;
 
 const SPEED: f64 = 1000.0;

@@ -1,8 +1,8 @@
 //! The friction moment of a mounted bearing.
 
 use super::static_rating::static_rating;
-use super::{Bearing, FrictionMoment, MountedBearing, Oil, SkfMoment, Vector5};
-use crate::physics::{FrictionFactors, HertzContact, MINERAL_OIL_DENSITY, SkfOperation};
+use super::{Bearing, FrictionMoment, MountedBearing, Oil, RaceContacts, SkfMoment, Vector5};
+use crate::physics::{FrictionFactors, MINERAL_OIL_DENSITY, SkfOperation};
 
 /// What the friction moment of a bearing rests on besides load and speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,7 +17,7 @@ pub(super) struct BearingFriction {
 
 impl BearingFriction {
     /// Of a bearing with `contacts` at its nominal contact angle, inner race first.
-    pub fn new(definition: &MountedBearing, contacts: &[HertzContact; 2]) -> Self {
+    pub fn new(definition: &MountedBearing, contacts: &RaceContacts) -> Self {
         let bearing = &definition.bearing;
         let lubricant = bearing.lubrication.map(|lubricant| lubricant.viscosity);
         // ν = η0/ρ
@@ -46,7 +46,7 @@ impl BearingFriction {
 /// lubricant of a bearing are known.
 pub(super) fn skf_moment(
     bearing: &Bearing,
-    contacts: &[HertzContact; 2],
+    contacts: &RaceContacts,
     force: &Vector5,
     speed: f64,
 ) -> Option<SkfMoment> {

@@ -6,11 +6,11 @@ use serde::{Deserialize, Serialize};
 use super::surface::{ImperfectionError, Imperfections};
 use super::{
     Clearance, ClearanceClass, ContactDamping, ContactLaw, EstimateError, FitState, Geometry,
-    GeometryError, Lubrication, Oil,
+    GeometryError, Lubrication, Oil, RaceContacts,
 };
 use crate::physics::{
     HertzContact, HertzError, Material, Race, SkfFriction, contact_modulus, inner_race_curvature,
-    outer_race_curvature, series_stiffness,
+    outer_race_curvature,
 };
 
 /// Why a bearing cannot be built or mounted.
@@ -160,15 +160,6 @@ impl Bearing {
         Some(Clearance { diametral, class })
     }
 
-    /// Angle left from the end of a contact ellipse to the shoulder of the inner (0) or the outer (1) race, rad:
-    /// `α_s − |α| − asin(a/(f D))`; negative where the ellipse is cut off, none where no shoulder is known.
-    pub(crate) fn shoulder_margin(&self, race: usize, angle: f64, semi_major: f64) -> Option<f64> {
-        let groove_factor = self.geometry.groove_factors()[race];
-        let groove_radius = groove_factor * self.geometry.ball_diameter();
-        let reach = (semi_major / groove_radius).min(1.0).asin();
-        Some(self.shoulder_angle? - angle.abs() - reach)
-    }
-
     /// Hertz contact of ball and inner race, curvature at the free contact angle.
     ///
     /// # Errors
@@ -185,7 +176,11 @@ impl Bearing {
         self.contact("outer", self.geometry.gamma())
     }
 
-    fn contact(&self, race: &'static str, gamma: f64) -> Result<HertzContact, BearingError> {
+    pub(super) fn contact(
+        &self,
+        race: &'static str,
+        gamma: f64,
+    ) -> Result<HertzContact, BearingError> {
         let (ball, [inner, outer]) = (
             self.geometry.ball_diameter(),
             self.geometry.groove_factors(),
@@ -214,27 +209,18 @@ impl Bearing {
     pub fn load_deflection_constant(&self) -> Result<f64, BearingError> {
         match self.contact_stiffness {
             Some(given) => Ok(given),
-            None => Ok(self.load_deflection_constant_by(&self.contacts()?)),
+            None => Ok(self.contacts()?.in_series().stiffness),
         }
     }
 
-    /// As [`Bearing::load_deflection_constant`], by [`Bearing::contacts`], which take long to find.
-    pub(super) fn load_deflection_constant_by(&self, contacts: &[HertzContact; 2]) -> f64 {
-        self.contact_stiffness.unwrap_or_else(|| {
-            let [inner, outer] = contacts;
-            series_stiffness(inner.stiffness(), outer.stiffness())
-        })
+    /// Contacts of ball and races at the free contact angle.
+    pub(super) fn contacts(&self) -> Result<RaceContacts, BearingError> {
+        RaceContacts::new(self, self.geometry.gamma())
     }
 
-    /// Hertz contacts of ball and races, the inner race first.
-    pub(super) fn contacts(&self) -> Result<[HertzContact; 2], BearingError> {
-        Ok([self.inner_contact()?, self.outer_contact()?])
-    }
-
-    /// The same with the curvatures at the nominal contact angle, which the ratings belong to, whatever the clearance.
-    pub(super) fn rated_contacts(&self) -> Result<[HertzContact; 2], BearingError> {
-        let gamma = self.geometry.nominal_gamma();
-        Ok([self.contact("inner", gamma)?, self.contact("outer", gamma)?])
+    /// Contacts of ball and races at the nominal contact angle, which the ratings belong to, whatever the clearance.
+    pub(super) fn rated_contacts(&self) -> Result<RaceContacts, BearingError> {
+        RaceContacts::new(self, self.geometry.nominal_gamma())
     }
 }
 

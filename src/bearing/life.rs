@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{BallLoads, Bearing, Geometry, Vector5};
+use super::{Bearing, Geometry, Vector5};
 use crate::physics::{
     Race, equivalent_load, life_modification_factor, reference_viscosity, reliability_factor,
 };
@@ -55,7 +55,7 @@ pub struct RatingLife {
 }
 
 impl RatingLife {
-    /// Of a bearing with the basic dynamic load rating C in N, one ring of which turns.
+    /// From a bearing's geometry and its basic dynamic load rating C in N; one of its rings turns.
     pub fn new(geometry: &Geometry, dynamic_rating: f64, turning: Race) -> Self {
         let balls = geometry.balls() as f64;
         let means = match turning {
@@ -71,14 +71,22 @@ impl RatingLife {
 
     /// L10r under the loads of every ball at both races, 10⁶ revolutions; none without load.
     pub fn life(&self, loads: impl Iterator<Item = [f64; 2]>) -> Option<f64> {
-        let consumption = self.consumption(self.powers(loads));
+        let consumption = self.consumption(loads);
         (consumption > 0.0).then(|| 1.0 / consumption)
     }
 
-    /// Sums over the balls of Q³ at the race that turns and of Q^(10/3) at the other, from the loads of every ball at both.
-    fn powers(&self, loads: impl Iterator<Item = [f64; 2]>) -> [f64; 2] {
+    /// 1/L10r per 10⁶ revolutions under the loads of every ball at both races; zero without load.
+    ///
+    /// ```text
+    /// 1/L10r = [(Q_ei/Q_ci)^(10/3) + (Q_ee/Q_ce)^(10/3)]^(9/10)
+    /// Q_ei^(10/3) = (mean of Q_i³)^(10/9)   Q_ee^(10/3) = mean of Q_o^(10/3)
+    /// ```
+    ///
+    /// Where the outer ring turns past the load, the exponents change places.
+    pub fn consumption(&self, loads: impl Iterator<Item = [f64; 2]>) -> f64 {
         let turning = self.turning as usize;
-        loads.fold([0.0; 2], |mut sums, loads| {
+        let mut sums = [0.0; 2];
+        for loads in loads {
             for race in 0..2 {
                 let cube = loads[race].powi(3);
                 sums[race] += if race == turning {
@@ -87,37 +95,9 @@ impl RatingLife {
                     cube * loads[race].cbrt()
                 };
             }
-            sums
-        })
-    }
-
-    /// [`RatingLife::consumption`] under the loads of a ring's balls.
-    pub fn consumption_under(&self, balls: &BallLoads) -> f64 {
-        let [inner, outer] = &balls.load;
-        match self.turning {
-            Race::Inner => self.consumption(balls.life_powers),
-            Race::Outer => {
-                let loads = inner.iter().zip(outer);
-                self.consumption(self.powers(loads.map(|(inner, outer)| [*inner, *outer])))
-            }
         }
-    }
-
-    /// 1/L10r per 10⁶ revolutions under sums over the balls of Q_i³ and Q_o^(10/3), as a
-    /// [`super::BallLoads`] has them; zero without load.
-    ///
-    /// ```text
-    /// 1/L10r = [(Q_ei/Q_ci)^(10/3) + (Q_ee/Q_ce)^(10/3)]^(9/10)
-    /// Q_ei^(10/3) = (mean of Q_i³)^(10/9)   Q_ee^(10/3) = mean of Q_o^(10/3)
-    /// ```
-    ///
-    /// Where the outer ring turns past the load, the exponents change places.
-    pub fn consumption(&self, [inner, outer]: [f64; 2]) -> f64 {
-        let [inner, outer] = match self.turning {
-            Race::Inner => [inner.powf(10.0 / 9.0), outer],
-            Race::Outer => [inner, outer.powf(10.0 / 9.0)],
-        };
-        let damage = self.weights[0] * inner + self.weights[1] * outer;
+        sums[turning] = sums[turning].powf(10.0 / 9.0);
+        let damage = self.weights[0] * sums[0] + self.weights[1] * sums[1];
         damage.powf(0.9)
     }
 }
@@ -204,6 +184,12 @@ fn hours(life: f64, speed: f64) -> Option<f64> {
 }
 
 impl Bearing {
+    /// How fast the bearing lives under loads of its balls; none without a dynamic load rating.
+    pub(crate) fn rating_life(&self) -> Option<RatingLife> {
+        let rating = self.dynamic_rating?;
+        Some(RatingLife::new(&self.geometry, rating, self.rotating_ring))
+    }
+
     /// All rating lives: L10r in 10⁶ revolutions, the force of the ring in N, the speed in rad/s. None without a dynamic
     /// load rating.
     pub(super) fn rating_lives(
@@ -279,7 +265,7 @@ mod tests {
     fn nothing_is_consumed_without_load() {
         let bearing = catalogue::find("6305").expect("an entry").bearing();
         let rating = RatingLife::new(&bearing.expect("a bearing").geometry, 23_400.0, Race::Inner);
-        let consumption = |load: f64| rating.consumption([load; 2]);
+        let consumption = |load: f64| rating.consumption([[load; 2]].into_iter());
         assert_eq!(consumption(0.0), 0.0);
         assert!(consumption(300.0) > 0.0 && consumption(f64::NAN).is_nan());
     }

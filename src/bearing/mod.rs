@@ -4,12 +4,10 @@
 //! a [`Ring`] (the positions of the balls, and sums over them) to a [`Support`] (the bearing at its place on the
 //! shaft).
 
-mod assessment;
 mod bearing_friction;
 mod cage;
 pub(crate) mod catalogue;
 mod clearance;
-mod contact_band;
 mod contact_damping;
 pub(crate) mod definition;
 mod estimate;
@@ -27,19 +25,12 @@ mod seat;
 mod state;
 mod static_rating;
 pub(crate) mod support;
-mod support_damping;
-mod support_force;
-mod support_lift_off;
-mod support_surfaces;
-mod support_table;
 pub(crate) mod surface;
 mod warnings;
 
-pub(crate) use assessment::LOADED_SHARE;
 pub(crate) use cage::CageMotion;
 pub use catalogue::{CATALOGUE, CatalogueEntry, UnknownBearing};
 pub use clearance::{Clearance, ClearanceClass};
-pub(crate) use contact_band::ContactBand;
 pub(crate) use contact_damping::ContactDamping;
 pub use definition::{Bearing, BearingError};
 pub(crate) use definition::{Facing, Housing, MountedBearing, Preload};
@@ -50,11 +41,12 @@ pub(crate) use fit::FitState;
 pub use geometry::{FreePosition, Geometry, GeometryError};
 pub use law::BallContact;
 pub(crate) use law::{
-    Ball, BallForce, BallLaw, ContactLaw, ForceLaw, HertzSpring, RaceFilms, TableError, TableReport,
+    Ball, BallForce, BallLaw, ContactLaw, ForceLaw, RaceContacts, RaceFilms, TableError,
+    TableReport,
 };
 #[cfg(test)]
 pub(crate) use law::{
-    BallRegion, BallState, BallTable, HertzFilmLaw, HertzLaw, JonesFilmLaw, JonesLaw,
+    BallRegion, BallState, BallTable, FilmLaw, HertzFilmLaw, HertzLaw, JonesFilmLaw, JonesLaw,
 };
 pub(crate) use life::RatingLife;
 pub use life::{ModifiedLife, RatingLives, reference_rating_life};
@@ -69,7 +61,7 @@ pub use state::{
     BallLine, BearingState, FilmState, FrictionMoment, InternalGeometry, RaceContact, SkfMoment,
 };
 pub use static_rating::{PERMISSIBLE_PRESSURE, permissible_static_load};
-pub(crate) use support::Support;
+pub(crate) use support::{ContactBand, LOADED_SHARE, Support};
 pub use surface::Surface;
 pub(crate) use surface::{CageJitter, Defect, Imperfections, Passing, RaceSpall, SideView, Wave};
 pub(crate) use surface::{DefectProfile, ImperfectionError};

@@ -4,8 +4,8 @@ use fearless_simd::{Fallback, Simd, SimdBase, SimdFloat};
 
 use super::number::{LANES, Lanes};
 use super::ring::{Balls, side_by_side};
-use super::ring_forces::{ForceSums, total};
-use super::{BallContact, BallLaw, BearingRotation, ForceLaw, Ring, Vector5};
+use super::ring_forces::ForceSums;
+use super::{BallContact, BallLaw, BearingRotation, ForceLaw, RaceFilms, Ring, Vector5};
 use crate::registers::in_wide_registers;
 
 /// Loads of the balls of one bearing at an instant, ball 0 first.
@@ -19,8 +19,6 @@ pub struct BallLoads {
     pub approach: Vec<f64>,
     /// Largest of the loads at the inner and the outer race, N.
     pub largest: [f64; 2],
-    /// Sums over the balls of Q_i³ and Q_o^(10/3): what `RatingLife::consumption` takes.
-    pub life_powers: [f64; 2],
 }
 
 impl BallLoads {
@@ -39,6 +37,15 @@ impl BallLoads {
     /// Number of balls.
     pub fn balls(&self) -> usize {
         self.approach.len()
+    }
+
+    /// Loads of each ball at the inner and the outer race, N.
+    pub(crate) fn loads(&self) -> impl Iterator<Item = [f64; 2]> {
+        let [inner, outer] = &self.load;
+        inner
+            .iter()
+            .zip(outer)
+            .map(|(inner, outer)| [*inner, *outer])
     }
 
     /// Ball by ball; angles are zero where they are not asked for.
@@ -85,7 +92,7 @@ impl Ring {
     ) -> Vector5 {
         in_wide_registers!(self.level, simd => {
             let zero = Lanes::splat(simd, 0.0);
-            let (mut powers, mut largest) = ([zero; 2], [zero; 2]);
+            let mut largest = [zero; 2];
             let mut sums = ForceSums::new(simd, self.arm);
             let displacement = side_by_side(simd, displacement);
             self.visit(
@@ -96,9 +103,7 @@ impl Ring {
                 |at| {
                     let response = law.response(&at.ball, rotation.speed);
                     sums.add_force(at, law, &response.force);
-                    let life_powers = law.life_powers(&response);
                     for race in 0..2 {
-                        powers[race] += life_powers[race] * at.weight;
                         largest[race] = (response.load[race] * at.weight).max(largest[race]);
                         store(response.load[race], at.first, &mut loads.load[race]);
                     }
@@ -109,7 +114,6 @@ impl Ring {
                 },
             );
             for race in 0..2 {
-                loads.life_powers[race] = total(&powers[race]);
                 let [a, b, c, d] = *largest[race];
                 loads.largest[race] = a.max(b).max(c.max(d));
             }
@@ -117,10 +121,11 @@ impl Ring {
         })
     }
 
-    /// Energy, J, that the contacts store.
+    /// Energy, J, that elastic contacts and films store: `Σ_balls Σ_races ∫ Q ds` with `s(Q) = δ(Q) − h(Q)`.
     pub(super) fn stored_energy(
         &self,
         law: &impl BallLaw,
+        films: Option<&RaceFilms>,
         displacement: &Vector5,
         rotation: &BearingRotation,
     ) -> f64 {
@@ -128,7 +133,12 @@ impl Ring {
         let mut energy = 0.0;
         self.visit(simd, &side_by_side(simd, displacement), rotation, |at| {
             for (_, ball) in at.single(self.balls()) {
-                energy += law.stored_energy(&ball, rotation.speed);
+                let response = law.response(&ball, rotation.speed);
+                let elastic = law.elastic_energies(&response);
+                let in_films = films.map_or([0.0; 2], |films| {
+                    films.stored_energies(response.load, rotation.speed)
+                });
+                energy += (elastic[0] + in_films[0]) + (elastic[1] + in_films[1]);
             }
         });
         energy

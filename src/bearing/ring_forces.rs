@@ -198,7 +198,7 @@ impl<S: Simd> ForceSums<S> {
 
 /// Sum of the balls side by side.
 #[inline(always)]
-pub(super) fn total<S: Simd>(lanes: &Lanes<S>) -> f64 {
+fn total<S: Simd>(lanes: &Lanes<S>) -> f64 {
     let [a, b, c, d] = **lanes;
     (a + b) + (c + d)
 }

@@ -1,6 +1,6 @@
 //! Loads that the contact pressure permits: static load rating and safety of ISO 76, fatigue load limit of ISO 281.
 
-use super::{Bearing, BearingError, Geometry};
+use super::{Bearing, BearingError, Geometry, RaceContacts};
 use crate::physics::HertzContact;
 
 /// Contact pressure of ISO 76 at which balls and races keep a dent of about 1e-4 of the ball
@@ -76,9 +76,9 @@ impl Bearing {
 }
 
 /// As [`Bearing::static_rating`], for [`Bearing::rated_contacts`] that are known already.
-pub(super) fn static_rating(geometry: &Geometry, contacts: &[HertzContact; 2]) -> f64 {
-    let load = contacts.each_ref().map(permissible_static_load);
-    static_rating_of_loads(geometry.balls(), load, geometry.nominal_angle().cos())
+pub(super) fn static_rating(geometry: &Geometry, contacts: &RaceContacts) -> f64 {
+    let loads = contacts.permissible_loads();
+    static_rating_of_loads(geometry.balls(), loads, geometry.nominal_angle().cos())
 }
 
 /// C_0 = Z Q cos α/5 of balls with permissible loads at both races.
@@ -86,25 +86,11 @@ pub(super) fn static_rating_of_loads(balls: usize, [inner, outer]: [f64; 2], cos
     balls as f64 * inner.min(outer) * cosine / 5.0
 }
 
-/// Static safety: permissible load over the largest one, at the race where that is less; none
-/// without load. `loads` in N, inner race first.
-pub(super) fn static_safety(
-    contacts: &[HertzContact; 2],
-    loads: impl Iterator<Item = [f64; 2]>,
-) -> Option<f64> {
-    let largest = loads.fold([0.0; 2], |largest: [f64; 2], load| {
-        [largest[0].max(load[0]), largest[1].max(load[1])]
-    });
-    let safety = |race: usize| permissible_static_load(&contacts[race]) / largest[race];
-    let safety = safety(0).min(safety(1));
-    safety.is_finite().then_some(safety)
-}
-
 /// As [`Bearing::fatigue_load_limit`], for [`Bearing::rated_contacts`] that are known already.
-pub(super) fn fatigue_load_limit(geometry: &Geometry, contacts: &[HertzContact; 2]) -> f64 {
+pub(super) fn fatigue_load_limit(geometry: &Geometry, contacts: &RaceContacts) -> f64 {
     // Q_u = Q(4200 MPa) (1500/4200)³
     let share = (1500.0_f64 / 4200.0).powi(3);
-    let [inner, outer] = contacts.each_ref().map(permissible_static_load);
+    let [inner, outer] = contacts.permissible_loads();
     let size = (0.1 / geometry.pitch_diameter()).sqrt().min(1.0);
     let cosine = geometry.nominal_angle().cos();
     0.2288 * geometry.balls() as f64 * share * inner.min(outer) * cosine * size

@@ -2,8 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::static_rating::PERMISSIBLE_PRESSURE;
-use super::{BallLine, Bearing, RaceContact};
+use super::{BallLine, Bearing, RaceContact, RaceContacts};
 
 /// A contact of a numbered ball at a race with a name.
 struct Place<'a> {
@@ -119,13 +118,14 @@ fn cut_off(bearing: &Bearing, places: &[Place]) -> Option<String> {
 
 /// Contacts beyond the permissible pressure of ISO 76.
 fn overstressed(places: &[Place]) -> Option<String> {
+    let permissible = RaceContacts::PERMISSIBLE_PRESSURE;
     let pressure = |place: &Place| place.contact.peak_pressure;
-    let (count, worst) = worst(places, pressure, PERMISSIBLE_PRESSURE)?;
+    let (count, worst) = worst(places, pressure, permissible)?;
     Some(format!(
         "the contact pressure at the {} race exceeds the {:.0} MPa of ISO 76 on {count} of {} balls: \
          {:.0} MPa on ball {} (at {:.1}°)",
         worst.race,
-        PERMISSIBLE_PRESSURE / 1e6,
+        permissible / 1e6,
         places.len(),
         worst.contact.peak_pressure / 1e6,
         worst.number,

@@ -50,16 +50,19 @@ impl Rotor {
     /// rad/s², as the rates of their velocities.
     pub(super) fn lift_off_jump(&self, ball: usize, speed: f64, distance: f64, rate: &mut [f64]) {
         rate.fill(0.0);
-        let mut first = 0;
-        for bearing in self.bearings() {
-            let support = bearing.support;
-            let count = support.balls_that_lift_off();
-            if (first..first + count).contains(&ball) {
-                let load = support.load_past_lift_off(distance, speed);
-                self.add_acceleration_by_ball(bearing, load, rate);
-            }
-            first += count;
+        if let Some(bearing) = self.bearing_of_ball(ball) {
+            let load = bearing.support.load_past_lift_off(distance, speed);
+            self.add_acceleration_by_ball(bearing, load, rate);
         }
+    }
+
+    /// The bearing of a ball that lifts off.
+    pub(super) fn bearing_of_ball(&self, mut ball: usize) -> Option<AttachedBearing<'_>> {
+        self.bearings().find(|bearing| {
+            let rest = ball.checked_sub(bearing.support.balls_that_lift_off());
+            ball = rest.unwrap_or(ball);
+            rest.is_none()
+        })
     }
 
     /// Adds the accelerations that a load of a ball in N gives the degrees of freedom at most.

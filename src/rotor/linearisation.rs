@@ -42,14 +42,14 @@ impl Rotor {
         for (bearing, seen) in self.bearings_at(&rotation) {
             let (attachment, support) = (bearing.attachment, bearing.support);
             let motion = bearing.motion(place, velocity);
-            let (stiffness, by_cage_angle) = support.slopes(&motion[0], &seen);
-            attachment.add_stiffness(&stiffness, &mut by_place);
+            let tangent = support.tangent(&motion[0], &seen);
+            attachment.add_stiffness(&tangent.stiffness, &mut by_place);
             if support.is_imperfect() {
                 let later =
                     |step: f64| support.force(&motion[0], &self.seen_at(time + step, bearing));
                 attachment.add_force(1.0, &forward_rate(later), &mut held);
             } else {
-                attachment.add_force(seen.cage_speed, &by_cage_angle, &mut held);
+                attachment.add_force(seen.cage_speed, &tangent.by_cage_angle, &mut held);
             }
             if support.is_damped() {
                 let damping = |[place, rate]: &[Vector5; 2], seen: &BearingRotation| {

@@ -491,10 +491,10 @@ impl Structure {
         let rotation = BearingRotation::at_start(speed);
         for (support, attachment) in supports.iter().zip(&self.attachments) {
             let displacement = attachment.displacement(place, &[]);
-            let (share, tangent) = support.force_and_stiffness(&displacement, &rotation);
-            attachment.add_force(1.0, &share, force.as_mut_slice());
-            attachment.add_stiffness(&tangent, &mut stiffness);
-            for (axis, share) in share.iter().enumerate() {
+            let tangent = support.tangent(&displacement, &rotation);
+            attachment.add_force(1.0, &tangent.force, force.as_mut_slice());
+            attachment.add_stiffness(&tangent.stiffness, &mut stiffness);
+            for (axis, share) in tangent.force.iter().enumerate() {
                 let length = if axis < 3 { 1.0 } else { arm };
                 largest_share = largest_share.max((share / length).abs());
             }

@@ -76,10 +76,15 @@ impl Rotor {
     /// Writes the accelerations that a ball so far past such a kink gives at most, as the rates of the velocities.
     pub(super) fn passing_jump(&self, event: usize, speed: f64, distance: f64, rate: &mut [f64]) {
         rate.fill(0.0);
-        if let Some((bearing, _)) = self.passing_events().nth(event) {
+        if let Some(bearing) = self.bearing_of_kink(event) {
             let load = bearing.support.load_past_kink(distance, speed);
             self.add_acceleration_by_ball(bearing, load, rate);
         }
+    }
+
+    /// The bearing of a kink that is an event surface.
+    pub(super) fn bearing_of_kink(&self, event: usize) -> Option<AttachedBearing<'_>> {
+        self.passing_events().nth(event).map(|(bearing, _)| bearing)
     }
 
     /// Rotations that the bearing sees at the start and where a ball first passes each kink, and, for waves, at some angles

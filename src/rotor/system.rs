@@ -72,8 +72,12 @@ impl System for Rotor {
         }
     }
 
-    fn event_exponent(&self, _event: usize) -> f64 {
-        1.5
+    fn event_exponent(&self, event: usize) -> f64 {
+        let bearing = match event.checked_sub(self.balls_that_lift_off) {
+            None => self.bearing_of_ball(event),
+            Some(kink) => self.bearing_of_kink(kink),
+        };
+        bearing.map_or(1.0, |bearing| bearing.support.lift_off_exponent())
     }
 
     fn expects_crossings(&self) -> bool {

@@ -210,13 +210,8 @@ impl FreeDirections {
 /// Stiffness of a loaded contact of these bearings, by its order of magnitude, N/m: that of one
 /// ball pressed in by a thousandth of the groove centre distance.
 pub(super) fn contact_stiffness(supports: &[Support]) -> f64 {
-    // dQ/dδ = 3/2 K_n √δ
-    let of = |support: &Support| {
-        let geometry = &support.definition().bearing.geometry;
-        let approach = 1e-3 * geometry.groove_centre_distance();
-        1.5 * support.load_deflection_constant() * approach.sqrt()
-    };
-    supports.iter().map(of).fold(0.0, f64::max)
+    let stiffnesses = supports.iter().map(Support::contact_stiffness);
+    stiffnesses.fold(0.0, f64::max)
 }
 
 impl Rotor {

@@ -252,9 +252,9 @@ impl Candidate {
             stiffness += if definition.law == ContactLaw::Linear {
                 let (position, speed) = &self.frozen;
                 let start = BearingRotation::at_start(*speed);
-                support.force_and_stiffness(position, &start).1
+                support.tangent(position, &start).stiffness
             } else {
-                support.force_and_stiffness(position, &rotation).1
+                support.tangent(position, &rotation).stiffness
             };
         }
         (force, stiffness)

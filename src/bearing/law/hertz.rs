@@ -1,10 +1,8 @@
 //! Ball law of two Hertz contacts in series, ball inertia neglected.
 
-use super::contacts::{ContactSpring, HertzSpring, race_springs};
-use super::{Ball, BallForce, BallLaw, BallResponse};
-use crate::bearing::Bearing;
+use super::{Ball, BallForce, BallLaw, BallResponse, ForceLaw, HertzSpring, RaceContacts};
+use crate::bearing::Geometry;
 use crate::bearing::number::{Number, Plain};
-use crate::physics::HertzContact;
 
 /// Hertz contact of a ball with both races, the ball itself without inertia.
 ///
@@ -38,22 +36,16 @@ impl HertzLaw {
         }
     }
 
-    /// Of a bearing with its Hertz contacts.
-    pub(super) fn between(bearing: &Bearing, contacts: &[HertzContact; 2]) -> Self {
+    /// From the geometry of a bearing and its contacts.
+    pub(super) fn from_contacts(geometry: &Geometry, contacts: &RaceContacts) -> Self {
         // under one load the approaches are as the stiffnesses to the power −1
-        let [inner, outer] = race_springs(bearing, contacts).map(|race| race.stiffness_under(1.0));
+        let [inner, outer] = contacts.springs().map(|race| race.stiffness_under(1.0));
         Self {
             inner_share: outer / (inner + outer),
             ..Self::new(
-                bearing.load_deflection_constant_by(contacts),
-                bearing.geometry.groove_centre_distance(),
+                contacts.in_series().stiffness,
+                geometry.groove_centre_distance(),
             )
-        }
-    }
-
-    fn spring(&self) -> HertzSpring {
-        HertzSpring {
-            stiffness: self.load_deflection_constant,
         }
     }
 }
@@ -87,7 +79,23 @@ pub(super) fn on_line_of_centres<T: Number>(
     }
 }
 
+impl ForceLaw for HertzLaw {
+    const HAS_COUPLE: bool = false;
+
+    #[inline(always)]
+    fn force<T: Number>(&self, ball: &Ball<T>, speed: f64) -> BallForce<T> {
+        self.response(ball, speed).force
+    }
+
+    #[inline(always)]
+    fn distance_past_lift_off<T: Plain>(&self, ball: &Ball<T>, _speed: f64) -> T {
+        distance_and_approach(ball, self.distance).1
+    }
+}
+
 impl BallLaw for HertzLaw {
+    type Spring = HertzSpring;
+
     #[inline(always)]
     fn response<T: Number>(&self, ball: &Ball<T>, _speed: f64) -> BallResponse<T> {
         let (distance, approach) = distance_and_approach(ball, self.distance);
@@ -97,9 +105,10 @@ impl BallLaw for HertzLaw {
         on_line_of_centres(ball, distance, load, approach)
     }
 
-    #[inline(always)]
-    fn past_lift_off<T: Plain>(&self, ball: &Ball<T>, _speed: f64) -> T {
-        distance_and_approach(ball, self.distance).1
+    fn spring(&self, _speed: f64) -> HertzSpring {
+        HertzSpring {
+            stiffness: self.load_deflection_constant,
+        }
     }
 
     #[inline(always)]
@@ -109,14 +118,6 @@ impl BallLaw for HertzLaw {
             pressed * self.inner_share,
             pressed * (1.0 - self.inner_share),
         ]
-    }
-
-    fn approach_under(&self, load: f64, _speed: f64) -> f64 {
-        self.spring().approach(load)
-    }
-
-    fn load_past_lift_off(&self, distance: f64, _speed: f64) -> f64 {
-        self.spring().load_and_stiffness(distance).0
     }
 }
 

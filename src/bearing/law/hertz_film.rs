@@ -1,9 +1,12 @@
 //! Hertz contact and oil film of both races in series: the law of a ball without inertia.
 
-use super::contacts::{ContactSpring, HertzSpring, RaceFilms, approaches_under, race_springs};
-use super::film::{LubricatedContact, spring_tangent};
+use super::film_spring::{FilmSpring, LubricatedContact};
 use super::hertz::{distance_and_approach, on_line_of_centres};
-use super::{Ball, BallLaw, BallResponse, BallTangent};
+use super::shares::spring_tangent;
+use super::spring::approaches_under;
+use super::{
+    Ball, BallForce, BallLaw, BallResponse, BallTangent, FilmLaw, ForceLaw, HertzSpring, RaceFilms,
+};
 use crate::bearing::number::Number;
 use crate::bearing::{Bearing, BearingError, Oil};
 
@@ -48,17 +51,27 @@ impl HertzFilmLaw {
         let films = RaceFilms::new(bearing, &contacts, &oil)?;
         // equal loads and equal exponents: the two films add up to one
         let film = films.central_constants().iter().sum();
-        let stiffness = bearing.load_deflection_constant_by(&contacts);
         Ok(Self {
             free_distance: bearing.geometry.groove_centre_distance(),
-            contact: LubricatedContact::new(HertzSpring { stiffness }, film, prepared_speed),
-            springs: race_springs(bearing, &contacts),
+            contact: LubricatedContact::new(contacts.in_series(), film, prepared_speed),
+            springs: contacts.springs(),
             films,
         })
     }
 }
 
+impl ForceLaw for HertzFilmLaw {
+    const HAS_COUPLE: bool = false;
+
+    #[inline(always)]
+    fn force<T: Number>(&self, ball: &Ball<T>, speed: f64) -> BallForce<T> {
+        self.response(ball, speed).force
+    }
+}
+
 impl BallLaw for HertzFilmLaw {
+    type Spring = FilmSpring;
+
     #[inline(always)]
     fn response<T: Number>(&self, ball: &Ball<T>, speed: f64) -> BallResponse<T> {
         let (distance, approach) = distance_and_approach(ball, self.free_distance);
@@ -66,16 +79,18 @@ impl BallLaw for HertzFilmLaw {
         on_line_of_centres(ball, distance, load, approach)
     }
 
+    fn spring(&self, speed: f64) -> FilmSpring {
+        self.contact.at_speed(speed)
+    }
+
     fn elastic_approaches<T: Number>(&self, response: &BallResponse<T>) -> [T; 2] {
         approaches_under(&self.springs, response.load)
     }
+}
 
-    fn approach_under(&self, load: f64, speed: f64) -> f64 {
-        self.contact.at_speed(speed).approach(load)
-    }
-
-    fn films(&self) -> Option<&RaceFilms> {
-        Some(&self.films)
+impl FilmLaw for HertzFilmLaw {
+    fn films(&self) -> &RaceFilms {
+        &self.films
     }
 
     fn contact_tangent(&self, ball: &Ball, speed: f64) -> BallTangent {

@@ -1,28 +1,34 @@
 //! The laws of one ball: from the position of the inner groove centre to loads and forces.
 //!
 //! [`BallLaw`] is what a law is; each law is a file or a folder here, a variant of [`ContactLaw`] and of the one list
-//! of laws below. Outside this folder nothing knows how a contact bears.
+//! of laws below. [`RaceContacts`] is what ratings and reports ask of the contacts. Outside this folder nothing knows how
+//! a contact bears.
 
+mod ball;
 mod ball_law;
-mod contacts;
-mod film;
+mod film_spring;
 mod hertz;
 mod hertz_film;
 mod jones;
+mod race_contacts;
+mod races;
+mod shares;
+mod spring;
 mod table;
 
-pub use ball_law::{Ball, BallContact, BallForce, BallLaw, BallResponse, BallTangent, ForceLaw};
-pub use contacts::{
-    ContactSpring, DryRaces, FilmThickness, HertzSpring, LubricatedRaces, RaceFilms, Races,
-};
-pub(super) use film::Share;
+pub use ball::{Ball, BallContact, BallForce, BallResponse, BallState, BallTangent};
+pub use ball_law::{BallLaw, FilmLaw, ForceLaw};
 pub use hertz::HertzLaw;
 pub use hertz_film::HertzFilmLaw;
-pub use jones::{BallState, JonesFilmLaw, JonesLaw};
+pub use jones::{JonesFilmLaw, JonesLaw};
+pub use race_contacts::RaceContacts;
+pub use races::{DryRaces, FilmThickness, LubricatedRaces, RaceFilms, Races};
+pub(super) use shares::Share;
+pub use spring::{ContactSpring, HertzSpring};
 pub use table::{BallRegion, BallTable, TableError, TableReport};
 
 use super::{BearingError, MountedBearing};
-use crate::physics::{HertzContact, Race, RaceControl};
+use crate::physics::{Race, RaceControl};
 
 /// Force law between the rings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -62,7 +68,7 @@ impl Law {
     /// linear bearing is one of Hertz contacts until it is frozen.
     pub fn new(
         definition: &MountedBearing,
-        contacts: &[HertzContact; 2],
+        contacts: &RaceContacts,
         speed: f64,
     ) -> Result<Self, BearingError> {
         let bearing = &definition.bearing;
@@ -72,7 +78,7 @@ impl Law {
         }
         Ok(match (definition.law, definition.oil) {
             (ContactLaw::Linear | ContactLaw::Hertz, None) => {
-                Self::Hertz(HertzLaw::between(bearing, contacts))
+                Self::Hertz(HertzLaw::from_contacts(&bearing.geometry, contacts))
             }
             (ContactLaw::Linear | ContactLaw::Hertz, Some(oil)) => {
                 Self::HertzFilm(HertzFilmLaw::new(bearing, oil, speed)?)
@@ -84,14 +90,18 @@ impl Law {
         })
     }
 
-    /// Whether films part its surfaces: the force of its balls is then smooth where they lift off.
-    pub fn has_films(&self) -> bool {
-        matches!(self, Self::HertzFilm(_) | Self::JonesFilm(_))
+    /// Films that part its surfaces: the force of its balls is then smooth where they lift off.
+    pub fn films(&self) -> Option<&RaceFilms> {
+        match self {
+            Self::HertzFilm(law) => Some(law.films()),
+            Self::JonesFilm(law) => Some(law.films()),
+            Self::Hertz(_) | Self::Jones(_) => None,
+        }
     }
 
     /// Whether the force of its balls has a potential, at a steady speed or one that changes.
     pub fn has_potential(&self, steady: bool) -> bool {
-        !self.has_inertia() && (steady || !self.has_films())
+        !self.has_inertia() && (steady || self.films().is_none())
     }
 
     /// Whether its balls have inertia: where they lift off then depends on the speed.

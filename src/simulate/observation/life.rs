@@ -92,15 +92,16 @@ struct Rate {
 }
 
 impl LifeSums {
-    pub fn new(bearing: &Bearing, dynamic_rating: f64, settle: f64) -> Self {
-        Self {
+    /// None of a bearing without a dynamic load rating.
+    pub fn new(bearing: &Bearing, settle: f64) -> Option<Self> {
+        Some(Self {
             bearing: *bearing,
-            rating: RatingLife::new(&bearing.geometry, dynamic_rating, bearing.rotating_ring),
+            rating: bearing.rating_life()?,
             settle,
             before: None,
             whole_run: ConsumedLife::default(),
             after_settle: ConsumedLife::default(),
-        }
+        })
     }
 
     /// Takes a sample and the loads of its balls.
@@ -108,7 +109,7 @@ impl LifeSums {
         let now = Rate {
             time: sample.time,
             angle: sample.angle,
-            consumption: self.rating.consumption_under(balls),
+            consumption: self.rating.consumption(balls.loads()),
         };
         let Some(before) = self.before.replace(now) else {
             return;
@@ -182,10 +183,10 @@ mod tests {
             reference_rating_life(&bearing.geometry, rating, loads)
         };
         let balls = |load: f64| BallLoads {
-            life_powers: [7.0 * load.powi(3), 7.0 * load.powf(10.0 / 3.0)],
+            load: [vec![load; 7], vec![load; 7]],
             ..BallLoads::default()
         };
-        let mut sums = LifeSums::new(&bearing, rating, 0.0);
+        let mut sums = LifeSums::new(&bearing, 0.0).expect("a rating");
         // 30 revolutions in 3 s, then, after a jump, 10 in 4 s
         for (load, from, to) in [
             (400.0, [0.0, 0.0], [3.0, 30.0]),

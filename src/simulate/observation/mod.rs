@@ -167,7 +167,6 @@ impl<'a> BearingObserver<'a> {
     fn new(index: usize, support: &'a Support, speed: f64, model: &Model) -> Self {
         let bearing = &support.definition().bearing;
         let (balls, preloaded) = (support.known_balls(), support.is_preloaded());
-        let rated = bearing.dynamic_rating.filter(|_| balls > 0);
         let watched = balls > 0 && !model.analyses.settled_only;
         Self {
             support,
@@ -175,7 +174,7 @@ impl<'a> BearingObserver<'a> {
             watch: watched.then(|| ContactWatch::new(index, balls, preloaded)),
             counts: no_events(balls > 0, preloaded),
             zone: LoadZoneSums::default(),
-            life: rated.map(|rating| LifeSums::new(bearing, rating, model.settle)),
+            life: LifeSums::new(bearing, model.settle).filter(|_| balls > 0),
         }
     }
 

@@ -1,6 +1,6 @@
 //! The hardest that balls are pressed in a run, and whether Hertz contact still means something there.
 
-use crate::bearing::{BallLine, BallLoads, BearingState, PERMISSIBLE_PRESSURE, Support};
+use crate::bearing::{BallLine, BallLoads, BearingState, RaceContacts, Support};
 use crate::rotor::{BallContacts, Rotor};
 
 const RACES: [&str; 2] = ["inner", "outer"];
@@ -100,15 +100,13 @@ impl PeakLoads {
         for (peak, &load) in self.load.iter_mut().zip(&balls.largest) {
             raise(peak, load, time);
         }
-        let bearing = &support.definition().bearing;
-        if bearing.shoulder_angle.is_none() {
+        if support.definition().bearing.shoulder_angle.is_none() {
             return;
         }
-        for (race, contact) in support.contacts().iter().enumerate() {
+        for race in 0..2 {
             let ends = balls.load[race].iter().zip(&balls.angle[race]);
             for (&load, &angle) in ends.filter(|(load, _)| **load > 0.0) {
-                let semi_major = contact.ellipse(load).semi_major;
-                let margin = bearing.shoulder_margin(race, angle, semi_major);
+                let margin = support.shoulder_margin(race, angle, load);
                 raise(&mut self.overhang[race], -margin.unwrap_or(0.0), time);
             }
         }
@@ -126,15 +124,15 @@ impl PeakLoads {
         at_rest: &BearingState,
     ) -> Result<Vec<String>, BeyondContact> {
         let linear = support.known_balls() == 0;
-        let stiffness = support.load_deflection_constant();
+        let (contacts, permissible) = (support.contacts(), RaceContacts::PERMISSIBLE_PRESSURE);
         let radius = 0.5 * support.definition().bearing.geometry.ball_diameter();
         let mut warnings = Vec::new();
-        for (race, contact) in support.contacts().iter().enumerate() {
+        for race in 0..2 {
             let (load, time) = match linear {
-                true => (stiffness * self.approach.0.powf(1.5), self.approach.1),
+                true => (contacts.load_at(self.approach.0), self.approach.1),
                 false => self.load[race],
             };
-            let ellipse = contact.ellipse(load);
+            let ellipse = contacts.ellipse(race, load);
             if ellipse.approach > radius {
                 return Err(BeyondContact {
                     bearing: number,
@@ -151,15 +149,15 @@ impl PeakLoads {
             let known = !linear
                 && static_contacts
                     .clone()
-                    .any(|contact| contact.peak_pressure > PERMISSIBLE_PRESSURE);
-            if ellipse.peak_pressure > PERMISSIBLE_PRESSURE && !known {
+                    .any(|contact| contact.peak_pressure > permissible);
+            if ellipse.peak_pressure > permissible && !known {
                 warnings.push(format!(
                     "bearing {number}: at t = {time:.4e} s a ball {} pressed onto the {} race with {load:.0} N, \
                      {:.0} MPa where ISO 76 permits {:.0}: the race is dented; the model stays {}",
                     if linear { "would be" } else { "is" },
                     RACES[race],
                     ellipse.peak_pressure / 1e6,
-                    PERMISSIBLE_PRESSURE / 1e6,
+                    permissible / 1e6,
                     if linear { "linear" } else { "elastic" },
                 ));
             }

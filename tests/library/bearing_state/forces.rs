@@ -62,10 +62,10 @@ fn force_and_stiffness_are_those_of_the_support() {
         let support = Support::new(&definition, 600.0).expect("a bearing");
         let place = [5e-6, 3e-6, 20e-6, 0.0, 1e-4];
         let rotation = crate::bearing::BearingRotation::at_start(600.0);
-        let (force, stiffness) = support.force_and_stiffness(&place, &rotation);
+        let tangent = support.tangent(&place, &rotation);
         let state = support.state(&place, 600.0, CageMotion::default());
-        assert_eq!(state.force, force);
-        assert_eq!(state.stiffness, stiffness);
+        assert_eq!(state.force, tangent.force);
+        assert_eq!(state.stiffness, tangent.stiffness);
         assert_eq!(state.displacement, place);
     }
 }

@@ -1,6 +1,6 @@
 //! The tangent of each law is the derivative of its force.
 
-use crate::bearing::{Ball, BallForce, BallLaw, ForceLaw, HertzFilmLaw, JonesFilmLaw, JonesLaw};
+use crate::bearing::{Ball, BallForce, BallLaw, HertzFilmLaw, JonesFilmLaw, JonesLaw};
 use crate::physics::RaceControl;
 
 use super::OIL;

@@ -1,6 +1,6 @@
 //! Where a ball leaves the inner race, the law knows it without its force.
 
-use crate::bearing::{Ball, BallLaw, ForceLaw, HertzLaw, JonesLaw, catalogue};
+use crate::bearing::{Ball, BallLaw, HertzLaw, JonesLaw, catalogue};
 use crate::physics::RaceControl;
 
 /// Places of the inner groove centre about the line of lift-off of a 7205C, m.

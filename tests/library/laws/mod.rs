@@ -7,7 +7,7 @@ mod limits;
 mod published;
 mod random;
 
-use crate::bearing::{BallLaw, Bearing, ForceLaw, Oil, catalogue};
+use crate::bearing::{BallLaw, Bearing, Oil, catalogue};
 
 /// The oil of the reference rows: η0 = 0.04 Pa s, α_p = 22 1/GPa.
 const OIL: Oil = Oil {

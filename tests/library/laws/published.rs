@@ -3,7 +3,8 @@
 //! nominal contact angle. Tolerances are half a unit of the last digit.
 
 use crate::bearing::{
-    Ball, BallLaw, Bearing, ForceLaw, FreePosition, Geometry, HertzFilmLaw, JonesFilmLaw, JonesLaw,
+    Ball, BallLaw, Bearing, FilmLaw, ForceLaw, FreePosition, Geometry, HertzFilmLaw, JonesFilmLaw,
+    JonesLaw,
 };
 use crate::physics::{Material, RaceControl};
 
@@ -167,10 +168,7 @@ fn film_thickness() {
         outer_minimum,
     ] in rows
     {
-        let [inner, outer] = law
-            .films()
-            .expect("films")
-            .thickness([251.39, 251.39], speed);
+        let [inner, outer] = law.films().thickness([251.39, 251.39], speed);
         assert_printed("inner h_c µm", inner.central * 1e6, inner_central, 4);
         assert_printed("inner h_min µm", inner.minimum * 1e6, inner_minimum, 4);
         assert_printed("outer h_c µm", outer.central * 1e6, outer_central, 4);

@@ -3,16 +3,15 @@
 use super::balance::{self, Balance, Contact, Positions, Response};
 use super::inertia::InertiaLaw;
 use super::solve::{Rest, StartConstants};
-use crate::bearing::law::contacts::{approaches_under, race_springs};
+use crate::bearing::law::spring::approaches_under;
 use crate::bearing::law::{
-    Ball, BallContact, BallLaw, BallResponse, BallTangent, ContactSpring, DryRaces, HertzSpring,
-    LubricatedRaces, RaceFilms, Races,
+    Ball, BallContact, BallForce, BallLaw, BallResponse, BallState, BallTangent, ContactSpring,
+    DryRaces, FilmLaw, ForceLaw, LubricatedRaces, RaceContacts, RaceFilms, Races,
 };
 use crate::bearing::number::{Function, Number, Plain};
 use crate::bearing::{Bearing, BearingError, Oil};
 use crate::physics::{
-    BallMotion, HertzContact, Race, RaceControl, ball_mass, complete_elliptic_second,
-    controlling_race,
+    BallMotion, HertzContact, RaceControl, ball_mass, complete_elliptic_second, controlling_race,
 };
 
 /// Law of a ball with centrifugal force and gyroscopic moment.
@@ -72,7 +71,9 @@ impl JonesLaw<DryRaces> {
     /// [`BearingError`] where ball and races form no contacts, where one stiffness is given for
     /// both of them together, or where the ball has no mass.
     pub fn new(bearing: &Bearing, control: RaceControl) -> Result<Self, BearingError> {
-        Self::with_races(bearing, control, |_, springs| Ok(DryRaces(springs)))
+        Self::with_races(bearing, control, |contacts| {
+            Ok(DryRaces(contacts.springs()))
+        })
     }
 }
 
@@ -88,26 +89,26 @@ impl JonesLaw<LubricatedRaces> {
         oil: Oil,
         prepared_speed: f64,
     ) -> Result<Self, BearingError> {
-        Self::with_races(bearing, control, |contacts, springs| {
+        Self::with_races(bearing, control, |contacts| {
             let films = RaceFilms::new(bearing, contacts, &oil)?;
+            let springs = contacts.springs();
             Ok(LubricatedRaces::new(springs, films, prepared_speed))
         })
     }
 }
 
 impl<R: Races> JonesLaw<R> {
-    /// With races by the Hertz contacts of the bearing and their springs.
+    /// A law with races from the contacts of the bearing.
     fn with_races(
         bearing: &Bearing,
         control: RaceControl,
-        races: impl FnOnce(&[HertzContact; 2], [HertzSpring; 2]) -> Result<R, BearingError>,
+        races: impl FnOnce(&RaceContacts) -> Result<R, BearingError>,
     ) -> Result<Self, BearingError> {
         if let Some(stiffness) = bearing.contact_stiffness {
             return Err(BearingError::SeriesStiffness { stiffness });
         }
         let contacts = bearing.contacts()?;
-        let springs = race_springs(bearing, &contacts);
-        let races = races(&contacts, springs)?;
+        let races = races(&contacts)?;
         let geometry = &bearing.geometry;
         let density = bearing.ball_material.density;
         if !(density > 0.0 && density.is_finite()) {
@@ -126,8 +127,8 @@ impl<R: Races> JonesLaw<R> {
                     scale: 0.5 * mass * geometry.pitch_diameter(),
                 },
             },
-            start: StartConstants::new(springs[0].stiffness, springs[1].stiffness),
-            resistance: contacts.each_ref().map(spin_resistance),
+            start: StartConstants::new(contacts.springs()),
+            resistance: contacts.hertz.each_ref().map(spin_resistance),
             races,
         })
     }
@@ -186,8 +187,28 @@ impl<R: Races> Function<4, 6> for InBalance<'_, R> {
     }
 }
 
+impl<R: Races> ForceLaw for JonesLaw<R> {
+    const HAS_COUPLE: bool = true;
+
+    #[inline(always)]
+    fn force<T: Number>(&self, ball: &Ball<T>, speed: f64) -> BallForce<T> {
+        self.response(ball, speed).force
+    }
+
+    #[inline(always)]
+    fn distance_past_lift_off<T: Plain>(&self, ball: &Ball<T>, speed: f64) -> T {
+        if R::Spring::IS_SMOOTH {
+            return ball.axial.constant(f64::INFINITY);
+        }
+        let [_, outer] = self.races.elastic();
+        let groove = [ball.axial, ball.radial];
+        self.ball
+            .overlap_when_thrown(groove, ball.drop, &outer, self.force_scale(speed))
+    }
+}
+
 impl<R: Races> BallLaw for JonesLaw<R> {
-    const HAS_INERTIA: bool = true;
+    type Spring = R::Spring;
 
     #[inline(always)]
     fn response<T: Number>(&self, ball: &Ball<T>, speed: f64) -> BallResponse<T> {
@@ -202,12 +223,9 @@ impl<R: Races> BallLaw for JonesLaw<R> {
         }
     }
 
-    #[inline(always)]
-    fn past_lift_off<T: Plain>(&self, ball: &Ball<T>, speed: f64) -> T {
-        let [_, outer] = self.races.elastic();
-        let groove = [ball.axial, ball.radial];
-        self.ball
-            .overlap_when_thrown(groove, ball.drop, &outer, self.force_scale(speed))
+    fn spring(&self, speed: f64) -> R::Spring {
+        let [inner, _] = self.races.at_speed(speed);
+        inner
     }
 
     fn contact(&self, ball: &Ball, speed: f64) -> BallContact {
@@ -216,23 +234,6 @@ impl<R: Races> BallLaw for JonesLaw<R> {
 
     fn elastic_approaches<T: Number>(&self, response: &BallResponse<T>) -> [T; 2] {
         approaches_under(&self.races.elastic(), response.load)
-    }
-
-    fn approach_under(&self, load: f64, speed: f64) -> f64 {
-        let [inner, _] = self.races.at_speed(speed);
-        inner.approach(load)
-    }
-
-    fn load_past_lift_off(&self, distance: f64, speed: f64) -> f64 {
-        if self.films().is_some() {
-            return 0.0;
-        }
-        let [inner, _] = self.races.at_speed(speed);
-        inner.load_and_stiffness(distance).0
-    }
-
-    fn films(&self) -> Option<&RaceFilms> {
-        self.races.films()
     }
 
     fn state(&self, ball: &Ball, speed: f64) -> Option<BallState> {
@@ -262,6 +263,12 @@ impl<R: Races> BallLaw for JonesLaw<R> {
             trials: rest.trials,
         })
     }
+}
+
+impl FilmLaw for JonesLaw<LubricatedRaces> {
+    fn films(&self) -> &RaceFilms {
+        &self.races.films
+    }
 
     fn contact_tangent(&self, ball: &Ball, speed: f64) -> BallTangent {
         let rest = self.solve(ball, speed);
@@ -276,23 +283,6 @@ impl<R: Races> BallLaw for JonesLaw<R> {
         let [axial, radial, couple, ..] = self.ball.slopes(&rest.positions, load, force_scale);
         [axial, radial, couple].map(|[axial, radial, ..]| [axial, radial])
     }
-}
-
-/// Loads, angles, inertia and motion of one ball.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BallState {
-    /// Loads and angles of both contacts.
-    pub contact: BallContact,
-    /// Centrifugal force F_c, N.
-    pub centrifugal_force: f64,
-    /// Gyroscopic moment M_g, N m; negative with a negative contact angle.
-    pub gyroscopic_moment: f64,
-    /// Motion under the race control of the law.
-    pub motion: BallMotion,
-    /// Race that controls by Jones's criterion, whatever the law assumes.
-    pub controlling_race: Race,
-    /// Number of trial positions that the solution took.
-    pub trials: usize,
 }
 
 fn contact_of(balance: &Balance<f64>) -> BallContact {

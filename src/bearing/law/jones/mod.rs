@@ -9,4 +9,4 @@ mod inertia;
 mod law;
 mod solve;
 
-pub use law::{BallState, JonesFilmLaw, JonesLaw};
+pub use law::{JonesFilmLaw, JonesLaw};

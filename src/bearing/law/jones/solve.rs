@@ -174,8 +174,9 @@ pub(super) struct StartConstants {
 }
 
 impl StartConstants {
-    /// From the stiffness constants of both races, N/m^1.5.
-    pub(super) fn new(inner: f64, outer: f64) -> Self {
+    /// From the elastic contacts of both races, inner first.
+    pub(super) fn new(springs: [HertzSpring; 2]) -> Self {
+        let [inner, outer] = springs.map(|spring| spring.stiffness);
         // shares of the approach are as the compliances K^(−2/3)
         let ratio = (inner / outer).cbrt().powi(2);
         Self {

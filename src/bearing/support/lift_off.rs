@@ -2,10 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use super::law::{BallLaw, with_law};
-use super::seat::Seat;
-use super::support::Support;
-use super::{BearingRotation, Vector5};
+use super::{ContactBand, Seat, Support, Vector5};
+use crate::bearing::BearingRotation;
+use crate::bearing::law::{BallLaw, ContactSpring, with_law};
 
 /// Slope of the distance to lift-off by the place of the inner groove centre: one, but for what the
 /// inertia of the ball and the table of a law add.
@@ -18,7 +17,7 @@ impl Support {
     /// none behind films.
     pub(crate) fn balls_that_lift_off(&self) -> usize {
         match self.frozen {
-            None if !self.law.has_films() => self.ring.balls(),
+            None if self.law.films().is_none() => self.ring.balls(),
             _ => 0,
         }
     }
@@ -95,8 +94,29 @@ impl Support {
         length(length(x, y), along)
     }
 
-    /// Largest load of a ball so far past its lift-off in m, N.
+    /// Largest load of a ball so far past its lift-off in m, N; zero where the force is smooth there.
     pub(crate) fn load_past_lift_off(&self, distance: f64, speed: f64) -> f64 {
-        with_law!(&self.law, law => law.load_past_lift_off(distance, speed))
+        match self.law.films() {
+            Some(_) => 0.0,
+            None => with_law!(&self.law, law => law.spring(speed).load_and_stiffness(distance).0),
+        }
     }
+
+    /// Power of the distance past lift-off that the load of a ball sets in with.
+    pub(crate) fn lift_off_exponent(&self) -> f64 {
+        with_law!(&self.law, law => exponent(law))
+    }
+
+    /// Where a ball leaves and meets the inner race at a shaft speed in rad/s.
+    pub(crate) fn contact_band(&self, speed: f64) -> ContactBand {
+        let [permissible, _] = self.contacts.permissible_loads();
+        with_law!(&self.law, law => {
+            let spring = law.spring(speed);
+            ContactBand::new(permissible, |load| spring.approach(load))
+        })
+    }
+}
+
+fn exponent<L: BallLaw>(_law: &L) -> f64 {
+    L::EXPONENT
 }

@@ -1,14 +1,14 @@
 //! From the place of the inner ring to everything that is known of a loaded bearing.
 
-use super::bearing_friction::skf_moment;
-use super::cage::Cage;
-use super::law::{BallLaw, FilmThickness, Share, with_law};
-use super::life::RatingLife;
-use super::static_rating::{fatigue_load_limit, static_rating, static_safety};
-use super::support::Support;
-use super::{
-    BallLine, Bearing, BearingRotation, BearingState, FilmState, GeometryState, HertzSpring,
-    InternalGeometry, RaceContact, RaceFilms, StiffnessShares, Vector5, warnings,
+use std::f64::consts::TAU;
+
+use super::{Cage, Support, Vector5};
+use crate::bearing::bearing_friction::skf_moment;
+use crate::bearing::law::{BallLaw, FilmLaw, FilmThickness, Law, Share, with_law};
+use crate::bearing::static_rating::{fatigue_load_limit, static_rating};
+use crate::bearing::{
+    Around, BallLine, Bearing, BearingRotation, BearingState, CageMotion, FilmState, GeometryState,
+    InternalGeometry, RaceContact, StiffnessShares, warnings,
 };
 use crate::physics::{BallMotion, RaceControl, dynamic_rating};
 
@@ -17,25 +17,77 @@ use crate::physics::{BallMotion, RaceControl, dynamic_rating};
 pub(crate) const LOADED_SHARE: f64 = 1e-6;
 
 /// A bearing to be assessed at one place and speed.
-pub(super) struct Assessment<'a> {
-    pub support: &'a Support,
+struct Assessment<'a> {
+    support: &'a Support,
     /// Displacement of the inner ring.
-    pub place: Vector5,
-    pub rotation: BearingRotation,
-    pub cage: Cage,
+    place: Vector5,
+    rotation: BearingRotation,
+    cage: Cage,
+}
+
+impl Support {
+    /// What is known of the bearing with the shaft at `displacement`, its cage where it starts and turning as from an
+    /// equilibrium there.
+    ///
+    /// A linear bearing knows no balls: its state is that of the Hertz law at this displacement,
+    /// force and stiffness, too.
+    pub(crate) fn state(
+        &self,
+        displacement: &Vector5,
+        speed: f64,
+        motion: CageMotion,
+    ) -> BearingState {
+        let rotation = BearingRotation::at_start(speed);
+        let assessment = Assessment {
+            support: self,
+            place: self.ring_displacement(displacement, &rotation),
+            rotation,
+            cage: self.cage_at(motion, Some(displacement), speed),
+        };
+        assessment.state()
+    }
+
+    /// What a ball at each of `positions` azimuths from +X on would bear with the shaft at
+    /// `displacement`, or, where `None`, what every ball bears with the cage where it starts.
+    pub(crate) fn around(
+        &self,
+        displacement: &Vector5,
+        speed: f64,
+        positions: Option<usize>,
+    ) -> Vec<Around> {
+        let rotation = BearingRotation::at_start(speed);
+        let place = self.ring_displacement(displacement, &rotation);
+        let free = self.definition.bearing.geometry.groove_centre_distance();
+        let at = |azimuth, number| {
+            let ball = self.ring.ball_at(&place, azimuth, number, &rotation);
+            Around {
+                azimuth,
+                deformation: ball.axial.hypot(ball.radial) - free,
+                contact: with_law!(&self.law, law => law.contact(&ball, speed)),
+            }
+        };
+        let balls = self.ring.azimuths.iter().enumerate();
+        match positions {
+            None => balls
+                .map(|(number, &azimuth)| at(azimuth, Some(number)))
+                .collect(),
+            Some(count) => (0..count)
+                .map(|index| at(TAU * index as f64 / count as f64, None))
+                .collect(),
+        }
+    }
 }
 
 impl Assessment<'_> {
-    pub fn state(&self) -> BearingState {
+    fn state(&self) -> BearingState {
         let (support, bearing, speed) = (self.support, self.bearing(), self.rotation.speed);
         let contacts = &support.contacts;
-        let (force, stiffness) = support.tangent(&self.place, &self.rotation);
+        let (force, stiffness) = support.ring_tangent(&self.place, &self.rotation);
         let balls = self.balls();
         let loads = || balls.iter().map(|ball| [ball.inner.load, ball.outer.load]);
-        let rating = bearing.dynamic_rating;
-        let life = rating.and_then(|c| {
-            RatingLife::new(&bearing.geometry, c, bearing.rotating_ring).life(loads())
-        });
+        let life = bearing
+            .rating_life()
+            .and_then(|rating| rating.life(loads()));
         let loaded: Vec<_> = loaded(&balls).collect();
         BearingState {
             rating_lives: life.and_then(|life| bearing.rating_lives(life, &force, speed)),
@@ -50,7 +102,7 @@ impl Assessment<'_> {
             shares: self.shares(),
             balls_loaded: loaded.len(),
             life,
-            static_safety: static_safety(contacts, loads()),
+            static_safety: contacts.static_safety(loads()),
             friction_moment: support.friction_moment(&force, speed),
             ball_pass: self.cage.ball_pass(bearing, speed),
             nominal_ball_pass: support.nominal_ball_pass(speed),
@@ -63,7 +115,7 @@ impl Assessment<'_> {
     fn preload(&self) -> f64 {
         let place = [0.0, 0.0, self.support.seat.offset(), 0.0, 0.0];
         self.support
-            .tangent(&place, &BearingRotation::at_start(0.0))
+            .ring_tangent(&place, &BearingRotation::at_start(0.0))
             .0[2]
     }
 
@@ -112,7 +164,7 @@ impl Assessment<'_> {
         let rolling = || BallMotion::new(RaceControl::Outer, ratio, inner_angle, outer_angle);
         let motion = inertia.map_or_else(rolling, |state| state.motion);
         let loads = [contact.load_inner, contact.load_outer];
-        let films = self.films(law.films(), loads);
+        let films = self.films(loads);
         BallLine {
             azimuth,
             // d − A
@@ -135,11 +187,8 @@ impl Assessment<'_> {
 
     /// All but the film of a contact.
     fn race_contact(&self, race: usize, load: f64, angle: f64, spin_to_roll: f64) -> RaceContact {
-        let contact = &self.support.contacts[race];
-        let ellipse = contact.ellipse(load);
-        let spring = HertzSpring {
-            stiffness: contact.stiffness(),
-        };
+        let contacts = &self.support.contacts;
+        let ellipse = contacts.ellipse(race, load);
         let mut state = RaceContact {
             load,
             angle,
@@ -147,12 +196,11 @@ impl Assessment<'_> {
             semi_major: ellipse.semi_major,
             semi_minor: ellipse.semi_minor,
             peak_pressure: ellipse.peak_pressure,
-            contact_stiffness: spring.stiffness_under(load),
+            contact_stiffness: contacts.stiffness_under(race, load),
             ..RaceContact::default()
         };
         if load > 0.0 {
-            let bearing = self.bearing();
-            state.shoulder_margin = bearing.shoulder_margin(race, angle, ellipse.semi_major);
+            state.shoulder_margin = self.support.shoulder_margin(race, angle, load);
             if self.rotation.speed != 0.0 {
                 state.spin_to_roll = spin_to_roll;
             }
@@ -161,9 +209,9 @@ impl Assessment<'_> {
     }
 
     /// Films at both races under their loads in N, where a loaded ball rolls on oil.
-    fn films(&self, films: Option<&RaceFilms>, loads: [f64; 2]) -> [Option<FilmState>; 2] {
+    fn films(&self, loads: [f64; 2]) -> [Option<FilmState>; 2] {
         let speed = self.rotation.speed;
-        let Some(films) = films.filter(|_| speed != 0.0) else {
+        let Some(films) = self.support.law.films().filter(|_| speed != 0.0) else {
             return [None; 2];
         };
         let (thickness, stiffness) = (films.thickness(loads, speed), films.stiffness(loads, speed));
@@ -180,15 +228,23 @@ impl Assessment<'_> {
         })
     }
 
+    /// Stiffness of contacts and films, each alone, where the bearing turns and has films.
     fn shares(&self) -> Option<StiffnessShares> {
+        match &self.support.law {
+            _ if self.rotation.speed == 0.0 => None,
+            Law::HertzFilm(law) => Some(self.shares_under(law)),
+            Law::JonesFilm(law) => Some(self.shares_under(law)),
+            Law::Hertz(_) | Law::Jones(_) => None,
+        }
+    }
+
+    fn shares_under(&self, law: &impl FilmLaw) -> StiffnessShares {
         let Support { ring, seat, .. } = self.support;
-        with_law!(&self.support.law, law => {
-            let [contacts, films] = Share::of(law, self.rotation.speed)?.map(|share| {
-                let (_, stiffness) = ring.force_and_stiffness(&share, &self.place, &self.rotation);
-                seat.condense(stiffness)
-            });
-            Some(StiffnessShares { contacts, films })
-        })
+        let [contacts, films] = Share::both(law, self.rotation.speed).map(|share| {
+            let (_, stiffness) = ring.force_and_stiffness(&share, &self.place, &self.rotation);
+            seat.condense(stiffness)
+        });
+        StiffnessShares { contacts, films }
     }
 }
 

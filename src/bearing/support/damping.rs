@@ -1,9 +1,9 @@
 //! The damping of a mounted bearing's contacts as a force on the shaft.
 
-use super::law::with_law;
-use super::ring::{quarter_turn, side_by_side};
-use super::support::Support;
-use super::{BearingRotation, Matrix5, Vector5};
+use super::{Matrix5, Support, Vector5};
+use crate::bearing::BearingRotation;
+use crate::bearing::law::with_law;
+use crate::bearing::ring::{quarter_turn, side_by_side};
 use crate::registers::in_wide_registers;
 
 /// Rate at which the damping of a linear bearing is looked at, m/s: so slow that no contact parts.
@@ -103,7 +103,7 @@ impl Support {
         rotation: &BearingRotation,
     ) -> (Vector5, Vector5, Option<Matrix5>) {
         let place = self.settled(imposed, rotation);
-        let follows = self.seat.follows(|| self.tangent(&place, rotation).1);
+        let follows = self.seat.follows(|| self.ring_tangent(&place, rotation).1);
         let rate = match &follows {
             None => *rate,
             Some(follows) => (follows * nalgebra::SVector::from(*rate)).into(),

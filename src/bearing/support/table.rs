@@ -1,9 +1,8 @@
 //! The force of a mounted bearing from a table.
 
-use super::law::{BallRegion, BallTable, Law, TableError, TableReport, with_law};
-use super::seat::Seat;
-use super::support::Support;
-use super::{BearingRotation, Vector5};
+use super::{Seat, Support, Vector5};
+use crate::bearing::BearingRotation;
+use crate::bearing::law::{BallRegion, BallTable, Law, TableError, TableReport, with_law};
 
 /// Least amplitude that a table allows for, over the distance of the groove centres.
 const LEAST_AMPLITUDE: f64 = 1e-3;
@@ -36,7 +35,7 @@ impl Support {
         }
         let place = self.ring_displacement(displacement, &BearingRotation::at_start(speed));
         let region = self.ball_region(&place, amplitude);
-        let around = self.around_ring(&place, speed, Some(AZIMUTHS));
+        let around = self.around(displacement, speed, Some(AZIMUTHS));
         let loads = around.iter().map(|ball| ball.contact.load_inner);
         let load = loads.fold(0.0, f64::max);
         let compiled = with_law!(&self.law, law => {

@@ -1,19 +1,16 @@
 //! When a ball counts as in contact with the inner race.
 
-use super::permissible_static_load;
-use crate::physics::HertzContact;
-
 /// Approaches at which a ball leaves the inner race and at which it meets it again.
 ///
 /// They are those under two small loads, 1e-9 and 1e-8 of the permissible static load of the contact,
-/// [`permissible_static_load`]: some µN and some ten µN in a small bearing, whatever it carries
+/// [`crate::bearing::permissible_static_load`]: some µN and some ten µN in a small bearing, whatever it carries
 /// otherwise. Dry, that is where the surfaces touch, give or take a nanometre. Behind an oil film,
 /// where no load is ever quite zero, it is where the film has faded: there the load falls with the
 /// gap's 15th power, so that the choice of the loads hardly moves the place. That there are two keeps
 /// a ball that rests in between from coming and going with round-off.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactBand {
-    /// Approach as in [`super::BallContact::approach`] below which contact is lost, m.
+    /// Approach as in [`crate::bearing::BallContact::approach`] below which contact is lost, m.
     pub lost: f64,
     /// Approach above which contact is regained, m.
     pub regained: f64,
@@ -27,9 +24,8 @@ const LOST_SHARE: f64 = 1e-9;
 const REGAINED_SHARE: f64 = 1e-8;
 
 impl ContactBand {
-    /// From the contact with the inner race and the approach under a load.
-    pub(super) fn new(inner: &HertzContact, approach: impl Fn(f64) -> f64) -> Self {
-        let permissible = permissible_static_load(inner);
+    /// From the permissible load at the inner race in N and the approach there under a load.
+    pub(super) fn new(permissible: f64, approach: impl Fn(f64) -> f64) -> Self {
         let load = REGAINED_SHARE * permissible;
         Self {
             lost: approach(LOST_SHARE * permissible),

@@ -2,12 +2,12 @@
 
 use fearless_simd::Fallback;
 
-use super::law::with_law;
-use super::number::LANES;
-use super::ring::side_by_side;
-use super::support::Support;
-use super::surface::{ImperfectSurfaces, TurningSurfaces};
-use super::{BallLaw, BearingRotation, Passing, RaceSpall, Vector5};
+use super::{Support, Vector5};
+use crate::bearing::law::with_law;
+use crate::bearing::number::LANES;
+use crate::bearing::ring::side_by_side;
+use crate::bearing::surface::{ImperfectSurfaces, TurningSurfaces};
+use crate::bearing::{BallLaw, BearingRotation, Passing, RaceSpall};
 
 impl Support {
     /// Whether any surface of the bearing differs from a perfect one.
