@@ -118,6 +118,7 @@ mod integrate;
 #[doc(hidden)]
 pub mod internals;
 mod keys;
+mod numerics;
 mod panels;
 pub mod physics;
 mod quasi_static;

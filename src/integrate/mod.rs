@@ -12,7 +12,6 @@ mod grid;
 mod integration;
 mod library;
 mod problem;
-pub(crate) mod root;
 mod rosenbrock;
 mod settings;
 mod stepper;

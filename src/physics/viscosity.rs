@@ -1,5 +1,7 @@
 //! Viscosity of oils over the temperature.
 
+use crate::numerics::root::bisection;
+
 /// Kinematic viscosity over the temperature.
 ///
 /// `log10 log10(ν + 0.7) = A − B log10 T`, ν in mm²/s, T in K. Holds for mineral oils above 2 mm²/s and for most
@@ -53,17 +55,11 @@ impl ViscosityLaw {
     /// assert!((law.at(100.0) - 5.05e-6).abs() < 0.02e-6, "{}", law.at(100.0));
     /// ```
     pub fn of_grade(at_40: f64, index: f64) -> Self {
-        let (mut low, mut high) = (2.0, 1e6 * at_40);
-        for _ in 0..80 {
-            let middle = 0.5 * (low + high);
-            // thicker at 100 °C: a higher index
-            if viscosity_index(1e6 * at_40, middle) < index {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        Self::through([(40.0, at_40), (100.0, 0.5e-6 * (low + high))])
+        let grade = 1e6 * at_40;
+        // thicker at 100 °C: a higher index
+        let reaches = |at_100| viscosity_index(grade, at_100) >= index;
+        let at_100 = bisection(reaches, [2.0, grade], 0.0);
+        Self::through([(40.0, at_40), (100.0, 1e-6 * at_100)])
     }
 
     /// Kinematic viscosity at a temperature in °C, m²/s.

@@ -4,7 +4,7 @@
 use super::motion::AttachedBearing;
 use super::{Rotation, Rotor};
 use crate::bearing::{BearingRotation, CageJitter, Passing, Support};
-use crate::integrate::root::root;
+use crate::numerics::root::root;
 
 /// Part of an angle of the shaft to which a passage is found.
 const FOUND: f64 = 1e-15;

@@ -9,7 +9,7 @@ use super::newton::{ShootingError, solve};
 use super::{
     Branch, BranchEnd, BranchPoint, Continuation, Image, ReturnMap, Slopes, Special, Unrefined,
 };
-use crate::integrate::root::Bracket;
+use crate::numerics::root::Bracket;
 
 /// Corrections of a point before its step is halved.
 const MOST_CORRECTIONS: usize = 16;

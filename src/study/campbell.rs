@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use serde::Serialize;
 
-use crate::integrate::root::Bracket;
 use crate::keys;
+use crate::numerics::root::Bracket;
 use crate::rotor::{Rotor, RotorDefinition, RotorError, Whirl};
 use crate::simulate::{Model, Run, RunUp, finer_modes, speed_warnings};
 

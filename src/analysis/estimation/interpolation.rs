@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use super::EstimateError;
 use crate::analysis::Hermite;
-use crate::integrate::root::root;
+use crate::numerics::root::root;
 
 /// Nodes of the polynomial through values and rates.
 const NODES: usize = 4;

@@ -2,6 +2,7 @@
 
 use super::{Candidate, CatalogueLine, EstimateError};
 use crate::bearing::static_rating::{permissible_static_load, static_rating_of_loads};
+use crate::numerics::root::bisection;
 use crate::physics::{
     HertzContact, Material, contact_modulus, inner_race_curvature, outer_race_curvature,
 };
@@ -50,7 +51,7 @@ impl CatalogueLine {
         let statical = self.static_rating.ok_or(EstimateError::NoStaticRating)?;
         let (balls, ball_diameter) = (candidate.balls, candidate.ball_diameter);
         let rating = |groove| self.static_rating_of(balls, ball_diameter, pitch, [groove; 2]);
-        let [mut narrow, mut wide] = GROOVES;
+        let [narrow, wide] = GROOVES;
         let (least, largest) = (rating(wide), rating(narrow));
         if !(least..=largest).contains(&statical) {
             return Err(EstimateError::Groove {
@@ -62,14 +63,7 @@ impl CatalogueLine {
             });
         }
         // the wider the groove, the smaller the contact and the rating
-        for _ in 0..60 {
-            let middle = 0.5 * (narrow + wide);
-            if rating(middle) > statical {
-                narrow = middle;
-            } else {
-                wide = middle;
-            }
-        }
-        Ok(0.5 * (narrow + wide))
+        let is_wide = |groove| rating(groove) <= statical;
+        Ok(bisection(is_wide, GROOVES, 0.0))
     }
 }

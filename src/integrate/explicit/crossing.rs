@@ -9,7 +9,7 @@ use super::stepper::ExplicitStepper;
 use super::verner76::{FACTORS, LAST, error_over_surface};
 use crate::integrate::System;
 use crate::integrate::problem::Problem;
-use crate::integrate::root::root;
+use crate::numerics::root::root;
 
 /// Steps that a landing costs: it divides one in two. Where crossings are n steps apart, it raises the cost by this
 /// part of n, and pays where it takes a larger part of the tolerance off the error.

@@ -3,6 +3,7 @@
 use super::cells::{lobatto, power_weights, weighted};
 use super::compile::TableError;
 use crate::bearing::number::Number;
+use crate::numerics::root::bisection;
 
 /// Load at which a ball counts as lifted off, of the one that the tolerance refers to.
 const LIFTED_SHARE: f64 = 1e-14;
@@ -185,24 +186,13 @@ fn coefficients(values: &[f64; LIFT_TERMS]) -> [f64; LIFT_TERMS] {
 /// quarter of the distance of the groove centres around the region.
 fn lift_off(mut excess: impl FnMut(f64) -> f64, region: &BallRegion) -> Option<f64> {
     let distance = region.axial[1].hypot(region.radial[1]);
-    let [mut low, mut high] = region.radial;
-    low -= REACH * distance;
-    high += REACH * distance;
+    let [low, high] = region.radial;
+    let [low, high] = [low - REACH * distance, high + REACH * distance];
     if !(excess(low) <= 0.0 && excess(high) > 0.0) {
         return None;
     }
-    while high - low > f64::EPSILON * distance {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
-            break;
-        }
-        if excess(middle) > 0.0 {
-            high = middle;
-        } else {
-            low = middle;
-        }
-    }
-    Some(0.5 * (low + high))
+    let is_pressed = |radial| excess(radial) > 0.0;
+    Some(bisection(is_pressed, [low, high], f64::EPSILON * distance))
 }
 
 /// Rectangle of positions (A1, A2) of the inner groove centre, m.

@@ -75,6 +75,27 @@ pub(crate) fn root(
     Some(bracket.nearest())
 }
 
+/// Where a condition begins to hold between two positions, by halving the interval to within a length, or to round-off.
+/// It holds at the second end and not at the first.
+pub(crate) fn bisection(
+    mut holds: impl FnMut(f64) -> bool,
+    [mut before, mut after]: [f64; 2],
+    within: f64,
+) -> f64 {
+    while (after - before).abs() > within {
+        let middle = 0.5 * (before + after);
+        if middle == before || middle == after {
+            break;
+        }
+        if holds(middle) {
+            after = middle;
+        } else {
+            before = middle;
+        }
+    }
+    0.5 * (before + after)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,0 +1,3 @@
+//! Numerical methods that know nothing of bearings and shafts.
+
+pub(crate) mod root;
