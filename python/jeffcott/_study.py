@@ -70,10 +70,7 @@ class _Folder:
         return f"{found['title']}\n  {digest['runs']} runs, {digest['failed']} of them failed; {self.path}"
 
     def warnings(self) -> list[str]:
-        def told(run: int, runs: int, warning: str) -> str:
-            return f"run {run}{f' and {runs - 1} more' if runs > 1 else ''}: {warning}"
-
-        return [told(**warned) for warned in json.loads(self.document())["digest"]["warnings"]]
+        return list(json.loads(self.document())["warnings"])
 
     def tables(self) -> list[str]:
         return self._named("csv")

@@ -81,8 +81,7 @@ impl Answer {
     /// Writes all files into a folder; returns their paths.
     fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<Vec<PathBuf>> {
         let files = py.detach(|| self.0.write(&folder));
-        let (files, _) = files.map_err(|error| run_error(py, &error))?;
-        Ok(files)
+        Ok(files.map_err(|error| run_error(py, &error))?.files)
     }
 }
 

@@ -16,8 +16,8 @@ use std::error::Error;
 use crate::scenario::{Issue, Scenario};
 use crate::simulate::{Model, Monitor};
 
+pub use crate::report::WrittenFindings;
 pub use crate::report::findings::Findings;
-pub use crate::report::many::StudyFindings;
 pub use crate::report::recorded::RunFindings;
 pub use accuracy::AccuracyQuestion;
 pub use bearing::BearingQuestion;

@@ -8,7 +8,8 @@ use std::sync::atomic::AtomicBool;
 use super::AskError;
 use crate::analysis::Channel;
 use crate::quasi_static::StaticQuestion;
-use crate::report::many::{self, RowFile, StudyError, StudyFindings, StudyHead, Traces};
+use crate::report::WrittenFindings;
+use crate::report::many::{self, RowFile, StudyError, StudyHead, Traces};
 use crate::rotor::RotorDefinition;
 use crate::scenario::{Issue, Scenario, StudyFile};
 use crate::simulate::Model;
@@ -78,7 +79,7 @@ impl From<StudyError> for AskError {
 /// # Errors
 /// [`AskError::Asked`] where a part is missing, broken or of another study, [`AskError::Failed`] where a file cannot be
 /// written.
-pub fn merge(folder: &Path) -> Result<StudyFindings, AskError> {
+pub fn merge(folder: &Path) -> Result<WrittenFindings, AskError> {
     Ok(many::merge(folder)?)
 }
 
@@ -162,7 +163,7 @@ impl<'a> StudyQuestion<'a> {
         &self,
         making: &Making<'_>,
         watch: &mut StudyWatch<'_>,
-    ) -> Result<StudyFindings, AskError> {
+    ) -> Result<WrittenFindings, AskError> {
         let (folder, runs) = (making.folder, self.schedule.runs());
         let (folder, mut rows) = many::open(folder, self.head(), runs, making.anew)?;
         if rows.count > 0 {

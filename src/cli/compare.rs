@@ -6,10 +6,10 @@ use std::path::PathBuf;
 
 use serde_json::json;
 
-use super::jobs::document;
 use super::{Outcome, terminal};
 use crate::report::compare::{
-    CompareError, Comparison, Rules, Tolerance, Tolerances, compare, write_figure, write_page,
+    CompareError, Comparison, Rules, Tolerance, Tolerances, compare, document, write_figure,
+    write_page,
 };
 use crate::scenario::ToleranceFile;
 
@@ -177,10 +177,7 @@ fn placed(error: &CompareError, file: Option<&ToleranceFile>) -> String {
 /// Prints the result; a reader that goes away early does not change the verdict.
 fn show(comparisons: &[Comparison], arguments: &Arguments) -> io::Result<()> {
     let printed = match arguments.json {
-        true => {
-            let documents = comparisons.iter().map(Comparison::to_json).collect();
-            terminal::print(&document(comparisons.len(), documents))
-        }
+        true => terminal::print(&format!("{:#}\n", document(comparisons))),
         false => terminal::summarise(&text(comparisons, &arguments.results)),
     };
     match printed {

@@ -10,7 +10,7 @@ use std::time::Instant;
 use serde_json::{Value, json};
 
 use super::{Outcome, terminal};
-use crate::report::{self, Findings};
+use crate::report::{self, Findings, WrittenFindings};
 use crate::scenario::{self, STDIN, STDIN_NAME, Scenario};
 
 /// Why a job failed, in words.
@@ -204,12 +204,9 @@ impl Job {
 
     /// Writes the files of what was found, and answers with it after telling its warnings.
     pub fn write(&self, findings: &Findings) -> Result<Answer, Failure> {
-        let (files, document) = findings.write(&self.folder)?;
-        self.warn_besides(findings.warnings());
-        Ok(Answer {
-            incomplete: findings.incomplete,
-            ..Answer::new(findings.text(terminal::details()), document, &files)
-        })
+        let found = findings.write(&self.folder)?;
+        self.warn_besides(found.warnings());
+        Ok(Answer::new(&found))
     }
 
     /// Tells of something about the file.
@@ -247,15 +244,16 @@ impl Job {
 
 impl Answer {
     /// An answer with the paths of its files.
-    pub fn new(text: String, mut json: Value, files: &[PathBuf]) -> Self {
-        let text = text + &report::wrote(files);
-        let files = files.iter().map(|file| file.display().to_string());
-        json["files"] = files.collect();
+    pub fn new(found: &WrittenFindings) -> Self {
+        let text = found.text(terminal::details()) + &report::wrote(&found.files);
+        let mut json = found.document.clone();
+        let files = found.files.iter();
+        json["files"] = files.map(|file| file.display().to_string()).collect();
         Self {
             text,
             told: String::new(),
             json,
-            incomplete: false,
+            incomplete: found.incomplete,
         }
     }
 

@@ -11,7 +11,7 @@ use super::written::Written;
 use super::{Outcome, terminal};
 use crate::ask;
 use crate::integrate::{IntegrateError, Pace};
-use crate::report::{self, KeptFiles, RunReport};
+use crate::report::{KeptFiles, RunReport};
 use crate::scenario::Scenario;
 use crate::simulate::{Model, Monitor, RunSize, SimulateError, simulate_watched};
 
@@ -96,13 +96,12 @@ pub fn run_motion(job: &Job, model: &Model, opens: bool) -> Result<Answer, Failu
     );
     match result {
         Ok(run) => {
-            let written = report.finish(model, run)?;
-            job.warn_besides(report::warnings(&written.document));
+            let found = report.finish(model, run)?;
+            job.warn_besides(found.warnings());
             if opens {
-                terminal::open_page(&written.files);
+                terminal::open_page(&found.files);
             }
-            let text = written.text(terminal::details());
-            Ok(Answer::new(text, written.document, &written.files).timed(started))
+            Ok(Answer::new(&found).timed(started))
         }
         Err(SimulateError::Integrate(error @ IntegrateError::Interrupted { .. })) => {
             Err(format!("{error}; nothing was written").into())

@@ -12,7 +12,7 @@ use super::run::run_motion;
 use super::terminal::Progress;
 use super::{Outcome, terminal};
 use crate::ask::{
-    AskError, Asked, BearingQuestion, Making, StudyFindings, StudyQuestion, StudyWatch, merge,
+    AskError, Asked, BearingQuestion, Making, StudyQuestion, StudyWatch, WrittenFindings, merge,
 };
 use crate::scenario::{self, Issue, StudyFile};
 use crate::simulate::RunSize;
@@ -102,7 +102,11 @@ fn shard(text: &str) -> Result<Shard, String> {
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     if let Some(Then::Merge(parts)) = &arguments.then {
         let merged = merge(&parts.folder).map_err(Failure::from);
-        return show(&parts.folder, parts.json, merged.map(answered));
+        return show(
+            &parts.folder,
+            parts.json,
+            merged.map(|found| answered(&found)),
+        );
     }
     let make = &arguments.make;
     let file = make.file.as_deref().unwrap_or(Path::new(""));
@@ -118,15 +122,12 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
 }
 
 /// What was found, with its files, after telling its warnings.
-fn answered(findings: StudyFindings) -> Answer {
-    let title = findings.document["title"].as_str().unwrap_or_default();
-    for warning in &findings.warnings {
+fn answered(found: &WrittenFindings) -> Answer {
+    let title = found.document["title"].as_str().unwrap_or_default();
+    for warning in found.warnings() {
         terminal::tell(&format!("warning: {title}: {warning}\n"));
     }
-    Answer {
-        incomplete: findings.incomplete,
-        ..Answer::new(findings.text, findings.document, &findings.files)
-    }
+    Answer::new(found)
 }
 
 /// Shows the answer, or tells why there is none.
@@ -214,7 +215,7 @@ impl Make {
         let rate = count as f64 / seconds;
         Ok(Answer {
             told: format!("{count} runs in {seconds:.3} s, {rate:.4} a second\n"),
-            ..answered(findings)
+            ..answered(&findings)
         })
     }
 }

@@ -6,11 +6,11 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::figure::Figure;
-use super::page::AnswerPage;
+use super::page::Page;
 use super::terminal::Lines;
 use super::text::add_contact_choice;
-use super::{FileSet, ReportError, RunFolder};
-use crate::scenario::{Scenario, TableFormat};
+use super::{FileSet, ReportError, RunFolder, WholeFile};
+use crate::scenario::{Output, Scenario};
 use crate::table::Table;
 
 /// What a verb has found, in every form in which it is told.
@@ -18,14 +18,14 @@ use crate::table::Table;
 pub struct Findings {
     /// The files that it is made of.
     pub(super) set: FileSet,
-    /// Formats of the tables.
-    pub(super) formats: Vec<TableFormat>,
-    /// Whether a page shows it.
-    pub(super) has_page: bool,
+    /// Which files are written.
+    pub(super) output: Output,
     /// Tables by their names without ending.
     pub tables: Vec<(&'static str, Table<'static>)>,
-    /// Figures.
+    /// Figures, in the order of the page.
     pub(super) figures: Vec<Figure>,
+    /// What the page shows in motion.
+    pub(super) film: Option<Value>,
     /// The document that seals the files.
     pub document: Value,
     /// What people read.
@@ -49,10 +49,10 @@ impl Findings {
         }
         Self {
             set,
-            formats: scenario.output.formats.clone(),
-            has_page: scenario.output.report,
+            output: scenario.output.clone(),
             tables: Vec::new(),
             figures: Vec::new(),
+            film: None,
             document,
             text,
             incomplete: false,
@@ -69,49 +69,95 @@ impl Findings {
         warnings(&self.document)
     }
 
+    /// The figures that have a file.
+    fn drawn(&self) -> impl Iterator<Item = &Figure> {
+        self.figures.iter().filter(|figure| !figure.only_on_page)
+    }
+
     /// Names of the figures, without ending.
     pub fn figures(&self) -> impl Iterator<Item = &str> {
-        self.figures.iter().map(|figure| figure.name.as_str())
+        self.drawn().map(|figure| figure.name.as_str())
     }
 
     /// A figure by its name as SVG; none where no figure is called so.
     pub fn figure(&self, name: &str) -> Option<String> {
-        let found = self.figures.iter().find(|figure| figure.name == name);
+        let found = self.drawn().find(|figure| figure.name == name);
         found.map(Figure::svg)
     }
 
-    /// Writes tables and figures into a folder, and the document last; returns the paths of all files, and the
-    /// document, which lists them.
+    /// Writes tables, figures and page into a folder, and the document last.
     ///
     /// # Errors
     /// [`ReportError`] where a file cannot be written.
-    pub fn write(&self, folder: &Path) -> Result<(Vec<PathBuf>, Value), ReportError> {
+    pub fn write(&self, folder: &Path) -> Result<WrittenFindings, ReportError> {
         let folder = RunFolder::open(folder, self.set)?;
-        let folder = folder.with_tables(&self.formats, &self.document["scenario"]);
-        let mut files = Vec::new();
+        let folder = folder.with_tables(&self.output.formats, &self.document["scenario"]);
+        self.write_beside(folder, Vec::new())
+    }
+
+    /// Writes them into an open folder, beside files that are written already.
+    ///
+    /// # Errors
+    /// [`ReportError`] where a file cannot be written.
+    pub(super) fn write_beside(
+        &self,
+        folder: RunFolder,
+        mut files: Vec<WholeFile>,
+    ) -> Result<WrittenFindings, ReportError> {
         for (stem, table) in &self.tables {
             files.extend(folder.write_table(stem, table)?);
         }
-        for figure in &self.figures {
+        for figure in self.drawn().filter(|_| self.output.figures) {
             files.push(folder.write_figure(figure)?);
         }
-        if self.has_page {
-            let page = AnswerPage {
+        if self.output.report {
+            let page = Page {
                 title: self.document["title"].as_str().unwrap_or_default(),
                 sealed: self.set.seal,
                 text: &self.text,
                 figures: &self.figures,
+                film: self.film.as_ref(),
                 tables: &self.tables,
                 document: &self.document,
             };
             files.push(folder.write_with(&self.set.page(), |file| page.write(file))?);
         }
-        folder.commit(files, self.document.clone())
+        let (files, document) = folder.commit(files, self.document.clone())?;
+        Ok(WrittenFindings {
+            files,
+            document,
+            text: self.text.clone(),
+            incomplete: self.incomplete,
+        })
+    }
+}
+
+/// What a verb has found, whose files are written.
+#[derive(Debug)]
+pub struct WrittenFindings {
+    /// Paths of the files.
+    pub files: Vec<PathBuf>,
+    /// The document, which lists the files; of a part of a study its title alone.
+    pub document: Value,
+    pub(super) text: Lines,
+    /// Whether a part of what was asked for is missing.
+    pub incomplete: bool,
+}
+
+impl WrittenFindings {
+    /// What people read, with or without details on how it was computed.
+    pub fn text(&self, details: bool) -> String {
+        self.text.text(details)
+    }
+
+    /// What the reader should know.
+    pub fn warnings(&self) -> impl Iterator<Item = &str> {
+        warnings(&self.document)
     }
 }
 
 /// Version of the keys of the documents: it grows where a key goes or changes its meaning.
-pub(super) const SCHEMA_VERSION: u32 = 1;
+const SCHEMA_VERSION: u32 = 1;
 
 /// What every document begins with.
 #[derive(Serialize)]

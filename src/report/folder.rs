@@ -67,9 +67,12 @@ impl FileSet {
         Self { seal, spent: None }
     }
 
-    /// The page of an answer, called like its seal.
+    /// The page of an answer, called like its seal; that of runs has a name that stays the same whoever seals them.
     pub(super) fn page(self) -> String {
-        self.seal.replace(".json", ".html")
+        match self {
+            Self::MOTION | Self::RUNS => "report.html".to_owned(),
+            _ => self.seal.replace(".json", ".html"),
+        }
     }
 
     /// Name of the earlier seal while its files are replaced, which a run that is killed meanwhile leaves to the next one.

@@ -1,4 +1,4 @@
-//! What is drawn over time: by figures as an envelope, by pages with parts of it sample by sample.
+//! What is drawn over time: its envelope, with parts of it sample by sample.
 
 use std::collections::VecDeque;
 
@@ -102,28 +102,27 @@ impl Histories {
     }
 
     /// A panel for each displacement, one below the other over the same time.
-    pub(crate) fn figure(&self, name: &str, title: &str) -> Figure {
-        let displacements = self.histories.iter();
-        let displacements =
-            displacements.filter(|history| matches!(history.channel, Channel::Displacement(_)));
+    pub(crate) fn displacements(&self, name: &str, title: &str) -> Figure {
+        let displacements = self.histories.iter().filter(|own| own.is_displacement());
         self.panels(name, title, displacements.collect())
     }
 
-    /// The figure of a page: a panel each but for what is unknown and for what does not change, no more than round-off
-    /// beside the largest value of its unit.
-    pub(super) fn page_figure(&self) -> Figure {
-        let histories = || self.histories.iter();
+    /// A panel for each other quantity of a page, but for what is unknown and for what does not change, no more than
+    /// round-off beside the largest value of its unit.
+    pub(super) fn others(&self, title: &str) -> Option<Figure> {
+        let others = || self.histories.iter().filter(|own| !own.is_displacement());
         let magnitude = |unit: &str| {
-            let alike = histories().filter(|history| history.channel.unit() == unit);
+            let alike = others().filter(|history| history.channel.unit() == unit);
             let magnitudes = alike.map(|history| history.envelope.magnitude());
             magnitudes.fold(0.0, f64::max)
         };
-        let changing = histories().filter(|history| {
+        let changing = others().filter(|history| {
             let round_off = ROUND_OFF * magnitude(history.channel.unit());
             let range = history.envelope.range();
             range.is_some_and(|[low, high]| high - low > round_off)
         });
-        self.panels("histories", "", changing.collect())
+        let figure = self.panels("histories", title, changing.collect());
+        (!figure.panels.is_empty()).then(|| figure.only_on_page())
     }
 
     fn panels(&self, name: &str, title: &str, histories: Vec<&History>) -> Figure {
@@ -142,6 +141,10 @@ impl Histories {
 }
 
 impl History {
+    fn is_displacement(&self) -> bool {
+        matches!(self.channel, Channel::Displacement(_))
+    }
+
     fn take(&mut self, time: f64, value: f64, near_event: bool) {
         self.envelope.push(time, value);
         if self.last.len() == LAST {

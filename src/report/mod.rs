@@ -39,14 +39,15 @@ pub(crate) use envelope::Decimator;
 pub(crate) use error::FileAction;
 pub use error::ReportError;
 pub(crate) use estimate::{entry_json, entry_text, estimate_json, estimate_text};
-pub(crate) use findings::{Findings, versioned, warnings};
+pub(crate) use findings::{Findings, versioned};
 pub(crate) use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole};
 #[cfg(test)]
 pub(crate) use histories::Histories;
 pub(crate) use response::response_findings;
 
+pub use findings::WrittenFindings;
 pub(crate) use run_report::KeptFiles;
-pub use run_report::{RunReport, WrittenRun};
+pub use run_report::RunReport;
 #[cfg(test)]
 pub(crate) use run_tables::{
     TraceCsv, ball_columns, ball_row, event_columns, event_row, trace_columns,

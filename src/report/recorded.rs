@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use super::figure::Figure;
+use super::findings::Findings;
 use super::histories::Histories;
-use super::run_answer::RunAnswer;
+use super::run_answer::{Drawn, RunAnswer};
 use super::run_tables::{ball_columns, ball_row, event_columns, event_row, sample_table};
 use super::run_up::{waterfall_columns, waterfall_rows};
 use super::spectra::estimated_table;
@@ -17,7 +17,7 @@ use crate::simulate::{Maps, Model, Monitor, RecordedRun, SimulateError};
 use crate::study::campbell::{Campbell, along_run_up};
 use crate::table::Table;
 
-/// What a run has found, with its samples: as [`Findings`](super::Findings), but each table and figure is made when it
+/// What a run has found, with its samples: as [`Findings`], but each table and figure is made when it
 /// is asked for.
 #[derive(Debug, Clone)]
 pub struct RunFindings {
@@ -118,30 +118,35 @@ impl RunFindings {
             let make = || Table::of_rows(waterfall_columns(waterfall), rows);
             add("waterfall", Box::new(make));
         }
-        for (name, table) in self.answer().tables() {
+        let answer = self.answer();
+        for (name, table) in answer.tables() {
             add(&name, Box::new(|| table));
+        }
+        if let Some(peaks) = answer.peaks() {
+            add("peaks", Box::new(|| peaks));
         }
         tables
     }
 
     /// Names of the figures that the run has.
     pub fn figures(&self) -> Vec<String> {
-        let figures = self.drawn();
-        figures.into_iter().map(|figure| figure.name).collect()
+        self.findings().figures().map(str::to_owned).collect()
     }
 
     /// A figure by its name as SVG; none where the run has none of it.
     pub fn figure(&self, name: &str) -> Option<String> {
-        let figures = self.drawn();
-        let found = figures.iter().find(|figure| figure.name == name);
-        found.map(Figure::svg)
+        self.findings().figure(name)
     }
 
-    fn drawn(&self) -> Vec<Figure> {
+    fn findings(&self) -> Findings {
         let mut histories = Histories::new(self.model.rotor.shaft.freedoms);
         let samples = self.recorded.samples.iter();
         samples.for_each(|sample| histories.sample(sample));
-        self.answer().figures(Some(&histories))
+        let drawn = Drawn {
+            histories: Some(&histories),
+            film: None,
+        };
+        self.answer().findings(&self.scenario.output, drawn)
     }
 
     /// The spectra that another version of the scenario asks for, estimated from the samples of this run; of each

@@ -4,21 +4,32 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::figure::Figure;
-use super::findings::{document, with_keys};
+use super::film::Film;
+use super::findings::{Findings, document, with_keys};
 use super::histories::Histories;
 use super::motion::{motion_json, orbit_figure, poincare_table};
 use super::run_up::{maps_figures, maps_json, run_up_json, tracks_table};
+use super::scene::scene_figure;
 use super::spectra::{
     NamedPeak, estimated_figure, estimated_json, estimated_table, frequency_limit_of, peak_table,
-    spectrum_table, table_name,
+    spectra_figures, spectrum_table, table_name,
 };
+use super::statics::balls_figure;
 use super::terminal::Lines;
 use super::text::{add_contact_choice, method_use_json, parted, text};
-use super::{campbell, defects, spectrum_figure};
+use super::{FileSet, campbell, defects, spectrum_figure};
+use crate::scenario::Output;
 use crate::simulate::{Model, Run};
 use crate::study::ContactChoice;
 use crate::study::campbell::{Campbell, CriticalSpeed};
 use crate::table::Table;
+
+/// What was taken down for the figures while a run went on.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Drawn<'a> {
+    pub histories: Option<&'a Histories>,
+    pub film: Option<&'a Film>,
+}
 
 /// A run, and what its answers rest on.
 #[derive(Debug, Clone, Copy)]
@@ -52,8 +63,26 @@ impl<'a> RunAnswer<'a> {
         out
     }
 
-    /// What is drawn of a run.
-    pub fn figures(&self, histories: Option<&Histories>) -> Vec<Figure> {
+    /// All of it but its tables, which are too large to be held twice; of these the peaks.
+    pub fn findings(&self, output: &Output, drawn: Drawn<'_>) -> Findings {
+        Findings {
+            set: FileSet::MOTION,
+            output: output.clone(),
+            tables: self
+                .peaks()
+                .map(|table| ("peaks", table))
+                .into_iter()
+                .collect(),
+            figures: self.figures(drawn.histories),
+            film: drawn.film.and_then(|film| film.json(&self.model.rotor)),
+            document: self.document(),
+            text: self.text(),
+            incomplete: false,
+        }
+    }
+
+    /// What is drawn of a run, in the order of its page.
+    fn figures(&self, histories: Option<&Histories>) -> Vec<Figure> {
         let Self {
             title,
             model,
@@ -63,27 +92,41 @@ impl<'a> RunAnswer<'a> {
         } = *self;
         let limit = frequency_limit_of(run);
         let mut figures = Vec::new();
-        figures.extend(histories.map(|histories| histories.figure("trace", title)));
         let spectrum = run.spectrum.as_ref();
+        let spectra = |spectrum| spectra_figures(title, spectrum, &run.peaks);
+        let mut spectra = spectrum.map_or_else(Vec::new, spectra).into_iter();
+        // the velocities first
+        figures.extend(spectra.next());
+        figures.extend(histories.map(|histories| histories.displacements("trace", title)));
         figures.extend(spectrum.map(|spectrum| spectrum_figure(title, spectrum, &run.peaks)));
         let motion = run.motion.as_ref();
         figures.extend(motion.map(|motion| orbit_figure(title, motion)));
         figures.extend(run.maps.iter().flat_map(|maps| maps_figures(title, maps)));
         figures.extend(campbell.map(|campbell| campbell::figure(title, campbell)));
-        let spectra = run.spectra.iter();
-        figures.extend(spectra.map(|spectrum| estimated_figure(title, spectrum, limit)));
+        let estimated = run.spectra.iter();
+        figures.extend(estimated.map(|spectrum| estimated_figure(title, spectrum, limit)));
         figures.extend(defects::figure(title, model));
+        figures.extend(spectra);
+        figures.extend(histories.and_then(|histories| histories.others(title)));
+        figures.push(scene_figure(title, &model.rotor).only_on_page());
+        let bearings: Vec<_> = run.equilibrium.bearings.iter().flatten().collect();
+        figures.extend(balls_figure(title, &bearings).map(Figure::only_on_page));
         figures
     }
 
-    /// Tables of a run that are known at its end, but for the waterfall, which is too long to be held twice.
+    /// The named peaks of the spectrum.
+    pub fn peaks(&self) -> Option<Table<'static>> {
+        let spectrum = self.run.spectrum.as_ref()?;
+        Some(peak_table(&self.run.peaks, spectrum))
+    }
+
+    /// Tables of a run that are known at its end, but for peaks and the waterfall.
     pub fn tables(&self) -> Vec<(String, Table<'a>)> {
         let Self { run, campbell, .. } = *self;
         let mut tables = Vec::new();
         let mut add = |name: &str, table| tables.push((name.to_owned(), table));
         if let Some(spectrum) = &run.spectrum {
             add("spectrum", spectrum_table(spectrum));
-            add("peaks", peak_table(&run.peaks, spectrum));
         }
         if let Some(motion) = &run.motion {
             add("poincare", poincare_table(motion));

@@ -7,16 +7,13 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use super::film::Film;
-use super::findings::document;
+use super::findings::{WrittenFindings, document};
 use super::histories::Histories;
-use super::page::write_page;
-use super::run_answer::RunAnswer;
+use super::run_answer::{Drawn, RunAnswer};
 use super::run_tables::{SampleFiles, ball_columns, ball_row, event_columns, event_row};
 use super::run_up::{waterfall_columns, waterfall_rows};
-use super::scene::scene_figure;
 use super::table::TableFiles;
-use super::terminal::Lines;
-use super::{FileSet, PartialFile, ReportError, RunFolder};
+use super::{FileSet, ReportError, RunFolder};
 use crate::analysis::Channel;
 use crate::integrate::{Counters, IntegrateError};
 use crate::rotor::{BallContacts, Sample};
@@ -142,7 +139,7 @@ impl RunReport {
     ///
     /// # Errors
     /// [`ReportError`] where a file cannot be written or drawn; none of them looks whole then.
-    pub fn finish(self, model: &Model, mut run: Run) -> Result<WrittenRun, ReportError> {
+    pub fn finish(self, model: &Model, mut run: Run) -> Result<WrittenFindings, ReportError> {
         let campbell = along_run_up(model, &mut run);
         let answer = RunAnswer {
             title: &self.title,
@@ -152,60 +149,26 @@ impl RunReport {
             run: &run,
             campbell: campbell.as_ref(),
         };
-        let (document, text) = (answer.document(), answer.text());
+        let drawn = Drawn {
+            histories: self.histories.as_ref(),
+            film: self.film.as_ref(),
+        };
+        let findings = answer.findings(&self.output, drawn);
         let mut files = Vec::new();
-        let figures = answer.figures(self.histories.as_ref());
         let streamed = self.tables.into_iter().map(|table| table.files);
         for table in streamed.chain(self.balls).chain(self.events) {
             files.extend(table.close()?);
         }
-        let folder = &self.folder;
+        let folder = self.folder;
         for (stem, table) in answer.tables() {
             files.extend(folder.write_table(&stem, &table)?);
         }
         if let Some(maps) = &run.maps {
             let columns = waterfall_columns(&maps.waterfall);
             let rows = waterfall_rows(&maps.waterfall);
-            files.extend(TableFiles::write(folder, "waterfall", &columns, rows)?);
+            files.extend(TableFiles::write(&folder, "waterfall", &columns, rows)?);
         }
-        for figure in figures.iter().filter(|_| self.output.figures) {
-            files.push(folder.write_figure(figure)?);
-        }
-        if let Some(histories) = self.histories.filter(|_| self.output.report) {
-            let scene = scene_figure(&self.title, &model.rotor);
-            let shown = figures.iter().chain([&scene]);
-            let figures: Vec<_> = shown
-                .filter(|figure| ON_PAGE.contains(&figure.name.as_str()))
-                .collect();
-            let film = self.film.and_then(|film| film.json(&model.rotor));
-            let write = |file: &mut PartialFile| {
-                write_page(&document, &run, &histories, &figures, film, file)
-            };
-            files.push(folder.write_with("report.html", write)?);
-        }
-        let (files, document) = self.folder.commit(files, document)?;
-        Ok(WrittenRun {
-            text,
-            document,
-            files,
-        })
-    }
-}
-
-/// A run whose files are written.
-#[derive(Debug)]
-pub struct WrittenRun {
-    text: Lines,
-    /// What `summary.json` says.
-    pub document: Value,
-    /// Paths of the files.
-    pub files: Vec<PathBuf>,
-}
-
-impl WrittenRun {
-    /// Key numbers and the strongest peaks, for people, with or without details on how they were computed.
-    pub fn text(&self, details: bool) -> String {
-        self.text.text(details)
+        findings.write_beside(folder, files)
     }
 }
 
@@ -219,16 +182,6 @@ fn failure_kind(error: &IntegrateError) -> &'static str {
         IntegrateError::Interrupted { .. } => "interrupted",
     }
 }
-
-/// Figures that the page shows: what its own charts do not.
-const ON_PAGE: [&str; 6] = [
-    "scene",
-    "orbit",
-    "defects",
-    "waterfall",
-    "order_tracks",
-    "campbell",
-];
 
 /// What was kept of a run that cannot go on.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -21,11 +21,11 @@ pub fn answer_findings(
     answer: &QuasiStatic,
 ) -> Findings {
     let title = &scenario.title;
-    let mut figures = vec![balls_figure(title, answer)];
-    figures.extend(deflection(title, question));
+    let bearings: Vec<_> = answer.bearings.iter().collect();
+    let figures = balls_figure(title, &bearings).into_iter();
     Findings {
         tables: vec![("balls", balls_table(answer))],
-        figures,
+        figures: figures.chain(deflection(title, question)).collect(),
         ..Findings::new(FileSet::BEARING, scenario, answer, text(title, answer))
     }
 }
@@ -370,13 +370,13 @@ fn race_name(race: Race) -> &'static str {
 /// Height of a plot, px.
 const HEIGHT: u32 = 272;
 
-/// One row of two panels for each bearing.
-fn balls_figure(title: &str, answer: &QuasiStatic) -> Figure {
-    let bearings = answer.bearings.iter().enumerate();
-    let panels = bearings
-        .flat_map(|(index, state)| panels(&of_bearing(index, answer.bearings.len()), state));
+/// Every ball of every bearing around the shaft: one row of two panels for each bearing.
+pub(super) fn balls_figure(title: &str, bearings: &[&BearingState]) -> Option<Figure> {
+    let named = bearings.iter().enumerate();
+    let panels = named.flat_map(|(index, state)| panels(&of_bearing(index, bearings.len()), state));
     let names = Name::each(["inner race", "outer race"]);
-    Figure::new("balls", title, 2, panels.collect()).with_names(names)
+    let figure = Figure::new("balls", title, 2, panels.collect()).with_names(names);
+    (!figure.panels.is_empty()).then_some(figure)
 }
 
 fn panels(bearing: &str, state: &BearingState) -> [Panel; 2] {

@@ -46,7 +46,7 @@ pub fn steady_findings(scenario: &Scenario, model: &Model, steady: &Steady) -> F
             ("steady_spectrum", line_table(steady, model.rotor.speed)),
         ],
         figures: vec![
-            histories.figure("steady_trace", title),
+            histories.displacements("steady_trace", title),
             spectrum(title, &steady.lines),
         ],
         ..Findings::new(

@@ -482,7 +482,7 @@ fn figures_are_well_formed_and_say_what_they_show() {
     let mut histories = Histories::new(Freedoms::Translational);
     samples().iter().for_each(|sample| histories.sample(sample));
     let run = run();
-    let trace = histories.figure("trace", TITLE).svg();
+    let trace = histories.displacements("trace", TITLE).svg();
     let spectrum = spectrum_figure(TITLE, run.spectrum.as_ref().unwrap(), &run.peaks).svg();
     for svg in [&trace, &spectrum] {
         assert!(svg.starts_with("<svg ") && svg.contains(" width=\"680\""));
@@ -498,9 +498,9 @@ fn figures_are_well_formed_and_say_what_they_show() {
 fn figures_of_nothing_are_drawn_empty() {
     let drawn = |figure: String| figure.ends_with("</svg>\n") && !figure.contains("NaN");
     let mut histories = Histories::new(Freedoms::All);
-    assert!(drawn(histories.figure("trace", "").svg()));
+    assert!(drawn(histories.displacements("trace", "").svg()));
     histories.sample(&samples()[0]);
-    assert!(drawn(histories.figure("trace", "").svg()));
+    assert!(drawn(histories.displacements("trace", "").svg()));
     let mut spectrum = run().spectrum.unwrap();
     for entry in &mut spectrum.channels {
         entry.amplitude.fill(0.0);

@@ -57,6 +57,14 @@ pub(crate) use page::write_page;
 pub use result::{ColumnComparison, Comparison, Difference, TableComparison, Worst};
 pub use rules::{Rules, Tolerance, Tolerances};
 
+/// The document of comparisons: an object of one, an array of several.
+pub(crate) fn document(comparisons: &[Comparison]) -> Value {
+    match comparisons {
+        [one] => one.to_json(),
+        several => several.iter().map(Comparison::to_json).collect(),
+    }
+}
+
 /// Tables of a run folder.
 const TABLES: [&str; 2] = ["trace.csv", "spectrum.csv"];
 /// Those that are compared by lines.

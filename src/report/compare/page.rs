@@ -7,11 +7,11 @@ use serde_json::Value;
 
 use super::figure::difference_figure;
 use super::table::Source;
-use super::{CompareError, Comparison, sealed};
+use super::{CompareError, Comparison, document, sealed};
 use crate::analysis::Channel;
 use crate::report::envelope::Decimator;
 use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct, ends};
-use crate::report::page::AnswerPage;
+use crate::report::page::Page;
 use crate::report::spectra::amplitude_column;
 use crate::report::terminal::{Lines, MILLI, digits, or_dash, shown_column};
 use crate::table::Column;
@@ -76,13 +76,14 @@ pub(crate) fn write_page(
         figures.push(figure);
     }
     let names = compared.iter().map(|path| path.display().to_string());
-    let page = AnswerPage {
+    let page = Page {
         title: &names.collect::<Vec<_>>().join(" and "),
         sealed: "the tables that were compared",
         text: &lines,
         figures: &figures,
+        film: None,
         tables: &[],
-        document: &Value::Null,
+        document: &document(comparisons),
     };
     Ok(page.write_alone(file)?)
 }

@@ -32,6 +32,9 @@ pub(crate) struct Figure {
     pub columns: usize,
     /// The panels.
     pub panels: Vec<Panel>,
+    /// Whether only a page shows it: it has no file.
+    #[serde(skip)]
+    pub only_on_page: bool,
 }
 
 /// What a colour means.
@@ -137,6 +140,15 @@ impl Figure {
             names: Vec::new(),
             columns,
             panels,
+            only_on_page: false,
+        }
+    }
+
+    /// The figure without a file of its own.
+    pub fn only_on_page(self) -> Self {
+        Self {
+            only_on_page: true,
+            ..self
         }
     }
 

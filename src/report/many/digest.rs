@@ -7,7 +7,12 @@ use serde_json::{Value, json};
 
 use super::rows::StudyHead;
 use super::statistics::{ResponsePeak, Sensitivity, peaks, sensitivities};
-use crate::report::findings::SCHEMA_VERSION;
+use crate::report::figure::Figure;
+use crate::report::findings::versioned;
+use crate::report::terminal::{Lines, digits, or_dash};
+use crate::report::variable::variable_column;
+use crate::report::{FileSet, Findings};
+use crate::scenario::Output;
 use crate::study::many::{Direction, RunRecord};
 use crate::table::Column;
 
@@ -17,8 +22,6 @@ const MOST_ROWS: u64 = 8_000;
 const MOST_WARNINGS: usize = 20;
 /// Most failed runs that are named.
 const MOST_FAILURES: usize = 20;
-/// Runs whose rows are shown.
-const MOST_SHOWN: usize = 100;
 /// What changes by less than this part of it does not change.
 const CONSTANT: f64 = 1e-9;
 /// Quantiles that are told.
@@ -26,27 +29,26 @@ const QUANTILES: [f64; 5] = [0.05, 0.25, 0.5, 0.75, 0.95];
 
 /// A run that failed.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct FailedRun {
+struct FailedRun {
     /// Its number.
-    pub run: u64,
+    run: u64,
     /// Values of the axes, in the units of their columns.
-    pub values: Vec<f64>,
+    values: Vec<f64>,
     /// Why, in words.
-    pub error: String,
+    error: String,
 }
 
 /// A warning of one run or more, in the words of the first of them.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct RunsWarned {
+#[derive(Debug, Clone, PartialEq)]
+struct RunsWarned {
     /// Number of the first run.
-    pub run: u64,
+    run: u64,
     /// Number of runs that have the same one but for its numbers, of one bearing and race.
-    pub runs: u64,
+    runs: u64,
     /// The latest of them that was counted.
-    #[serde(skip)]
     latest: u64,
     /// Its words.
-    pub warning: String,
+    warning: String,
 }
 
 /// One number over all runs.
@@ -68,19 +70,17 @@ pub(super) struct ColumnDigest {
 
 /// What the rows of a study say as a whole.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Digest {
+pub(super) struct Digest {
     /// What they are rows of.
     pub(super) head: StudyHead,
     /// Number of runs.
     runs: u64,
     /// Number of those that failed.
-    pub failed: u64,
+    failed: u64,
     /// The first of them.
     failures: Vec<FailedRun>,
     /// Warnings of the runs.
-    pub warnings: Vec<RunsWarned>,
-    /// The first rows.
-    pub(super) first: Vec<RunRecord>,
+    warnings: Vec<RunsWarned>,
     pub(super) columns: Vec<ColumnDigest>,
     /// Rows that are drawn, without spectra and points: every `stride`-th of those that were done.
     pub(super) rows: Vec<RunRecord>,
@@ -108,7 +108,6 @@ impl Digest {
             failed: 0,
             failures: Vec::new(),
             warnings: Vec::new(),
-            first: Vec::new(),
             rows: Vec::new(),
             stride: 1,
             highest_frequency: 0.0,
@@ -126,9 +125,6 @@ impl Digest {
             let highest = spectrum.last().map_or(0.0, |line| line.frequency);
             self.highest_frequency = self.highest_frequency.max(highest);
             self.points += std::mem::take(&mut outcome.points).len();
-        }
-        if self.first.len() < MOST_SHOWN {
-            self.first.push(row.clone());
         }
         match &mut row.outcome {
             Err(error) => {
@@ -225,41 +221,84 @@ impl Digest {
         column.map_or(0, |column| self.columns[column].known)
     }
 
-    /// The digest for people, below the title.
-    pub fn text(&self) -> String {
-        let done = self.runs - self.failed;
-        let mut text = format!("{}\n  runs          {done} done", self.head.title);
-        if self.failed > 0 {
-            text += &format!(", {} failed; alone again by --only I", self.failed);
+    /// All that is told of the study, with what is drawn of it.
+    pub(super) fn findings(&self, figures: Vec<Figure>) -> Findings {
+        let StudyHead {
+            title, study, base, ..
+        } = &self.head;
+        let warnings: Vec<_> = self.warnings.iter().map(RunsWarned::to_string).collect();
+        Findings {
+            set: FileSet::RUNS,
+            output: Output::default(),
+            tables: Vec::new(),
+            figures,
+            film: None,
+            document: versioned(json!({
+                "title": title,
+                "study": { "study": study, "base": base },
+                "digest": self.json(),
+                "warnings": warnings,
+            })),
+            text: self.text(),
+            incomplete: self.failed > 0,
         }
-        text.push('\n');
+    }
+
+    /// The digest for people.
+    fn text(&self) -> Lines {
+        let mut out = Lines::titled(&self.head.title);
+        let failed = match self.failed {
+            0 => String::new(),
+            failed => format!(", {failed} failed; alone again by --only I"),
+        };
+        out.line("runs", format!("{} done{failed}", self.runs - self.failed));
         for FailedRun { run, error, .. } in &self.failures {
-            text += &format!("    run {run}: {error}\n");
+            out.more(format!("run {run}: {error}"));
         }
         if let Some(error) = self.largest_error() {
             let runs = self.measured();
             let noun = if runs == 1 { "run" } else { "runs" };
-            text += &format!(
-                "  error         at most {error:.1e} of the motion in the {runs} {noun} that measured it\n"
+            out.line(
+                "error",
+                format!("at most {error:.1e} of the motion in the {runs} {noun} that measured it"),
             );
         }
-        text
+        self.tell_peaks(&mut out);
+        out
     }
 
-    /// The document that seals the files of the study.
-    pub fn document(&self) -> Value {
-        let head = &self.head;
-        json!({
-            "jeffcott": head.jeffcott,
-            "schema_version": SCHEMA_VERSION,
-            "title": head.title,
-            "study": { "study": head.study, "base": head.base },
-            "digest": self.json(),
-        })
+    /// The peaks along the only axis, a row each.
+    fn tell_peaks(&self, out: &mut Lines) {
+        let ([axis], [_, ..]) = (&self.head.axes[..], &self.peaks[..]) else {
+            return;
+        };
+        let at = variable_column(axis).name();
+        let header = [
+            "resonance",
+            "direction",
+            &at,
+            "height",
+            "half power from",
+            "to",
+        ];
+        let rows = self.peaks.iter().map(|peak| {
+            let half_power = [peak.half_power_from, peak.half_power_to];
+            let [from, to] = half_power.map(|at| or_dash(at.map(digits)));
+            let [at, height] = [peak.at, peak.height].map(digits);
+            vec![
+                peak.number.name(),
+                peak.direction.to_owned(),
+                at,
+                height,
+                from,
+                to,
+            ]
+        });
+        out.table(header, rows);
     }
 
-    /// The digest as it stands in the document and on the page.
-    pub(super) fn json(&self) -> Value {
+    /// The digest as it stands in the document.
+    fn json(&self) -> Value {
         let known = self.columns.iter().filter(|column| column.known > 0);
         let numbers: BTreeMap<_, _> = known.map(|of| (of.column.name(), of)).collect();
         json!({
@@ -267,8 +306,6 @@ impl Digest {
             "failed": self.failed,
             // the first of them
             "failures": self.failures,
-            // those that differ by their numbers alone are one
-            "warnings": self.warnings,
             "largest_measured_error": self.largest_error(),
             "runs_with_measured_error": self.measured(),
             "numbers": numbers,

@@ -4,7 +4,6 @@ mod digest;
 mod error;
 mod figures;
 mod identity;
-mod page;
 mod ross;
 mod rows;
 mod standing;
@@ -13,36 +12,21 @@ mod tables;
 mod traces;
 mod waterfall;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use serde_json::{Value, json};
+use serde_json::json;
 
 use self::digest::Digest;
 pub use self::error::StudyError;
-use self::page::write_page;
 use self::ross::ross_files;
 pub use self::rows::StudyHead;
 pub(crate) use self::rows::{RowFile, Rows};
 use self::tables::Tables;
 pub(crate) use self::traces::Traces;
 use crate::report::figure::Figure;
-use crate::report::{FileSet, PartialFile, ReportError, RunFolder};
+use crate::report::terminal::Lines;
+use crate::report::{FileSet, ReportError, RunFolder, WrittenFindings};
 use crate::study::many::Shard;
-
-/// What a study has found, whose files are written.
-#[derive(Debug)]
-pub struct StudyFindings {
-    /// Paths of the files.
-    pub files: Vec<PathBuf>,
-    /// What `runs.json` says; of a part its title alone.
-    pub document: Value,
-    /// What people read.
-    pub text: String,
-    /// What the reader should know, each of the first run that has it.
-    pub warnings: Vec<String>,
-    /// Whether some runs failed.
-    pub incomplete: bool,
-}
 
 /// Opens folder and rows of a part of a study of so many runs, behind the rows that an earlier attempt has kept, unless all is
 /// to begin `anew`.
@@ -81,18 +65,17 @@ pub(crate) fn open(
 ///
 /// # Errors
 /// [`StudyError`] where a file cannot be written.
-pub(crate) fn finish(folder: RunFolder, rows: RowFile) -> Result<StudyFindings, StudyError> {
+pub(crate) fn finish(folder: RunFolder, rows: RowFile) -> Result<WrittenFindings, StudyError> {
     let rows = Rows::from_one(rows);
     let head = rows.head();
     if head.shard == Shard::WHOLE {
         return write(folder, &rows);
     }
     traces::sync(folder.path(), &rows)?;
-    Ok(StudyFindings {
+    Ok(WrittenFindings {
         files: rows.synced()?,
         document: json!({ "title": head.title }),
-        text: format!("{}\n", head.title),
-        warnings: Vec::new(),
+        text: Lines::titled(&head.title),
         incomplete: false,
     })
 }
@@ -102,14 +85,14 @@ pub(crate) fn finish(folder: RunFolder, rows: RowFile) -> Result<StudyFindings, 
 ///
 /// # Errors
 /// [`StudyError`] where one is missing, broken or of another study.
-pub(crate) fn merge(folder: &Path) -> Result<StudyFindings, StudyError> {
+pub(crate) fn merge(folder: &Path) -> Result<WrittenFindings, StudyError> {
     let rows = Rows::from_parts(folder)?;
     traces::check(folder, &rows)?;
     write(RunFolder::open(folder, FileSet::RUNS)?, &rows)
 }
 
 /// Writes tables, figures and page of the rows of a whole study and, last, what seals them.
-fn write(folder: RunFolder, rows: &Rows) -> Result<StudyFindings, StudyError> {
+fn write(folder: RunFolder, rows: &Rows) -> Result<WrittenFindings, StudyError> {
     traces::sync(folder.path(), rows)?;
     let mut tables = Tables::begin(&folder, rows.head())?;
     let mut digest = Digest::new(rows.head());
@@ -120,23 +103,11 @@ fn write(folder: RunFolder, rows: &Rows) -> Result<StudyFindings, StudyError> {
     })?;
     digest.finish();
     let mut files = tables.end()?;
-    let figures = figures(&digest, rows)?;
-    for figure in &figures {
-        files.push(folder.write_figure(figure)?);
-    }
-    let page = |file: &mut PartialFile| write_page(&digest, &figures, file);
-    files.push(folder.write_with("report.html", page)?);
     for (name, text) in ross_files(&digest) {
         files.push(folder.write(&name, text.as_bytes())?);
     }
-    let (files, document) = folder.commit(files, digest.document())?;
-    Ok(StudyFindings {
-        files,
-        document,
-        text: digest.text(),
-        warnings: digest.warnings.iter().map(ToString::to_string).collect(),
-        incomplete: digest.failed > 0,
-    })
+    let findings = digest.findings(figures(&digest, rows)?);
+    Ok(findings.write_beside(folder, files)?)
 }
 
 /// What there is to draw.

@@ -18,16 +18,16 @@ const LEAST_PART: f64 = 0.01;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(super) struct ResponsePeak {
     /// The number.
-    number: Column,
+    pub number: Column,
     /// `up` or `down`: how the runs came to their values.
-    direction: &'static str,
+    pub direction: &'static str,
     /// Value of the axis at the top of the parabola through three runs.
-    at: f64,
+    pub at: f64,
     /// The number there.
-    height: f64,
+    pub height: f64,
     /// Values of the axis on either side at which half the power is left, where the curve falls so far.
-    half_power_from: Option<f64>,
-    half_power_to: Option<f64>,
+    pub half_power_from: Option<f64>,
+    pub half_power_to: Option<f64>,
     /// What lies between them.
     bandwidth: Option<f64>,
 }

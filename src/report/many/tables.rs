@@ -131,7 +131,7 @@ impl Table {
 }
 
 /// Names of the columns of the table of runs.
-pub(super) fn run_names(head: &StudyHead) -> Cells {
+fn run_names(head: &StudyHead) -> Cells {
     let start = ["run", "direction"].map(str::to_owned);
     let end = ["status", "error", "warnings"].map(str::to_owned);
     let axes = head.axes.iter().map(|axis| variable_column(axis).name());
@@ -143,7 +143,7 @@ pub(super) fn run_names(head: &StudyHead) -> Cells {
 }
 
 /// A row of the table of runs.
-pub(super) fn run_row(head: &StudyHead, record: &RunRecord) -> Cells {
+fn run_row(head: &StudyHead, record: &RunRecord) -> Cells {
     let mut row = vec![record.run.to_string(), record.direction.name().to_owned()];
     row.extend(record.values.iter().map(|value| number(*value)));
     match &record.outcome {

@@ -31,19 +31,13 @@ const page = (() => {
     if (location.hash === `#${id}`) body.open = true;
   }
 
-  function table(heads, rows, caption = null, nameColumns = 1) {
+  function table(heads, rows, caption = null) {
     const cell = (tag) => (text, column) =>
-      element(tag, column < nameColumns ? { class: "name" } : {}, text);
+      element(tag, column === 0 ? { class: "name" } : {}, text);
     const head = element("thead", {}, element("tr", {}, ...heads.map(cell("th"))));
     const body = element("tbody", {}, ...rows.map((row) => element("tr", {}, ...row.map(cell("td")))));
     const made = element("div", { class: "scroll" }, element("table", {}, head, body));
     return element("figure", {}, made, caption && element("figcaption", {}, caption));
-  }
-
-  function tiles(entries) {
-    const tile = ([name, value, remark]) => element("div", { class: "tile" },
-      element("dt", {}, name), element("dd", {}, value), remark ? element("dd", {}, remark) : null);
-    return element("dl", { class: "tiles" }, ...entries.filter(Boolean).map(tile));
   }
 
   const warnings = (texts) => texts.map((text) => element("p", { class: "warning" }, text));
@@ -66,20 +60,15 @@ const page = (() => {
   /** Values; null where there is none. */
   const floats = (base64) => Array.from(new Float32Array(bytes(base64)), (v) => (Number.isNaN(v) ? null : v));
 
-  /** The scenario as a text that can be opened. */
-  function scenarioSection(remark, scenario) {
-    folded("scenario", "Scenario", element("p", { class: "quiet" }, remark),
-      element("pre", {}, JSON.stringify(scenario, null, 2)));
-  }
-
   /** The page stands: paper is light whatever the screen is. */
   function ready(redraw = () => {}) {
     const all = () => [...document.querySelectorAll("section > details")];
     const open = [];
+    const isJson = (body) => body.querySelector(":scope > pre") !== null;
     const printed = (on) => () => {
-      // on paper everything but the scenario is open
+      // on paper everything but what stands in the document is open
       if (on) open.splice(0, open.length, ...all().filter((body) => body.open));
-      for (const body of all()) body.open = on ? body.parentElement.id !== "scenario" : open.includes(body);
+      for (const body of all()) body.open = on ? !isJson(body) : open.includes(body);
       document.documentElement.classList.toggle("printed", on);
       redraw();
     };
@@ -88,5 +77,5 @@ const page = (() => {
     document.documentElement.dataset.readyMs = String(Math.round(performance.now()));
   }
 
-  return { data, element, section, folded, table, tiles, warnings, number, bytes, places, floats, scenarioSection, ready };
+  return { data, element, section, folded, table, warnings, number, bytes, places, floats, ready };
 })();

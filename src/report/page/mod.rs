@@ -1,88 +1,131 @@
-//! `report.html`: what a run did, in one file that any browser opens from disk, without a network.
+//! The page of an answer: one file that any browser opens from disk, without a network.
 //!
-//! Numbers come from the summary, which the page holds as a whole; curves are thinned to what a screen shows.
-
-mod answer;
-mod frame;
+//! Its data are the document of the answer, what people are told and the figures, as JSON that the scripts in it read.
 
 use std::io::{self, Write};
+use std::path::Path;
 
 use serde_json::{Value, json};
 
-pub(super) use self::answer::AnswerPage;
-pub(super) use self::frame::Frame;
 use super::figure::Figure;
-use super::histories::Histories;
-use super::spectra::{estimated_figure, frequency_limit_of, spectra_figures};
-use super::terminal::shown_column;
-use crate::analysis::Channel;
-use crate::bearing::{BallLine, BearingState};
-use crate::rotor::Freedoms;
-use crate::simulate::Run;
-use crate::table::Column;
+use super::terminal::Lines;
+use super::{FileAction, ReportError, write_whole};
+use crate::scenario::visible;
+use crate::table::{ColumnKind, Table};
 
-const SCRIPT: &str = include_str!("page.js");
-const FILM: &str = include_str!("film.js");
+const FRAME: &str = include_str!("page.html");
+const STYLE: &str = include_str!("page.css");
 
-/// Writes the page of a run whose numbers stand in `summary`; `figures` are drawn beside its histories and spectra, and
-/// `film` shows its end in motion.
-pub(super) fn write_page(
-    summary: &Value,
-    run: &Run,
-    histories: &Histories,
-    figures: &[&Figure],
-    film: Option<Value>,
-    out: &mut impl Write,
-) -> io::Result<()> {
-    let limit = frequency_limit_of(run);
-    let spectra = run.spectrum.iter();
-    let spectra = spectra.flat_map(|spectrum| spectra_figures(spectrum, &run.peaks));
-    let further = run.spectra.iter();
-    let further = further.map(|spectrum| estimated_figure("", spectrum, limit));
-    let bearings = run.equilibrium.bearings.iter();
-    let data = json!({
-        "summary": summary,
-        "columns": columns(run),
-        "balls": bearings.map(|state| state.as_ref().map(balls)).collect::<Value>(),
-        "film": film,
-        "histories": histories.page_figure(),
-        "figures": figures,
-        "spectra": spectra.collect::<Vec<_>>(),
-        "furtherSpectra": further.collect::<Vec<_>>(),
+/// In order, each building on those before it.
+const SCRIPTS: [&str; 6] = [
+    include_str!("frame.js"),
+    include_str!("pen.js"),
+    include_str!("figure.js"),
+    include_str!("reading.js"),
+    include_str!("film.js"),
+    include_str!("page.js"),
+];
+
+/// Most rows of a table that are shown.
+const MOST_ROWS: usize = 200;
+
+/// What a page shows.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Page<'a> {
+    /// Its title, any text.
+    pub title: &'a str,
+    /// File beside the page that holds all numbers.
+    pub sealed: &'a str,
+    /// What people are told.
+    pub text: &'a Lines,
+    /// The figures.
+    pub figures: &'a [Figure],
+    /// The end of a run in motion.
+    pub film: Option<&'a Value>,
+    /// Tables by their names without ending.
+    pub tables: &'a [(&'static str, Table<'static>)],
+    /// The document of the answer.
+    pub document: &'a Value,
+}
+
+impl Page<'_> {
+    /// Writes the page.
+    pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
+        let data = json!({
+            "document": self.document,
+            "sealed": self.sealed,
+            "parts": self.text.parts().collect::<Vec<_>>(),
+            "figures": self.figures,
+            "film": self.film,
+            "tables": self.tables.iter().map(|(name, table)| rows(name, table)).collect::<Value>(),
+        });
+        let parts = [
+            ("title", escaped(self.title)),
+            ("sealed", escaped(self.sealed)),
+            ("version", env!("CARGO_PKG_VERSION").to_owned()),
+            ("style", STYLE.to_owned()),
+            // no text in the data can end the element that it stands in
+            ("data", data.to_string().replace('<', "\\u003c")),
+            ("script", SCRIPTS.concat()),
+        ];
+        fill(FRAME, &parts, out)
+    }
+
+    /// Writes the page as a file that belongs to no set.
+    ///
+    /// # Errors
+    /// [`ReportError::File`] where it cannot be written.
+    pub fn write_alone(&self, file: &Path) -> Result<(), ReportError> {
+        let mut text = Vec::new();
+        let written = self.write(&mut text);
+        written.map_err(ReportError::file(FileAction::Write, file))?;
+        write_whole(file, &text)
+    }
+}
+
+/// The first rows of a table, and how many there are.
+fn rows(name: &str, table: &Table<'_>) -> Value {
+    let columns = table.iter().map(|(column, values)| {
+        let shown = values.iter().take(MOST_ROWS);
+        let cell = |value: &f64| match &column.kind {
+            ColumnKind::Word(words) => json!(words.get(*value as usize)),
+            _ => json!(value),
+        };
+        json!({ "name": column, "cells": shown.map(cell).collect::<Value>() })
     });
-    let frame = Frame {
-        title: summary["title"].as_str().unwrap_or_default(),
-        sealed: "summary.json",
-        scripts: &[FILM, SCRIPT],
-    };
-    frame.write(&data, out)
+    json!({
+        "name": name,
+        "columns": columns.collect::<Value>(),
+        "rows": table.iter().next().map_or(0, |(_, values)| values.len()),
+    })
 }
 
-/// What the columns of equilibrium, statistics and velocities are called on the page, and their units.
-fn columns(run: &Run) -> Value {
-    let places = Channel::of_freedoms(Freedoms::All).into_iter();
-    let motion = run.motion.iter();
-    let statistics = motion.clone().flat_map(|motion| &motion.statistics);
-    let velocities = motion.flat_map(|motion| &motion.housing_velocity);
-    let severity = run.vibration_severity.iter().map(|own| own.channel);
-    let channels = places.chain(statistics.map(|own| own.channel));
-    let channels = channels.chain(velocities.map(|own| own.channel));
-    let told = |column: Column| {
-        let ((name, _), _) = shown_column(&column);
-        (column.name(), json!([name, column.unit]))
-    };
-    let columns = channels.chain(severity).map(Channel::column).map(told);
-    Value::Object(columns.collect())
+/// Writes the frame with every `{{name}}` replaced by the part of that name.
+fn fill(frame: &str, parts: &[(&str, String)], out: &mut impl Write) -> io::Result<()> {
+    let mut pieces = frame.split("{{");
+    out.write_all(pieces.next().unwrap_or_default().as_bytes())?;
+    for piece in pieces {
+        let (name, rest) = piece.split_once("}}").unwrap_or(("", piece));
+        let part = parts.iter().find(|(part, _)| *part == name);
+        if let Some((_, text)) = part {
+            out.write_all(text.as_bytes())?;
+        }
+        out.write_all(rest.as_bytes())?;
+    }
+    Ok(())
 }
 
-/// Every ball of a bearing: azimuth and contact angles in degrees, loads in N.
-fn balls(state: &BearingState) -> Value {
-    let ball = |line: &BallLine| {
-        json!({
-            "azimuth": line.azimuth.to_degrees(),
-            "load": [line.inner.load, line.outer.load],
-            "angle": [line.inner.angle.to_degrees(), line.outer.angle.to_degrees()],
-        })
-    };
-    state.balls.iter().map(ball).collect()
+/// Text as it may stand in HTML.
+fn escaped(text: &str) -> String {
+    let mut html = String::with_capacity(text.len());
+    for c in visible(text).chars() {
+        match c {
+            '&' => html += "&amp;",
+            '<' => html += "&lt;",
+            '>' => html += "&gt;",
+            '"' => html += "&quot;",
+            c => html.push(c),
+        }
+    }
+    html
 }

@@ -183,7 +183,9 @@ const figures = (() => {
   // Figures on the page.
 
   const captions = {
-    histories: "Of a long run a filled band shows between which values a curve stays; its end, and what is around the first events, is drawn sample by sample.",
+    velocity_spectrum: "Velocities of the shaft, 2πf times its displacements; the strongest lines have names.",
+    trace: "Of a long run a filled band shows between which values a curve stays; its end, and what is around the first events, is drawn sample by sample.",
+    histories: "Forces, loads, speed and energies over time, as far as they change.",
     waterfall: "Amplitudes over frequency in colours; lines are orders of the shaft.",
     order_tracks: "Amplitude and phase of orders of the shaft over its speed.",
     campbell: "Natural frequencies and damping ratios over the speed; grey lines are orders of the shaft, points are critical speeds.",

@@ -142,15 +142,23 @@ const GROUPS: [(&str, &str); 4] = [
     ("moment", "N m"),
 ];
 
-/// What pages show: velocities of the lengths, then amplitudes of channels of one unit together, each a figure.
-pub(in crate::report) fn spectra_figures(spectrum: &Spectrum, peaks: &[Peak]) -> Vec<Figure> {
+/// What a page shows beside displacements: their velocities, then amplitudes of channels of one unit together, each a
+/// figure.
+pub(in crate::report) fn spectra_figures(
+    title: &str,
+    spectrum: &Spectrum,
+    peaks: &[Peak],
+) -> Vec<Figure> {
     let groups = GROUPS.iter();
     let groups = groups.filter_map(|(name, unit)| shown_group(spectrum, peaks, name, unit));
-    let groups: Vec<_> = groups.collect();
-    let velocity = groups.iter().find(|group| group.name == "displacement");
-    let velocity = velocity.map(|group| velocity_of(spectrum, group));
-    let shown = velocity.iter().chain(&groups);
-    let figures = shown.map(|group| figure(&group.name, "", group, PAGE_HEIGHT));
+    let shown = groups.map(|group| match &*group.name {
+        "displacement" => velocity_of(spectrum, &group),
+        _ => group,
+    });
+    let figures = shown.map(|group| {
+        let name = format!("{}_spectrum", group.name);
+        figure(&name, title, &group, PAGE_HEIGHT).only_on_page()
+    });
     figures.collect()
 }
 
