@@ -96,7 +96,7 @@ impl Scene {
         Ok(found.to_string())
     }
 
-    /// The same with its defaults, JSON.
+    /// Its tables and values with their defaults, JSON.
     fn echo(&self) -> String {
         self.scenario.echo.to_string()
     }

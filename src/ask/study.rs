@@ -31,15 +31,15 @@ pub struct StudyQuestion<'a> {
 pub enum Asked {
     /// How the shaft moves.
     Motion(Box<Model>),
-    /// Where the shaft stands.
-    Standing(Box<StaticQuestion>),
+    /// Where the shaft rests.
+    Static(Box<StaticQuestion>),
 }
 
 impl Asked {
     fn rotor(&self) -> &RotorDefinition {
         match self {
             Self::Motion(model) => &model.rotor,
-            Self::Standing(question) => &question.rotor,
+            Self::Static(question) => &question.rotor,
         }
     }
 }
@@ -107,7 +107,7 @@ impl<'a> StudyQuestion<'a> {
                 .map(|model| Asked::Motion(model.into())),
             Ask::Bearing => study
                 .question(&values)
-                .map(|question| Asked::Standing(question.into())),
+                .map(|question| Asked::Static(question.into())),
         };
         let first = first.map_err(|issue| Issue {
             message: format!(
@@ -210,7 +210,7 @@ impl<'a> StudyQuestion<'a> {
             |chain, hand| match study.ask {
                 Ask::Run => maker.chain(chain, hand),
                 Ask::Bearing => {
-                    hand(Ok(self.stood(chain)));
+                    hand(Ok(self.static_row(chain)));
                 }
             },
             |row| -> Result<(), StudyError> {
@@ -230,12 +230,12 @@ impl<'a> StudyQuestion<'a> {
     }
 
     /// The row of a static question.
-    fn stood(&self, run: u64) -> RunRecord {
+    fn static_row(&self, run: u64) -> RunRecord {
         let values = self.study.plan.values(run);
         RunRecord {
             run,
             direction: Direction::Alone,
-            outcome: self.study.standing(&values),
+            outcome: self.study.static_outcome(&values),
             values,
         }
     }

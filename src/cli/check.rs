@@ -108,11 +108,11 @@ fn check(file: &Path) -> Result<Checked, ScenarioError> {
                     let warnings = model.first_warnings();
                     let warnings = warnings.unwrap_or_else(|error| failing(&error));
                     (
-                        Demand::of_runs(&model, &study, schedule.runs()).ok(),
+                        Demand::from_study(&model, &study, schedule.runs()).ok(),
                         warnings,
                     )
                 }
-                Asked::Standing(question) => {
+                Asked::Static(question) => {
                     let found = quasi_static(&question).map(|answer| answer.warnings);
                     (None, found.unwrap_or_else(|error| failing(&error)))
                 }
@@ -126,7 +126,7 @@ fn check(file: &Path) -> Result<Checked, ScenarioError> {
         }
         Loaded::Scenario(scenario) => {
             let model = scenario.model.as_ref();
-            let demand = model.map(|model| Demand::of(&scenario, model));
+            let demand = model.map(|model| Demand::from_scenario(&scenario, model));
             let warnings = match model {
                 Some(model) => model.first_warnings().map_err(refused(file))?,
                 None => {

@@ -42,7 +42,7 @@ impl Demand {
     ///
     /// # Errors
     /// [`SimulateError`] where it cannot be run at all.
-    pub fn of(scenario: &Scenario, model: &Model) -> Result<Self, SimulateError> {
+    pub fn from_scenario(scenario: &Scenario, model: &Model) -> Result<Self, SimulateError> {
         let size = RunSize::of(model)?;
         Ok(Self {
             runs: None,
@@ -55,7 +55,7 @@ impl Demand {
     ///
     /// # Errors
     /// [`SimulateError`] where that cannot be run at all.
-    pub fn of_runs(first: &Model, study: &StudyFile, runs: u64) -> Result<Self, SimulateError> {
+    pub fn from_study(first: &Model, study: &StudyFile, runs: u64) -> Result<Self, SimulateError> {
         let size = RunSize::of(first)?;
         let mut numbers = study.columns.len() as f64;
         if study.keep.traces {

@@ -8,7 +8,7 @@ use crate::scenario;
 
 /// Finds the inside of a bearing from what its catalogue prints: balls, ball diameter and grooves.
 ///
-/// The same is found for [bearing.ratings] of a scenario and for the bearings of the catalogue.
+/// For [bearing.ratings] of a scenario and for the bearings of the catalogue it is found in the same way.
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Example:\n  jeffcott estimate --bore 40mm --outside-diameter 80mm --contact-angle 0deg --dynamic 29.1kN \

@@ -121,12 +121,11 @@ fn or_blank(value: Option<impl ToString>) -> String {
 }
 
 fn add_reference(out: &mut Lines, agreement: &Agreement) {
-    let run = |(method, tolerance): &(String, f64)| format!("{method} at {tolerance:e}");
     let uncertainty = &agreement.uncertainty;
     let text = format!(
         "{}; {} is {} of the motion off: the uncertainty ({} µm, force {} N, lines {})",
-        run(&agreement.reference),
-        run(&agreement.other),
+        agreement.reference,
+        agreement.other,
         short(uncertainty.displacement_relative),
         short(MICRO * uncertainty.displacement),
         short(uncertainty.force),

@@ -92,7 +92,7 @@ fn collect(
 ) {
     let mut key = Key::at(path, schema);
     let written = given.and_then(Value::as_str);
-    let written = written.and_then(|text| quantity::parse(text, &Dimension::of_key(schema)).ok());
+    let written = written.and_then(|text| quantity::parse(text, &Dimension::from_key(schema)).ok());
     key.dimension = written.map(|parsed| parsed.dimension).or(key.dimension);
     for (name, property) in schema["properties"].as_object().into_iter().flatten() {
         let inner = join(&key.path, name);
@@ -190,7 +190,7 @@ impl Key {
             path: path.to_owned(),
             paths: vec![path.to_owned()],
             schema,
-            dimension: Dimension::of_key(schema).first().copied(),
+            dimension: Dimension::from_key(schema).first().copied(),
         }
     }
 
@@ -241,7 +241,7 @@ impl Key {
             return Err(Issue::new(name, message));
         }
         let content = match self.is_plain() {
-            true => Content::of_number(text),
+            true => Content::from_number(text),
             false => Content::Plain(text.into()),
         };
         let node = Node {
@@ -276,7 +276,7 @@ impl Key {
 
     /// Whether it can have a value, SI units.
     pub fn contains(&self, si: f64) -> bool {
-        Range::of(self.schema).contains(si)
+        Range::from_schema(self.schema).contains(si)
     }
 
     /// SI value and unit of a quantity.

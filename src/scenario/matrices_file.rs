@@ -72,8 +72,8 @@ impl MatricesFile {
         Ok(Mesh {
             nodes: self.nodes.clone(),
             plane: Plane {
-                mass: of_both("M", &mass, &planes)?,
-                stiffness: of_both("K", &stiffness, &planes)?,
+                mass: plane_matrix("M", &mass, &planes)?,
+                stiffness: plane_matrix("K", &stiffness, &planes)?,
                 polar: 0.5 * (&across + across.transpose()),
             },
         })
@@ -120,7 +120,7 @@ fn block(entries: &DMatrix<f64>, rows: &Coordinates, columns: &Coordinates) -> D
 }
 
 /// The matrix of one plane, where both, those of x and y, are alike.
-fn of_both(
+fn plane_matrix(
     name: &str,
     entries: &DMatrix<f64>,
     planes: &[Coordinates; 2],

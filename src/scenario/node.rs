@@ -83,14 +83,14 @@ impl From<&Node> for Value {
 
 impl Content {
     /// The whole number, or else the number, that a text is.
-    pub fn of_number(text: &str) -> Self {
+    pub fn from_number(text: &str) -> Self {
         match text.parse::<i64>() {
             Ok(integer) => Self::Plain(integer.into()),
-            Err(_) => Self::of_float(text.parse().unwrap_or(f64::NAN)),
+            Err(_) => Self::from_float(text.parse().unwrap_or(f64::NAN)),
         }
     }
 
-    fn of_float(number: f64) -> Self {
+    fn from_float(number: f64) -> Self {
         Number::from_f64(number).map_or(Self::NotFinite(number), |it| Self::Plain(it.into()))
     }
 
@@ -199,7 +199,7 @@ fn clamp(place: usize, text: &str) -> usize {
 fn json_node(value: &ast::Value<'_>, duplicates: &mut Vec<Issue>) -> Node {
     let content = match value {
         ast::Value::StringLit(text) => Content::Plain(text.value.as_ref().into()),
-        ast::Value::NumberLit(number) => Content::of_number(number.value),
+        ast::Value::NumberLit(number) => Content::from_number(number.value),
         ast::Value::BooleanLit(switch) => Content::Plain(switch.value.into()),
         ast::Value::NullKeyword(_) => Content::Plain(Value::Null),
         ast::Value::Array(array) => {
@@ -268,10 +268,10 @@ fn toml_node(value: &Spanned<DeValue<'_>>) -> Node {
             match i64::from_str_radix(digits, integer.radix()) {
                 Ok(integer) => Content::Plain(integer.into()),
                 // beyond 64 bits it is kept as the nearest number: the range check refuses it
-                Err(_) => Content::of_float(digits.parse().unwrap_or(f64::INFINITY)),
+                Err(_) => Content::from_float(digits.parse().unwrap_or(f64::INFINITY)),
             }
         }
-        DeValue::Float(float) => Content::of_float(float.as_str().parse().unwrap_or(f64::NAN)),
+        DeValue::Float(float) => Content::from_float(float.as_str().parse().unwrap_or(f64::NAN)),
         DeValue::Boolean(switch) => Content::Plain((*switch).into()),
         DeValue::Datetime(_) => Content::Date,
         DeValue::Array(items) => Content::List(items.iter().map(toml_node).collect()),

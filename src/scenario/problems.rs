@@ -40,7 +40,7 @@ impl<'a> Problems<'a> {
         }
     }
 
-    /// The same about another kind of file.
+    /// Nothing found yet in another kind of file.
     pub fn about(self, subject: &'static str) -> Self {
         Self { subject, ..self }
     }
@@ -189,19 +189,19 @@ impl Issue {
         }
     }
 
-    /// The same with its place in the text.
+    /// Adds its place in the text.
     pub(super) fn at(mut self, span: Option<Range<usize>>) -> Self {
         self.span = span;
         self
     }
 
-    /// The same with advice.
+    /// Adds advice.
     pub(crate) fn help(mut self, advice: impl Into<String>) -> Self {
         self.help = Some(advice.into());
         self
     }
 
-    /// The same with the nearest of the known words as advice, or with other advice where none is near.
+    /// Adds the nearest of the known words as advice, or other advice where none is near.
     pub(super) fn help_nearest<'a>(
         self,
         written: &str,
@@ -214,12 +214,12 @@ impl Issue {
         }
     }
 
-    /// The same as a contradiction to another key.
+    /// Makes it a contradiction to another key.
     pub(super) fn against(self, path: impl Into<String>) -> Self {
         self.against_all([path])
     }
 
-    /// The same as a contradiction to some keys.
+    /// Makes it a contradiction to some keys.
     pub(super) fn against_all(
         mut self,
         paths: impl IntoIterator<Item = impl Into<String>>,
@@ -308,7 +308,7 @@ impl ScenarioError {
         }
     }
 
-    /// The same for programs: for each problem its key, message, line, column and help; line and column count from 1,
+    /// Every problem for programs: its key, message, line, column and help; line and column count from 1,
     /// the column in characters.
     pub fn issues_json(&self) -> Value {
         let newlines = self.text.match_indices('\n').map(|(place, _)| place + 1);

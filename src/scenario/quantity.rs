@@ -283,7 +283,7 @@ impl Dimension {
     }
 
     /// What the values of a key measure, by its schema: nothing, or one of some dimensions.
-    pub fn of_key(schema: &Value) -> Vec<Self> {
+    pub fn from_key(schema: &Value) -> Vec<Self> {
         let names = schema["x-dimension"].as_str().into_iter();
         names
             .flat_map(|names| names.split(OR))

@@ -124,7 +124,7 @@ impl Reader<'_, '_> {
     }
 
     fn in_range(&mut self, value: Number) -> Option<Value> {
-        let range = Range::of(self.schema);
+        let range = Range::from_schema(self.schema);
         if value.as_f64().is_some_and(|number| range.contains(number)) {
             return Some(Value::Number(value));
         }
@@ -354,7 +354,7 @@ fn wrong_type(expected: &str, content: &Content, schema: &Value, path: &str) -> 
 fn plain_number(key: &str, text: &str, schema: &Value) -> String {
     let number = text.trim_start_matches(|c: char| c.is_alphabetic() || c.is_whitespace());
     let number = number.trim_end().parse::<f64>().ok();
-    match number.filter(|number| Range::of(schema).contains(*number)) {
+    match number.filter(|number| Range::from_schema(schema).contains(*number)) {
         Some(number) => format!("write it without quotes: {key} = {number}"),
         None => "write a plain number, without quotes and unit".to_owned(),
     }
@@ -370,7 +370,7 @@ pub(in crate::scenario) struct Range {
 
 impl Range {
     /// Limits of a plain number, or of a quantity in SI units.
-    pub fn of(schema: &Value) -> Self {
+    pub fn from_schema(schema: &Value) -> Self {
         let keys = match schema["x-dimension"].is_null() {
             true => ["minimum", "exclusiveMinimum", "maximum"],
             false => ["x-minimum", "x-above", "x-maximum"],
@@ -427,7 +427,7 @@ fn readable(number: f64) -> String {
 
 /// What keeps a text from being the quantity that the schema asks for.
 fn check(text: &str, schema: &Value, path: &str) -> Result<(), Issue> {
-    let dimensions = Dimension::of_key(schema);
+    let dimensions = Dimension::from_key(schema);
     let parsed = match parse(text, &dimensions) {
         Ok(parsed) => parsed,
         Err(QuantityError::NoUnit) => {
@@ -443,7 +443,7 @@ fn check(text: &str, schema: &Value, path: &str) -> Result<(), Issue> {
         }
         Err(error) => return Err(no_quantity(error, text.trim(), &dimensions, path)),
     };
-    let range = Range::of(schema);
+    let range = Range::from_schema(schema);
     if range.contains(parsed.si) {
         return Ok(());
     }
@@ -541,8 +541,8 @@ fn stand_in(schema: &Value) -> Option<Value> {
         return None;
     }
     let number = || match schema["type"].as_str()? {
-        "number" => Some(Range::of(schema).inside().into()),
-        "integer" => Some((Range::of(schema).inside().ceil() as i64).into()),
+        "number" => Some(Range::from_schema(schema).inside().into()),
+        "integer" => Some((Range::from_schema(schema).inside().ceil() as i64).into()),
         _ => None,
     };
     example(schema).or_else(number)

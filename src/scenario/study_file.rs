@@ -19,8 +19,8 @@ use crate::quasi_static::StaticQuestion;
 use crate::simulate::Model;
 use crate::study::Variable;
 use crate::study::many::{
-    Ask, Cycles, Keep, Maker, NumberColumn, Outcome, Schedule, Sweep, number_columns, standing,
-    standing_columns,
+    Ask, Cycles, Keep, Maker, NumberColumn, Outcome, Schedule, Sweep, number_columns,
+    static_columns, static_outcome,
 };
 use crate::study::plan::{Axis, MOST_RUNS, MOST_SOBOL_AXES, Plan, Sampling};
 
@@ -94,7 +94,7 @@ pub(super) fn check_study(document: &Document) -> Result<StudyFile, ScenarioErro
     }
     let mut problems = document.problems().about("the study");
     let study = match read(&mut problems) {
-        Some(input) => input.of_base(document, &mut problems)?,
+        Some(input) => input.on_base(document, &mut problems)?,
         None => None,
     };
     document.finish(study, problems).map(|(study, _)| study)
@@ -131,7 +131,7 @@ impl StudyFileInput {
     ///
     /// # Errors
     /// [`ScenarioError`] of that scenario.
-    fn of_base(
+    fn on_base(
         &self,
         document: &Document,
         problems: &mut Problems<'_>,
@@ -170,7 +170,7 @@ impl StudyFileInput {
                 return None;
             }
             Ask::Run => number_columns(rotor),
-            Ask::Bearing => standing_columns(rotor),
+            Ask::Bearing => static_columns(rotor),
         };
         self.check_asked(problems);
         let columns = self.columns(all, problems);
@@ -474,9 +474,9 @@ impl StudyFile {
     }
 
     /// The answer to the static question of a point, or why there is none.
-    pub(crate) fn standing(&self, values: &[f64]) -> Result<Outcome, String> {
+    pub(crate) fn static_outcome(&self, values: &[f64]) -> Result<Outcome, String> {
         let question = self.question(values).map_err(|error| error.message)?;
-        let found = standing(&question, &self.columns, self.positions);
+        let found = static_outcome(&question, &self.columns, self.positions);
         found.map_err(|error| error.to_string())
     }
 }

@@ -253,7 +253,7 @@ impl Unit {
         self.exponents == other.exponents
     }
 
-    /// The same unit times a number.
+    /// A unit that is so many times as large.
     pub fn times(self, number: f64) -> Self {
         let [factor, divisor] = Size {
             over: number * self.factor,

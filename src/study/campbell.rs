@@ -53,7 +53,7 @@ pub(crate) fn along_run_up(model: &Model, run: &mut Run) -> Option<Campbell> {
 
 /// Highest order times highest speed up to which branches are shown, unless a frequency is asked for, as a factor.
 const SHOWN: f64 = 1.5;
-/// The same of the lowest branch, so that a diagram is never empty.
+/// Frequency of the lowest branch up to which branches are shown at least, as a factor: no diagram is empty.
 const LEAST_SHOWN: f64 = 1.25;
 
 impl Campbell {
@@ -61,39 +61,23 @@ impl Campbell {
     /// speed where none is given, and at least a quarter above the lowest branch.
     #[must_use]
     pub fn up_to(mut self, highest: Option<f64>) -> Self {
-        let lowest = |branch: &Branch| {
-            let modes = branch.modes.iter().flatten();
-            modes
-                .map(Mode::damped_frequency)
-                .fold(f64::INFINITY, f64::min)
-        };
-        let first = self
-            .branches
-            .iter()
-            .map(lowest)
-            .fold(f64::INFINITY, f64::min);
+        let lowest: Vec<f64> = self.branches.iter().map(Branch::lowest_frequency).collect();
+        let first = lowest.iter().copied().fold(f64::INFINITY, f64::min);
         let order = self.orders.iter().copied().fold(1.0, f64::max);
         let speed = self.speeds.last().copied().unwrap_or(0.0);
-        let limit = highest.unwrap_or(SHOWN * order * speed / TAU);
-        let limit = if first.is_finite() {
-            limit.max(LEAST_SHOWN * first)
-        } else {
-            limit
-        };
-        let kept: Vec<bool> = self
-            .branches
-            .iter()
-            .map(|branch| lowest(branch) <= limit)
-            .collect();
-        let new_index = |old: usize| kept[..old].iter().filter(|kept| **kept).count();
-        self.critical_speeds
-            .retain(|critical| kept[critical.branch]);
-        for critical in &mut self.critical_speeds {
-            critical.branch = new_index(critical.branch);
+        let mut limit = highest.unwrap_or(SHOWN * order * speed / TAU);
+        if first.is_finite() {
+            limit = limit.max(LEAST_SHOWN * first);
         }
-        self.left_out = kept.iter().filter(|kept| !**kept).count();
-        let mut keep = kept.iter();
-        self.branches.retain(|_| keep.next() == Some(&true));
+        let is_kept = |branch: usize| lowest[branch] <= limit;
+        self.critical_speeds
+            .retain(|critical| is_kept(critical.branch));
+        for critical in &mut self.critical_speeds {
+            critical.branch = (0..critical.branch).filter(|other| is_kept(*other)).count();
+        }
+        let mut branch = 0..lowest.len();
+        self.branches.retain(|_| branch.next().is_some_and(is_kept));
+        self.left_out = lowest.len() - self.branches.len();
         self.highest_frequency = Some(limit);
         self
     }
@@ -125,6 +109,18 @@ pub struct Branch {
 }
 
 impl Branch {
+    /// Lowest frequency at any speed, Hz.
+    fn lowest_frequency(&self) -> f64 {
+        let frequencies = self.modes.iter().flatten().map(Mode::damped_frequency);
+        frequencies.fold(f64::INFINITY, f64::min)
+    }
+
+    /// Frequency at the lowest speed at which it has a mode, Hz.
+    fn first_frequency(&self) -> f64 {
+        let first = self.modes.iter().flatten().next();
+        first.map_or(f64::INFINITY, Mode::damped_frequency)
+    }
+
     /// How the shaft goes round in it: where it does so most clearly.
     pub fn whirl(&self) -> Whirl {
         let known = self.modes.iter().flatten();
@@ -255,7 +251,7 @@ impl CampbellQuestion {
         Ok(campbell)
     }
 
-    /// The same without the error of the reduction and warnings.
+    /// Branches and critical speeds, without the error of the reduction and warnings.
     fn diagram(&self) -> Result<Campbell, CampbellError> {
         check_range([self.from, self.to], self.count, &self.orders)?;
         let speeds = self.speeds();
@@ -346,14 +342,8 @@ fn follow(
         }
     };
     let mut branches: Vec<Branch> = (0..count).map(branch).collect();
-    branches.sort_by(|a, b| lowest(a).total_cmp(&lowest(b)));
+    branches.sort_by(|a, b| a.first_frequency().total_cmp(&b.first_frequency()));
     Ok((branches, least))
-}
-
-/// Frequency at the lowest speed at which a branch has a mode, Hz.
-fn lowest(branch: &Branch) -> f64 {
-    let first = branch.modes.iter().flatten().next();
-    first.map_or(f64::INFINITY, Mode::damped_frequency)
 }
 
 /// The branches at the second of two speeds, known at the first; in steps where they change much. Notes the `least`

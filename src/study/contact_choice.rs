@@ -160,7 +160,7 @@ fn at_level(
             Fidelity::JonesFilm if !inertia => Fidelity::HertzFilm,
             fidelity => fidelity,
         };
-        fidelity.of(bearing, bearing.oil)
+        fidelity.applied_to(bearing, bearing.oil)
     };
     let bearings = rotor.bearings.iter().zip(&question.open).map(lower);
     RotorDefinition {
@@ -224,7 +224,7 @@ struct Candidate {
 }
 
 impl Candidate {
-    pub fn new(rotor: &RotorDefinition) -> Result<Self, RotorError> {
+    fn new(rotor: &RotorDefinition) -> Result<Self, RotorError> {
         let mut supports = build_supports(rotor)?;
         let found = static_place(rotor, &supports, false, &[None; FREEDOMS])?;
         let position = found.equilibrium.displacement;
@@ -235,6 +235,11 @@ impl Candidate {
             supports,
             frozen: (position, rotor.speed),
         })
+    }
+
+    /// Length that turns tilts into displacements, m.
+    fn arm(&self) -> f64 {
+        Support::largest(&self.supports, Geometry::inner_groove_radius)
     }
 
     /// Force and stiffness of all bearings, the cages turned by a part of their ball spacing.
@@ -269,7 +274,7 @@ fn difference(
     points: &[Point],
 ) -> Difference {
     let active = rotor.shaft.freedoms.axes();
-    let arm = Support::largest(&top.supports, Geometry::inner_groove_radius);
+    let arm = top.arm();
     // the largest entry of the active freedoms as that of a force by a displacement, N/m
     let stiffest = |matrix: &Matrix5| {
         let entries = active
@@ -356,6 +361,7 @@ fn speeds(rotor: &RotorDefinition, settle: Option<f64>) -> Result<Vec<f64>, Roto
     speeds.dedup();
     Ok(speeds)
 }
+
 impl Point {
     /// Whether the shaft moves there.
     pub fn moves(&self) -> bool {
@@ -372,7 +378,7 @@ impl Point {
         let top = Candidate::new(&steady)?;
         let (middle, _) = top.frozen;
         let reach = reach(&steady, &top.supports, question)?;
-        let arm = Support::largest(&top.supports, Geometry::inner_groove_radius);
+        let arm = top.arm();
         let active = steady.shaft.freedoms.axes();
         let (_, stiffness) = top.tangent(&middle, 0.0, speed);
         let diagonal = |&axis: &usize| stiffness[(axis, axis)] / lever(axis, arm).powi(2);

@@ -17,7 +17,7 @@ pub enum Fidelity {
     HertzFilm,
     /// Ball equilibrium with inertia.
     Jones,
-    /// The same with oil films.
+    /// Ball equilibrium with inertia, the contacts parted by oil films.
     JonesFilm,
 }
 
@@ -43,7 +43,7 @@ impl Fidelity {
 
     /// The bearing at this level, its films of `oil` where the level has films. Jones's law keeps the race
     /// control that the bearing has, or takes that of the outer race.
-    pub(crate) fn of(self, bearing: &MountedBearing, oil: Option<Oil>) -> MountedBearing {
+    pub(crate) fn applied_to(self, bearing: &MountedBearing, oil: Option<Oil>) -> MountedBearing {
         let control = match bearing.law {
             ContactLaw::Jones(control) => control,
             _ => RaceControl::default(),
@@ -66,9 +66,8 @@ impl From<&MountedBearing> for Fidelity {
             (ContactLaw::Linear, _) => Self::Linear,
             (ContactLaw::Hertz, false) => Self::Hertz,
             (ContactLaw::Hertz, true) => Self::HertzFilm,
-            // what is none of the cheaper ones counts as exact
-            (_, false) => Self::Jones,
-            (_, true) => Self::JonesFilm,
+            (ContactLaw::Jones(_), false) => Self::Jones,
+            (ContactLaw::Jones(_), true) => Self::JonesFilm,
         }
     }
 }

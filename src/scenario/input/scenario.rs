@@ -116,7 +116,7 @@ pub struct Questions {
 }
 
 impl Questions {
-    /// The same with the warnings of the scenario, which all answers repeat.
+    /// Adds the warnings of the scenario, which all answers repeat.
     pub fn with_warnings(mut self, warnings: &[String]) -> Self {
         let model = self.model.as_mut().map(|model| &mut model.rotor);
         for rotor in std::iter::once(&mut self.question.rotor).chain(model) {

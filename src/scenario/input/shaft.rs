@@ -79,7 +79,7 @@ pub struct ShaftInput {
     /// instance "0.5 mrad". Default: "0 rad".
     #[schemars(extend("examples" = ["0.5 mrad"], "x-minimum" = -0.1, "x-maximum" = 0.1))]
     pub tilt_x: Option<Quantity<Angle>>,
-    /// The same about Y.
+    /// Misalignment: tilt about Y that the shaft is held at where the tilts do not move. Default: "0 rad".
     #[schemars(extend("examples" = ["0.5 mrad"], "x-minimum" = -0.1, "x-maximum" = 0.1))]
     pub tilt_y: Option<Quantity<Angle>>,
 }

@@ -43,10 +43,10 @@ pub struct SpectrumInput {
     /// with samples per revolution the last whole revolutions.
     #[schemars(extend("examples" = ["0.1 s"], "x-above" = 0.0))]
     pub segment: Option<Quantity<Time>>,
-    /// The same in revolutions, 1 to 1000000.
+    /// Length of the segments in revolutions, 1 to 1000000.
     #[schemars(range(min = 1, max = 1_000_000))]
     pub segment_revolutions: Option<u32>,
-    /// The same in samples, at least 16.
+    /// Length of the segments in samples, at least 16.
     #[schemars(range(min = 16, max = 1_000_000_000))]
     pub segment_samples: Option<u32>,
     /// Share of a segment that the next one holds too, 0 to 0.95. Default: 0.5.
@@ -72,7 +72,7 @@ pub enum KindChoice {
     /// A one-sided spectrum of each.
     #[default]
     Plain,
-    /// The same of the envelope of what stands in a `band`: what knocks regularly.
+    /// A one-sided spectrum of the envelope of each in a `band`: what knocks regularly.
     Envelope,
     /// Two-sided spectra of x + iy: positive frequencies turn with the shaft, negative ones against it.
     Whirl,

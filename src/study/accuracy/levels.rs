@@ -10,9 +10,9 @@ use std::sync::atomic::AtomicBool;
 use serde::{Serialize, Serializer};
 use serde_json::json;
 
-use super::reference::{Cost, Trial, measure as measure_cost, observe, with};
-use super::trace::View;
-use super::{Errors, Scale, unless_stopped};
+use super::Errors;
+use super::trial::{Cost, Trial, unless_stopped, with};
+use super::truth::{Scale, Truth};
 use crate::analysis::Moments;
 use crate::bearing::Oil;
 use crate::keys;
@@ -45,7 +45,7 @@ impl fmt::Display for Configuration {
 
 impl Configuration {
     /// The configuration of a scene; of bearings with different laws the highest counts.
-    fn of(rotor: &RotorDefinition) -> Option<Self> {
+    fn from_rotor(rotor: &RotorDefinition) -> Option<Self> {
         let fidelity = rotor.bearings.iter().map(Fidelity::from).max()?;
         Some(Self {
             fidelity,
@@ -59,7 +59,7 @@ impl Configuration {
         let mut model = with(model, model.integrator.method, model.integrator.tolerance);
         let oils = oils.iter().copied().chain(std::iter::repeat(None));
         for (bearing, oil) in model.rotor.bearings.iter_mut().zip(oils) {
-            *bearing = self.fidelity.of(bearing, oil);
+            *bearing = self.fidelity.applied_to(bearing, oil);
         }
         model.rotor.cage = self.cage;
         model.rotor.shaft.freedoms = self.freedoms;
@@ -122,7 +122,7 @@ const FREEDOMS: [Freedoms; 3] = [Freedoms::All, Freedoms::Translational, Freedom
 
 /// The levels of a scene, the highest first.
 pub(super) fn plan(model: &Model, oils: &[Option<Oil>]) -> Vec<Level> {
-    let written = Configuration::of(&model.rotor);
+    let written = Configuration::from_rotor(&model.rotor);
     let level = |configuration: Configuration| Level {
         configuration,
         as_written: written == Some(configuration),
@@ -191,20 +191,20 @@ pub(super) fn measure(
     mut done: impl FnMut(),
 ) -> Result<FidelityLevels, SimulateError> {
     let mut rows = Vec::new();
-    let mut truth: Option<(Trial, Scale)> = None;
+    let mut truth: Option<Truth> = None;
     let mut top = None;
     for level in levels {
         let result = match level.model {
             Err(reason) => Err(reason),
             Ok(model) => {
-                let run = unless_stopped(run(&model, truth.as_ref(), settle, stop))?;
-                run.map(|(cost, errors, trial)| {
-                    if truth.is_none() {
+                let run = || Ok((Cost::measure(&model, stop)?, Trial::run(&model, stop)?));
+                unless_stopped(run())?.map(|(cost, trial)| match &truth {
+                    Some(truth) => (cost, truth.errors(&trial)),
+                    None => {
                         top = Some(level.configuration);
-                        let scale = vibration(&trial);
-                        truth = Some((trial, scale));
+                        let highest = truth.insert(vibration(trial, settle));
+                        (cost, highest.errors(&highest.trial))
                     }
-                    (cost, errors)
                 })
             }
         };
@@ -218,31 +218,17 @@ pub(super) fn measure(
     Ok(FidelityLevels { top, rows })
 }
 
-/// Runs a level; without a `truth` it is the truth itself.
-fn run(
-    model: &Model,
-    truth: Option<&(Trial, Scale)>,
-    from: f64,
-    stop: &AtomicBool,
-) -> Result<(Cost, Errors, Trial), SimulateError> {
-    let rotor = Rotor::assemble(&model.rotor)?;
-    let scale = rotor.motion_scale(model.integrator.tolerance);
-    let view = View::new(&rotor, &scale, model);
-    let trial = observe(model, view, stop)?;
-    // about the mean of the difference
-    let rms = Moments::rms;
-    let errors = match truth {
-        Some((truth, scale)) => Errors::between(&trial, truth, scale, rms, from),
-        None => Errors::between(&trial, &trial, &vibration(&trial), rms, from),
-    };
-    Ok((measure_cost(model, stop)?, errors, trial))
-}
-
-/// What differences are relative to.
-fn vibration(trial: &Trial) -> Scale {
-    let [displacement, force] = trial.trace.vibration();
-    Scale {
-        displacement: displacement.max(f64::MIN_POSITIVE),
-        force: force.max(f64::MIN_POSITIVE),
+/// The run of the highest level as what the others are compared with, by their vibration about their own means.
+fn vibration(trial: Trial, settle: f64) -> Truth {
+    let size = trial.trace.vibration();
+    let [displacement, force] = size.map(|size| size.max(f64::MIN_POSITIVE));
+    Truth {
+        trial,
+        scale: Scale {
+            displacement,
+            force,
+        },
+        norm: Moments::rms,
+        from: settle,
     }
 }

@@ -6,8 +6,8 @@ use std::io;
 use serde::Serialize;
 
 use crate::analysis::Moments;
-use crate::rotor::{FREEDOMS, Freedoms, MotionScale, Rotor, Sample};
-use crate::simulate::{Model, TraceSink};
+use crate::rotor::{FREEDOMS, MotionScale, Rotor, Sample};
+use crate::simulate::{Model, SimulateError, TraceSink};
 
 /// Most points that are kept of a trace.
 const MOST_POINTS: u64 = 1 << 17;
@@ -56,44 +56,17 @@ impl Statistics {
     }
 }
 
-/// What is compared of a scene, the same for all its runs.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct View {
-    /// Freedoms that count.
-    pub freedoms: Freedoms,
-    /// Length that turns tilts into displacements and moments into forces, m.
-    pub arm: f64,
-    /// Time from which statistics count, s.
-    pub settle: f64,
-    /// Every how many samples a point is kept.
-    pub stride: u64,
-}
-
-impl View {
-    /// The view of the motion of a model.
-    pub fn new(rotor: &Rotor, scale: &MotionScale, model: &Model) -> Self {
-        Self {
-            freedoms: rotor.freedoms(),
-            arm: scale.arm,
-            settle: model.settle,
-            stride: (model.samples() / MOST_POINTS as f64).ceil().max(1.0) as u64,
-        }
-    }
-
-    /// Factor that makes a length of a displacement (`quantity` 0) and a force of a moment (1).
-    fn lever(&self, quantity: usize, axis: usize) -> f64 {
-        match (axis < 3, quantity) {
-            (true, _) => 1.0,
-            (false, 0) => self.arm,
-            (false, _) => 1.0 / self.arm,
-        }
-    }
-}
-
 /// The trace of a run as far as it is compared.
 #[derive(Debug, Clone)]
 pub(super) struct Trace {
-    view: View,
+    /// Freedoms that count.
+    axes: &'static [usize],
+    /// Length that turns tilts into displacements and moments into forces.
+    scale: MotionScale,
+    /// Time from which statistics count, s.
+    settle: f64,
+    /// Every how many samples a point is kept.
+    stride: u64,
     samples: u64,
     times: Vec<f64>,
     points: Vec<Point>,
@@ -101,21 +74,32 @@ pub(super) struct Trace {
 }
 
 impl Trace {
-    pub fn new(view: View) -> Self {
-        Self {
-            view,
+    /// That of a run of a model that is to begin.
+    pub fn new(model: &Model) -> Result<Self, SimulateError> {
+        let rotor = Rotor::assemble(&model.rotor)?;
+        Ok(Self {
+            axes: rotor.freedoms().axes(),
+            scale: rotor.motion_scale(model.integrator.tolerance),
+            settle: model.settle,
+            stride: (model.samples() / MOST_POINTS as f64).ceil().max(1.0) as u64,
             samples: 0,
             times: Vec::new(),
             points: Vec::new(),
             moments: [[Moments::default(); FREEDOMS]; 2],
-        }
+        })
+    }
+
+    /// Factor that makes a length of a displacement (`quantity` 0) and a force of a moment (1).
+    fn lever(&self, quantity: usize, axis: usize) -> f64 {
+        let lever = self.scale.lever(axis);
+        if quantity == 0 { lever } else { 1.0 / lever }
     }
 
     /// Largest value of displacements and of forces over the freedoms that move, by quantity, axis and lever.
     fn largest(&self, value: impl Fn(usize, usize, f64) -> f64) -> [f64; 2] {
         [0, 1].map(|quantity| {
-            let axes = self.view.freedoms.axes().iter();
-            let values = axes.map(|&axis| value(quantity, axis, self.view.lever(quantity, axis)));
+            let axes = self.axes.iter();
+            let values = axes.map(|&axis| value(quantity, axis, self.lever(quantity, axis)));
             values.fold(0.0, f64::max)
         })
     }
@@ -141,10 +125,9 @@ impl Trace {
             norm(&differences.collect())
         });
         let statistics = [0, 1].map(|quantity| {
-            let axes = truth.view.freedoms.axes().iter();
-            let differences = axes.map(|&axis| {
+            let differences = truth.axes.iter().map(|&axis| {
                 let [own, other] = [self, truth].map(|trace| trace.statistics(quantity, axis));
-                own.distance(&other).times(truth.view.lever(quantity, axis))
+                own.distance(&other).times(truth.lever(quantity, axis))
             });
             differences.fold(Statistics::default(), |largest, next| largest.larger(&next))
         });
@@ -156,8 +139,8 @@ impl Trace {
     pub fn growth(&self, other: &Self, parts: usize) -> f64 {
         let length = self.points.len().div_ceil(parts).max(1);
         let apart = |(left, right): (&Point, &Point)| {
-            let axes = self.view.freedoms.axes().iter();
-            axes.map(|&axis| self.view.lever(0, axis) * (left[0][axis] - right[0][axis]).abs())
+            let axes = self.axes.iter();
+            axes.map(|&axis| self.lever(0, axis) * (left[0][axis] - right[0][axis]).abs())
                 .fold(0.0, f64::max)
         };
         let pairs: Vec<f64> = self.points.iter().zip(&other.points).map(apart).collect();
@@ -197,12 +180,12 @@ impl TraceSink for Trace {
             sample.displacement,
             sample.force_on_shaft.unwrap_or_default(),
         ];
-        if self.samples.is_multiple_of(self.view.stride) {
+        if self.samples.is_multiple_of(self.stride) {
             self.times.push(sample.time);
             self.points.push(point);
         }
         self.samples += 1;
-        if sample.time >= self.view.settle {
+        if sample.time >= self.settle {
             let moments = self.moments.as_flattened_mut().iter_mut();
             for (moments, value) in moments.zip(point.as_flattened()) {
                 moments.take(*value);

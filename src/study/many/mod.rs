@@ -4,7 +4,7 @@
 mod numbers;
 mod record;
 mod schedule;
-mod standing;
+mod statics;
 
 use std::io;
 use std::sync::atomic::AtomicBool;
@@ -17,7 +17,7 @@ pub use record::{BearingStiffness, Line, Outcome, Place, Point, RunRecord, Trace
 use record::{Carried, RunSink};
 use schedule::Turn;
 pub use schedule::{Cycles, Direction, Schedule, Shard, Sweep, cycles_a_revolution, work};
-pub use standing::{AROUND, standing, standing_columns};
+pub use statics::{AROUND, static_columns, static_outcome};
 
 use crate::analysis::{Channel, Motion, SectionKind, Spectrum};
 use crate::integrate::IntegrateError;
@@ -219,7 +219,11 @@ impl Maker<'_> {
         let points = run.motion.as_ref().zip(self.keep.section);
         let equilibrium = Some(&run.equilibrium).filter(|_| self.keep.bearing_stiffness);
         Outcome {
-            numbers: self.columns.iter().map(|column| column.of(run)).collect(),
+            numbers: self
+                .columns
+                .iter()
+                .map(|column| column.in_run(run))
+                .collect(),
             spectrum: spectrum.map_or_else(Vec::new, |(spectrum, order)| lines(spectrum, order)),
             points: points.map_or_else(Vec::new, |(motion, section)| {
                 section_points(motion, section)

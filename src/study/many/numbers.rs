@@ -60,7 +60,7 @@ impl NumberColumn {
     }
 
     /// A number of the answer to a static question.
-    pub(super) fn of_answer(
+    pub(super) fn from_answer(
         column: Column,
         value: impl Fn(&QuasiStatic) -> f64 + Send + Sync + 'static,
     ) -> Self {
@@ -71,7 +71,7 @@ impl NumberColumn {
     }
 
     /// The number of a run; NaN where it has none.
-    pub fn of(&self, run: &Run) -> f64 {
+    pub fn in_run(&self, run: &Run) -> f64 {
         match &self.value {
             Value::Run(value) => value(run).unwrap_or(f64::NAN),
             Value::Answer(_) => f64::NAN,
@@ -138,7 +138,7 @@ fn housing_velocity(channel: Channel) -> NumberColumn {
 }
 
 /// Numbers of housings and of single bearings, whose forces along freedoms that move are recorded where there are several.
-fn of_parts(rotor: &RotorDefinition) -> Vec<NumberColumn> {
+fn part_columns(rotor: &RotorDefinition) -> Vec<NumberColumn> {
     let mut columns = Vec::new();
     let mut parts: Vec<_> = Channel::of_parts(rotor)
         .into_iter()
@@ -168,7 +168,7 @@ fn of_parts(rotor: &RotorDefinition) -> Vec<NumberColumn> {
 }
 
 /// What is observed of a bearing.
-fn of_bearing(bearing: usize) -> [NumberColumn; 4] {
+fn bearing_columns(bearing: usize) -> [NumberColumn; 4] {
     let own = |what: &str, unit| Column::number(format!("bearing_{}_{what}", bearing + 1), unit);
     let zone = move |run: &Run| Some(run.bearings.get(bearing)?.load_zone?.balls.smallest);
     let lost = move |run: &Run| {
@@ -245,8 +245,8 @@ pub fn number_columns(rotor: &RotorDefinition) -> Vec<NumberColumn> {
         number(Column::number("drift", ""), STATISTICS, drift),
         number(Channel::LargestBallLoad.column(), NOTHING, load),
     ]);
-    columns.extend(of_parts(rotor));
-    columns.extend((0..bearings).flat_map(of_bearing));
+    columns.extend(part_columns(rotor));
+    columns.extend((0..bearings).flat_map(bearing_columns));
     let error = |run: &Run| Some(run.measured_error.as_ref()?.relative);
     let evaluations = |run: &Run| Some(run.counters.evaluations as f64);
     columns.extend([

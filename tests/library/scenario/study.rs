@@ -23,7 +23,7 @@ fn study(axis: &str, keep: &str) -> StudyFile {
 fn answers(study: &StudyFile) -> Vec<Result<Outcome, String>> {
     let points = 0..study.plan.runs().expect("few values");
     points
-        .map(|point| study.standing(&study.plan.values(point)))
+        .map(|point| study.static_outcome(&study.plan.values(point)))
         .collect()
 }
 

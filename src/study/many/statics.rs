@@ -78,37 +78,32 @@ pub const AROUND: [Named<Around>; 6] = [
 ];
 
 /// The numbers of every answer to questions about a rotor.
-pub fn standing_columns(rotor: &RotorDefinition) -> Vec<NumberColumn> {
-    let mut columns = Vec::new();
-    for axis in 0..FREEDOMS {
+pub fn static_columns(rotor: &RotorDefinition) -> Vec<NumberColumn> {
+    let displacements = (0..FREEDOMS).map(|axis| {
         let column = Channel::Displacement(axis).column();
-        columns.push(NumberColumn::of_answer(column, move |answer| {
-            answer.displacement[axis]
-        }));
-    }
-    for axis in 0..FREEDOMS {
+        NumberColumn::from_answer(column, move |answer| answer.displacement[axis])
+    });
+    let forces = (0..FREEDOMS).map(|axis| {
         let column = Channel::Force(axis).column();
-        columns.push(NumberColumn::of_answer(column, move |answer| {
-            answer.force[axis]
-        }));
-    }
-    for (axis, column) in keys::diagonal_columns().into_iter().enumerate() {
-        columns.push(NumberColumn::of_answer(column, move |answer| {
-            answer.stiffness[(axis, axis)]
-        }));
-    }
+        NumberColumn::from_answer(column, move |answer| answer.force[axis])
+    });
+    let diagonal = keys::diagonal_columns().into_iter().enumerate();
+    let stiffness = diagonal.map(|(axis, column)| {
+        NumberColumn::from_answer(column, move |answer| answer.stiffness[(axis, axis)])
+    });
+    let mut columns: Vec<_> = displacements.chain(forces).chain(stiffness).collect();
     columns.extend(SHAFT.map(|(quantity, unit, value)| {
-        NumberColumn::of_answer(Column::number(quantity, unit), value)
+        NumberColumn::from_answer(Column::number(quantity, unit), value)
     }));
-    columns.extend((0..rotor.bearings.len()).flat_map(of_bearing));
+    columns.extend((0..rotor.bearings.len()).flat_map(bearing_columns));
     columns
 }
 
 /// The numbers of a bearing.
-fn of_bearing(bearing: usize) -> Vec<NumberColumn> {
+fn bearing_columns(bearing: usize) -> Vec<NumberColumn> {
     let number = |quantity: &str, unit, value: Box<dyn Fn(&BearingState) -> f64 + Send + Sync>| {
         let column = Column::number(format!("bearing_{}_{quantity}", bearing + 1), unit);
-        NumberColumn::of_answer(column, move |answer| {
+        NumberColumn::from_answer(column, move |answer| {
             answer.bearings.get(bearing).map_or(f64::NAN, &value)
         })
     };
@@ -139,7 +134,7 @@ impl Place {
 ///
 /// # Errors
 /// [`RotorError`] where it has no answer.
-pub fn standing(
+pub fn static_outcome(
     question: &StaticQuestion,
     columns: &[NumberColumn],
     positions: Option<usize>,
