@@ -41,7 +41,7 @@ impl<'a> ResponseQuestion<'a> {
     /// Motions a branch has at most, where nothing else is asked for.
     pub const MOST_POINTS: usize = 20_000;
 
-    /// Asks about a scenario whose files stand in `folder`.
+    /// Asks about a scenario whose files are in `folder`.
     ///
     /// # Errors
     /// [`AskError::Asked`] where nothing moves, where there is no such number, or where the scenario does not exist at

@@ -74,7 +74,7 @@ impl From<StudyError> for AskError {
     }
 }
 
-/// Puts the parts of a study together, in the folder that they stand in: to the bytes of the study made in one piece.
+/// Puts the parts of a study together, in their folder: to the bytes of the study made in one piece.
 ///
 /// # Errors
 /// [`AskError::Asked`] where a part is missing, broken or of another study, [`AskError::Failed`] where a file cannot be

@@ -71,11 +71,11 @@ struct Checked {
     warnings: Vec<String>,
     /// What it takes; none where nothing moves, and of a study whose first run cannot begin.
     demand: Option<Demand>,
-    /// What stands there; none of a study.
+    /// The shaft with its parts; none of a study.
     scene: Option<RotorDefinition>,
 }
 
-/// Draws what stands there; tells why where that cannot be.
+/// Draws the shaft with its parts; tells why where that cannot be.
 fn draw(checked: &Checked, file: &Path) -> bool {
     let Some(scene) = &checked.scene else {
         terminal::refuse("--figure draws the shaft of a scenario, and this is a study");
@@ -95,7 +95,7 @@ fn refused<E: Display>(file: &Path) -> impl FnOnce(E) -> ScenarioError {
     move |error| ScenarioError::new(&name, "", vec![Issue::new("", error.to_string())])
 }
 
-/// Checks a file, and whether its motion can begin, or without one its shaft stands.
+/// Checks a file, and whether its motion can begin, or without one its shaft has an equilibrium.
 fn check(file: &Path) -> Result<Checked, ScenarioError> {
     let mut checked = match scenario::load_any(file)? {
         Loaded::Study(study) => {

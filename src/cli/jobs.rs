@@ -47,7 +47,7 @@ pub struct Answer {
     /// For people.
     pub text: String,
     /// For people, on stderr.
-    pub told: String,
+    pub remark: String,
     /// For programs: the document, and the files that were written.
     pub json: Value,
     /// Whether it leaves out a part of what was asked for, of which a warning tells.
@@ -77,7 +77,7 @@ impl Files {
     }
 
     /// Asks a question about each file, and where all are right answers them in turn, as they come; JSON
-    /// stands in one document at the end, where a file without an answer has its `error`.
+    /// is one document at the end, where a file without an answer has its `error`.
     ///
     /// # Errors
     /// Whatever keeps stdout from taking the answers.
@@ -229,9 +229,9 @@ impl Job {
 
     /// Tells those warnings that were not told with the scenario.
     pub fn warn_besides<'a>(&self, warnings: impl IntoIterator<Item = &'a str>) {
-        let told = &self.scenario.warnings;
+        let known = &self.scenario.warnings;
         let warnings = warnings.into_iter();
-        self.warn(warnings.filter(|warning| told.iter().all(|known| known != warning)));
+        self.warn(warnings.filter(|warning| known.iter().all(|known| known != warning)));
     }
 
     /// Tells warnings.
@@ -251,7 +251,7 @@ impl Answer {
         json["files"] = files.map(|file| file.display().to_string()).collect();
         Self {
             text,
-            told: String::new(),
+            remark: String::new(),
             json,
             incomplete: found.incomplete,
         }
@@ -263,7 +263,7 @@ impl Answer {
     /// Whatever keeps stdout from taking it.
     fn tell(&self) -> io::Result<()> {
         terminal::summarise(&self.text)?;
-        terminal::remark(&self.told);
+        terminal::remark(&self.remark);
         Ok(())
     }
 
@@ -286,7 +286,7 @@ impl Answer {
     pub fn timed(mut self, started: Instant) -> Self {
         let seconds = started.elapsed().as_secs_f64();
         self.json["wall_time_s"] = seconds.into();
-        self.told = format!("done in {seconds:.3} s\n");
+        self.remark = format!("done in {seconds:.3} s\n");
         self
     }
 }

@@ -20,7 +20,7 @@ const SLOW: f64 = 60.0;
 const WORK: [f64; 3] = [0.44, 0.56, 0.6];
 /// What they are called.
 const PASSES: [&str; 3] = ["", " (second pass)", " (pass with more modes)"];
-/// Times the end that was last told from which on a later one is told, too.
+/// Times the end that was last announced from which on a later one is announced, too.
 const LATER: f64 = 2.0;
 /// Steps in a period of the fastest natural vibration above which it is not what they follow.
 const STEPS_A_PERIOD: f64 = 100.0;
@@ -65,8 +65,8 @@ pub struct PaceWatch<'a> {
     started: Instant,
     looks: VecDeque<Look>,
     progress: Progress,
-    /// The time from start to end, s, that was told, if any.
-    told: Option<f64>,
+    /// The time from start to end, s, that was announced, if any.
+    announced: Option<f64>,
 }
 
 impl<'a> PaceWatch<'a> {
@@ -79,7 +79,7 @@ impl<'a> PaceWatch<'a> {
             started: Instant::now(),
             looks: VecDeque::new(),
             progress: Progress::new(&job.scenario.title),
-            told: None,
+            announced: None,
         }
     }
 
@@ -94,12 +94,12 @@ impl<'a> PaceWatch<'a> {
         self.progress.show_with(present.part, words);
         let elapsed = self.started.elapsed();
         let all = elapsed.as_secs_f64() + present.left;
-        let is_news = self.told.is_none_or(|told| all > LATER * told);
+        let is_news = self.announced.is_none_or(|before| all > LATER * before);
         let is_due = elapsed > PATIENCE && self.looks.len() == LOOKS;
         if is_due && is_news && present.left > SLOW {
             let slowness = self.slowness(&present);
             self.progress.hidden(|| self.job.warn([slowness]));
-            self.told = Some(all);
+            self.announced = Some(all);
         }
     }
 
@@ -179,7 +179,7 @@ impl<'a> PaceWatch<'a> {
             Some(step) => format!("steps of {step:.1e} s, {steps:.0} a second"),
             None => format!("no step in the last {:.0} s", present.seconds),
         };
-        let mut told = format!(
+        let mut text = format!(
             "slow: at t = {:.4e} s of {} s{} after {:.0} s, {}; {stepped}, {evaluations:.1e} evaluations a second",
             present.time,
             self.model.duration,
@@ -189,11 +189,11 @@ impl<'a> PaceWatch<'a> {
         );
         let rotor = self.rotor(present.pass).ok();
         let follows = present.step.zip(rotor.as_ref());
-        told += &follows.map_or_else(String::new, |(step, rotor)| {
+        text += &follows.map_or_else(String::new, |(step, rotor)| {
             what_steps_follow(step, rotor, self.model.integrator.method)
         });
         if rejected > MANY_REJECTED * (steps + rejected) {
-            told += &format!(
+            text += &format!(
                 "; {:.0} % of the trials are rejected, as where contacts part and meet again and again or a force \
                  has corners",
                 100.0 * rejected / (steps + rejected)
@@ -201,9 +201,9 @@ impl<'a> PaceWatch<'a> {
         }
         let gains = rotor.as_ref().is_some_and(Rotor::gains_from_tables);
         if evaluations < COSTLY && gains && !self.model.table {
-            told += "; the bearings are costly to evaluate: table = true in [model] compiles their balls";
+            text += "; the bearings are costly to evaluate: table = true in [model] compiles their balls";
         }
-        told + &format!(
+        text + &format!(
             "; a tolerance above {:.0e} in [integrator] takes longer steps, Ctrl-C ends the run",
             self.model.integrator.tolerance
         )

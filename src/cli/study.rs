@@ -214,7 +214,7 @@ impl Make {
         let (count, seconds) = (question.runs(), started.elapsed().as_secs_f64());
         let rate = count as f64 / seconds;
         Ok(Answer {
-            told: format!("{count} runs in {seconds:.3} s, {rate:.4} a second\n"),
+            remark: format!("{count} runs in {seconds:.3} s, {rate:.4} a second\n"),
             ..answered(&findings)
         })
     }

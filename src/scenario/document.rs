@@ -103,7 +103,7 @@ impl Document {
         Problems::new(&self.root, self.folder())
     }
 
-    /// The error of a single problem, shown where it stands.
+    /// The error of a single problem, shown at its place.
     pub fn refused(&self, issue: Issue) -> ScenarioError {
         let mut problems = self.problems();
         problems.add(issue);

@@ -13,7 +13,7 @@ use super::problems::Problems;
 use super::quantity::{Dimension, Parsed};
 use super::reader::Range;
 use super::schema::schema;
-use super::{Issue, Scenario, quantity, questions_at, reader, without};
+use super::{Issue, Scenario, quantity, questions, reader, without};
 use crate::integrate::Method;
 use crate::rotor::RotorDefinition;
 use crate::study::Variable;
@@ -213,7 +213,7 @@ impl Key {
         (&self.schema["type"], self.dimension, self.words())
     }
 
-    /// The value that stands at a path of the file that is read, if this key can have it.
+    /// The value at a path of the file that is read, if this key can have it.
     pub fn read(&self, path: &str, problems: &mut Problems<'_>) -> Option<Value> {
         self.value(problems.node(path)?, path, problems)
     }
@@ -348,7 +348,7 @@ pub struct OpenNumber {
 
 impl OpenNumber {
     /// The scenario with the number at a path open, for instance `speed.constant` or `bearing[*].preload`; the files
-    /// that it names stand in `folder`.
+    /// that it names are in `folder`.
     ///
     /// # Errors
     /// [`Issue`] where there is no such number, where it is a whole number, and where the law of the
@@ -397,8 +397,13 @@ impl OpenNumber {
     /// # Errors
     /// [`Issue`] with what is wrong with it there.
     pub fn rotor(&self, si: f64) -> Result<RotorDefinition, Issue> {
-        let questions = questions_at(&self.base, &self.key, si, &self.folder)?;
-        Ok(questions.motion()?.rotor)
+        let (mut scenario, value) = (self.base.clone(), self.key.written(si));
+        self.key.set(&mut scenario, &value);
+        let asked = questions(&scenario, &self.folder).map_err(|issue| Issue {
+            message: format!("with {} = {value}: {}", self.key.path, issue.message),
+            ..issue
+        });
+        Ok(asked?.motion()?.rotor)
     }
 }
 

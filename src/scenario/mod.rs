@@ -40,7 +40,6 @@ use super::simulate::{Model, RecordedRun, SimulateError};
 use super::study::ContactChoice;
 use document::Document;
 use input::{Questions, RatingsInput, ScenarioInput};
-use key::Key;
 use node::Node;
 use problems::Problems;
 
@@ -180,23 +179,13 @@ fn check_title(title: Option<&str>, problems: &mut Problems<'_>) {
     }
 }
 
-/// What a scenario asks with one number put in; the files that it names stand in `folder`.
-fn questions_at(base: &Value, key: &Key, si: f64, folder: &Path) -> Result<Questions, Issue> {
-    let (mut scenario, value) = (base.clone(), key.written(si));
-    key.set(&mut scenario, &value);
-    questions(&scenario, folder).map_err(|issue| Issue {
-        message: format!("with {} = {value}: {}", key.path, issue.message),
-        ..issue
-    })
-}
-
-/// What a scenario asks; the files that it names stand in `folder`.
+/// What a scenario asks; the files that it names are in `folder`.
 fn questions(scenario: &Value, folder: &Path) -> Result<Questions, Issue> {
     let (_, questions, warnings) = built(scenario, folder)?;
     Ok(questions.with_warnings(&warnings))
 }
 
-/// The tables of a scenario, what they ask and warnings; the files that it names stand in `folder`.
+/// The tables of a scenario, what they ask and warnings; the files that it names are in `folder`.
 fn built(
     scenario: &Value,
     folder: &Path,

@@ -12,7 +12,7 @@ use toml::de::{DeTable, DeValue};
 use super::key::index;
 use super::problems::Issue;
 
-/// A value and where it stands.
+/// A value and its place.
 #[derive(Debug)]
 pub(super) struct Node {
     /// Bytes of the text; for a TOML table, its header.
@@ -38,7 +38,7 @@ pub(super) enum Content {
 pub(super) struct Entry {
     /// The key.
     pub key: String,
-    /// Where the key stands.
+    /// Its place.
     pub key_span: Range<usize>,
     /// The value.
     pub node: Node,
@@ -132,7 +132,7 @@ impl Node {
         }
     }
 
-    /// Where the value of a path stands; of a value that is missing, the innermost table that
+    /// Place of the value of a path; of a value that is missing, the innermost table that
     /// should hold it. The whole file has no place.
     pub fn locate(&self, path: &str) -> Option<Range<usize>> {
         let mut node = self;

@@ -1,4 +1,4 @@
-//! What is wrong with a scenario: collected while it is read and checked, shown with the lines that it stands on.
+//! What is wrong with a scenario: collected while it is read and checked, shown with their lines.
 
 use std::ops::Range;
 use std::path::Path;
@@ -47,25 +47,25 @@ impl<'a> Problems<'a> {
 
     /// Adds a problem of one key; what it stands for is not trusted from here on.
     pub fn add(&mut self, issue: Issue) {
-        self.distrust(&issue.path);
+        self.mark_faulty(&issue.path);
         let place = issue.span.clone();
         let place = place.or_else(|| self.root.locate(&issue.path));
         self.issues.push(issue.at(place));
     }
 
     /// Leaves a key out of later checks: it is known to be wrong or misspelled.
-    pub fn distrust(&mut self, path: &str) {
+    pub fn mark_faulty(&mut self, path: &str) {
         self.faulty.push(path.to_owned());
     }
 
-    /// Whether a key, or a table that it stands in, has a problem already.
-    pub fn distrusts(&self, path: &str) -> bool {
+    /// Whether a key, or a table that holds it, has a problem already.
+    pub fn is_faulty(&self, path: &str) -> bool {
         self.faulty.iter().any(|faulty| holds(faulty, path))
     }
 
-    /// Whether a key, a table that it stands in, or one that stands in it has a problem already.
-    pub fn doubts(&self, path: &str) -> bool {
-        self.distrusts(path) || self.faulty.iter().any(|faulty| holds(path, faulty))
+    /// Whether a key, a table that holds it, or anything in it has a problem already.
+    pub fn has_fault(&self, path: &str) -> bool {
+        self.is_faulty(path) || self.faulty.iter().any(|faulty| holds(path, faulty))
     }
 
     /// Checks a table inside of the present one: there a path that begins with a point is one of its keys.
@@ -119,7 +119,7 @@ impl<'a> Problems<'a> {
         let paths = std::iter::once(&mut issue.path);
         for path in paths.chain(issue.related.iter_mut().map(|(path, _)| path)) {
             *path = self.path(path);
-            if self.doubts(path) {
+            if self.has_fault(path) {
                 return;
             }
         }

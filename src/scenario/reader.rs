@@ -246,7 +246,7 @@ impl Reader<'_, '_> {
         for key in required.filter_map(Value::as_str) {
             let inner = join(self.path, key);
             let property = &self.schema["properties"][key];
-            if !given.contains(key) && !self.problems.distrusts(&inner) {
+            if !given.contains(key) && !self.problems.is_faulty(&inner) {
                 let issue = missing_key(&inner, &self.table_name(), property);
                 self.problems.add(issue);
             }
@@ -271,14 +271,14 @@ impl Reader<'_, '_> {
         let message = format!("{} has no key `{key}`", self.table_name());
         let known = known.keys().map(String::as_str);
         let known = known.filter(|known| !known.starts_with('$'));
-        // a key nearest to one that stands here already is no misspelling of another
+        // a key nearest to one that is here already is no misspelling of another
         let free = nearest(key, known.clone()).filter(|known| !given.contains(known));
         let way = way_left(key);
         let free = free.filter(|_| way.is_none());
         let help = match (way, free) {
             (Some(way), _) => way.to_owned(),
             (None, Some(known)) => {
-                self.problems.distrust(&join(self.path, known));
+                self.problems.mark_faulty(&join(self.path, known));
                 format!("did you mean `{known}`?")
             }
             (None, None) => format!("it knows {}", quoted(known, ", ")),
@@ -292,9 +292,9 @@ impl Reader<'_, '_> {
     fn exclusive_keys(&mut self, entries: &[Entry], group: &[&str], one_is_due: bool) {
         let is_one = |entry: &&Entry| group.contains(&entry.key.as_str());
         let given: Vec<_> = entries.iter().filter(is_one).collect();
-        let distrusted = |key: &&str| self.problems.distrusts(&join(self.path, key));
+        let is_faulty = |key: &&str| self.problems.is_faulty(&join(self.path, key));
         match given[..] {
-            [] if one_is_due && !group.iter().any(distrusted) => {
+            [] if one_is_due && !group.iter().any(is_faulty) => {
                 let group = quoted(group.iter().copied(), ", ");
                 let message = format!("{} needs one of {group}", self.table_name());
                 self.problems.add(Issue::new(self.path, message));

@@ -101,7 +101,7 @@ pub(super) fn check_study(document: &Document) -> Result<StudyFile, ScenarioErro
 }
 
 /// Reads and checks the text of a study of a scenario that is there already, whatever `base` says; the files that
-/// the scenario names stand in `folder`.
+/// the scenario names are in `folder`.
 ///
 /// # Errors
 /// [`ScenarioError`] with everything that is wrong.
@@ -136,7 +136,7 @@ impl StudyFileInput {
         document: &Document,
         problems: &mut Problems<'_>,
     ) -> Result<Option<StudyFile>, ScenarioError> {
-        if problems.distrusts("base") {
+        if problems.is_faulty("base") {
             return Ok(None);
         }
         let base = document.folder().join(&self.base);
@@ -153,7 +153,7 @@ impl StudyFileInput {
         Ok(self.study(&scenario, title, folder, problems))
     }
 
-    /// The study of a scenario whose files stand in `folder`.
+    /// The study of a scenario whose files are in `folder`.
     fn study(
         &self,
         scenario: &Scenario,

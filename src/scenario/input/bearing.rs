@@ -532,7 +532,7 @@ fn wrong_fit(error: &BearingError, bearing: &Bearing) -> Issue {
     })
 }
 
-/// How the two bearings of a set stand to each other.
+/// How the two bearings of a set face each other.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Arrangement {

@@ -36,6 +36,32 @@ pub struct Components<T, R> {
     pub tilt_y: Option<Quantity<R>>,
 }
 
+/// Values along the axes; one that is left out is zero.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    bound(serialize = "T: Measure + Clone", deserialize = "T: Measure + Clone")
+)]
+#[schemars(bound = "T: Measure", extend("minProperties" = 1))]
+pub struct Axes<T> {
+    /// Along X, horizontal.
+    #[schemars(extend("x-minimum" = 0.0))]
+    pub x: Option<Quantity<T>>,
+    /// Along Y, vertical and upward.
+    #[schemars(extend("x-minimum" = 0.0))]
+    pub y: Option<Quantity<T>>,
+    /// Along Z, the shaft.
+    #[schemars(extend("x-minimum" = 0.0))]
+    pub z: Option<Quantity<T>>,
+}
+
+impl<T> Axes<T> {
+    /// The values in SI units.
+    pub fn values(&self) -> [f64; 3] {
+        [&self.x, &self.y, &self.z].map(|value| si(value).unwrap_or(0.0))
+    }
+}
+
 /// A value for each freedom, in an inline table.
 pub trait PerFreedom {
     /// The given values in SI units.

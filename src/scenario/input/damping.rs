@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::components::refuse_held_key;
+use super::components::{Axes, refuse_held_key};
 use crate::bearing::ContactDamping;
 use crate::rotor::{Damping as Model, Freedoms, Rotor, RotorDefinition};
 use crate::scenario::problems::Problems;
@@ -61,18 +61,11 @@ pub fn contact(input: Option<&DampingInput>) -> ContactDamping {
 
 /// Damping coefficients of the freedoms; at least one.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(extend("minProperties" = 1))]
+#[schemars(deny_unknown_fields, extend("minProperties" = 1))]
 pub struct Coefficients {
-    /// Along X.
-    #[schemars(extend("x-minimum" = 0.0))]
-    pub x: Option<Quantity<Damping>>,
-    /// Along Y.
-    #[schemars(extend("x-minimum" = 0.0))]
-    pub y: Option<Quantity<Damping>>,
-    /// Along Z.
-    #[schemars(extend("x-minimum" = 0.0))]
-    pub z: Option<Quantity<Damping>>,
+    /// Along the axes.
+    #[serde(flatten)]
+    pub axes: Axes<Damping>,
     /// About X and Y.
     #[schemars(extend("x-minimum" = 0.0))]
     pub tilt: Option<Quantity<TiltDamping>>,
@@ -91,7 +84,7 @@ pub fn warn_where_undamped(
     problems: &mut Problems<'_>,
 ) {
     let none = match input {
-        None if problems.distrusts("damping") => return,
+        None if problems.is_faulty("damping") => return,
         None => "no `[damping]`",
         Some(input) if input.ratio == Some(0.0) => "`damping.ratio` is 0",
         Some(_) => return,
@@ -138,9 +131,9 @@ pub fn build(
 impl Coefficients {
     fn build(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Model {
         let given = [
-            ("x", 0, si(&self.x)),
-            ("y", 1, si(&self.y)),
-            ("z", 2, si(&self.z)),
+            ("x", 0, si(&self.axes.x)),
+            ("y", 1, si(&self.axes.y)),
+            ("z", 2, si(&self.axes.z)),
             ("tilt", 3, si(&self.tilt)),
         ];
         for (key, axis, value) in given {

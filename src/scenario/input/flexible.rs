@@ -140,7 +140,7 @@ pub fn check_position(
     position: f64,
     problems: &mut Problems<'_>,
 ) {
-    if problems.doubts("shaft.section") {
+    if problems.has_fault("shaft.section") {
         return;
     }
     let [left, right] = shaft.ends();

@@ -365,7 +365,7 @@ impl ScenarioInput {
             if bearing.linear.is_some() {
                 check_position(shaft, &path, bearing.position.si(), problems);
             }
-            // those of a set stand beside its position
+            // those of a set lie on both sides of its position
             for own in mounted.by_ref().take(bearing.count()) {
                 check_position(shaft, &path, own.position, problems);
             }

@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::components::{Axes, Components, PerFreedom};
 use crate::bearing::Housing;
 use crate::rotor::{FREEDOMS, Freedoms, LinearBearing};
 use crate::scenario::Issue;
@@ -24,31 +25,6 @@ pub struct HousingInput {
     pub stiffness: Axes<Stiffness>,
     /// Damping to the ground along each axis, for instance { x = "500 N s/m", y = "500 N s/m" }. Default: none.
     pub damping: Option<Axes<Damping>>,
-}
-
-/// Values along the axes; one that is left out is zero.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(
-    deny_unknown_fields,
-    bound(serialize = "T: Measure + Clone", deserialize = "T: Measure + Clone")
-)]
-#[schemars(bound = "T: Measure", extend("minProperties" = 1))]
-pub struct Axes<T> {
-    /// Along X, horizontal.
-    #[schemars(extend("x-minimum" = 0.0))]
-    pub x: Option<Quantity<T>>,
-    /// Along Y, vertical and upward.
-    #[schemars(extend("x-minimum" = 0.0))]
-    pub y: Option<Quantity<T>>,
-    /// Along Z, the shaft.
-    #[schemars(extend("x-minimum" = 0.0))]
-    pub z: Option<Quantity<T>>,
-}
-
-impl<T> Axes<T> {
-    fn values(&self) -> [f64; 3] {
-        [&self.x, &self.y, &self.z].map(|value| si(value).unwrap_or(0.0))
-    }
 }
 
 impl HousingInput {
@@ -88,25 +64,15 @@ pub struct LinearInput {
 
 /// Values along the axes (`T`) and about them (`R`), and across between x and y.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(
-    deny_unknown_fields,
-    bound(
-        serialize = "T: Measure + Clone, R: Measure + Clone",
-        deserialize = "T: Measure + Clone, R: Measure + Clone"
-    )
-)]
-#[schemars(bound = "T: Measure, R: Measure", extend("minProperties" = 1))]
+#[serde(bound(
+    serialize = "T: Measure + Clone, R: Measure + Clone",
+    deserialize = "T: Measure + Clone, R: Measure + Clone"
+))]
+#[schemars(bound = "T: Measure, R: Measure", deny_unknown_fields, extend("minProperties" = 1))]
 pub struct Coupled<T, R> {
-    /// Along X, horizontal.
-    pub x: Option<Quantity<T>>,
-    /// Along Y, vertical and upward.
-    pub y: Option<Quantity<T>>,
-    /// Along Z, the shaft.
-    pub z: Option<Quantity<T>>,
-    /// About X.
-    pub tilt_x: Option<Quantity<R>>,
-    /// About Y.
-    pub tilt_y: Option<Quantity<R>>,
+    /// Along the axes and about them.
+    #[serde(flatten)]
+    pub direct: Components<T, R>,
     /// Force along X that a displacement, or velocity, along Y takes.
     pub xy: Option<Quantity<T>>,
     /// Force along Y that one along X takes. Default: that of `xy`, springs whose axes are inclined; a film or seal that
@@ -117,9 +83,7 @@ pub struct Coupled<T, R> {
 impl<T, R> Coupled<T, R> {
     /// Values of x, y, z and the tilts, SI.
     fn direct(&self) -> [f64; FREEDOMS] {
-        let [x, y, z] = [&self.x, &self.y, &self.z].map(|own| si(own).unwrap_or(0.0));
-        let [tilt_x, tilt_y] = [&self.tilt_x, &self.tilt_y].map(|own| si(own).unwrap_or(0.0));
-        [x, y, z, tilt_x, tilt_y]
+        self.direct.values().map(Option::unwrap_or_default)
     }
 
     /// Those of xy and yx.
@@ -132,7 +96,7 @@ impl<T, R> Coupled<T, R> {
 impl LinearInput {
     /// Whether it holds the shaft along z.
     pub fn holds_z(&self) -> bool {
-        si(&self.stiffness.z).is_some_and(|stiffness| stiffness > 0.0)
+        si(&self.stiffness.direct.z).is_some_and(|stiffness| stiffness > 0.0)
     }
 
     /// The bearing at its place among all of them, and its position in m.

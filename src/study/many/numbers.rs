@@ -66,7 +66,7 @@ impl NumberColumn {
     ) -> Self {
         Self {
             value: Value::Answer(Arc::new(value)),
-            ..number(column, NOTHING, |_| None)
+            ..number(column, NO_ANALYSIS, |_| None)
         }
     }
 
@@ -119,7 +119,7 @@ fn line([channel, recorded]: [Channel; 2], (order, name): (u32, &'static str)) -
     let ask = if channel.is_force() {
         FORCE_LINES
     } else {
-        NOTHING
+        NO_ANALYSIS
     };
     NumberColumn {
         order: Some(order),
@@ -178,15 +178,15 @@ fn bearing_columns(bearing: usize) -> [NumberColumn; 4] {
     let life = move |run: &Run| run.bearings.get(bearing)?.life?.after_settle.hours();
     let modified = move |run: &Run| run.bearings.get(bearing)?.life?.modified?.hours;
     [
-        number(own("fewest_loaded", ""), NOTHING, zone),
-        number(own("contact_lost", ""), WHOLE, lost),
-        number(own("life", "h"), NOTHING, life),
-        number(own("modified_life", "h"), NOTHING, modified),
+        number(own("fewest_loaded", ""), NO_ANALYSIS, zone),
+        number(own("contact_lost", ""), WHOLE_MOTION, lost),
+        number(own("life", "h"), NO_ANALYSIS, life),
+        number(own("modified_life", "h"), NO_ANALYSIS, modified),
     ]
 }
 
 /// Of a number that every run has.
-const NOTHING: fn(&mut Analyses) = |_| {};
+const NO_ANALYSIS: fn(&mut Analyses) = |_| {};
 /// Of a number of the motion after the settle time.
 const STATISTICS: fn(&mut Analyses) = |asked| asked.motion = asked.motion.with_statistics();
 
@@ -194,7 +194,7 @@ const STATISTICS: fn(&mut Analyses) = |asked| asked.motion = asked.motion.with_s
 const FORCE_LINES: fn(&mut Analyses) = |asked| asked.force_lines = true;
 
 /// Of a number of the whole motion.
-const WHOLE: fn(&mut Analyses) = |asked| asked.settled_only = false;
+const WHOLE_MOTION: fn(&mut Analyses) = |asked| asked.settled_only = false;
 
 /// Columns for scenes like that of a rotor.
 pub fn number_columns(rotor: &RotorDefinition) -> Vec<NumberColumn> {
@@ -202,7 +202,7 @@ pub fn number_columns(rotor: &RotorDefinition) -> Vec<NumberColumn> {
     let mut columns = Vec::new();
     for &freedom in freedoms.axes() {
         let column = Channel::Displacement(freedom).measure("equilibrium");
-        columns.push(number(column, NOTHING, move |run| {
+        columns.push(number(column, NO_ANALYSIS, move |run| {
             Some(run.equilibrium.displacement[freedom])
         }));
     }
@@ -210,7 +210,7 @@ pub fn number_columns(rotor: &RotorDefinition) -> Vec<NumberColumn> {
         let (channel, force) = (Channel::Displacement(freedom), Channel::Force(freedom));
         let unit = format!("{}/{}", force.unit(), channel.unit());
         let column = Column::number(format!("stiffness_{channel}"), unit);
-        columns.push(number(column, NOTHING, move |run| {
+        columns.push(number(column, NO_ANALYSIS, move |run| {
             Some(run.equilibrium.stiffness[freedom][freedom])
         }));
     }
@@ -218,9 +218,13 @@ pub fn number_columns(rotor: &RotorDefinition) -> Vec<NumberColumn> {
         let found = move |run: &Run| run.equilibrium.natural_frequencies.get(mode).copied();
         let frequency = move |run: &Run| Some(found(run)?.frequency);
         let own = |what: &str, unit| Column::number(format!("{what}_{}", mode + 1), unit);
-        columns.push(number(own("natural_frequency", "Hz"), NOTHING, frequency));
+        columns.push(number(
+            own("natural_frequency", "Hz"),
+            NO_ANALYSIS,
+            frequency,
+        ));
         let ratio = move |run: &Run| Some(found(run)?.damping_ratio);
-        columns.push(number(own("damping_ratio", ""), NOTHING, ratio));
+        columns.push(number(own("damping_ratio", ""), NO_ANALYSIS, ratio));
     }
     let channels = Channel::of_freedoms(freedoms)
         .into_iter()
@@ -243,15 +247,15 @@ pub fn number_columns(rotor: &RotorDefinition) -> Vec<NumberColumn> {
     columns.extend([
         number(Column::number("period_cycles", ""), kind, cycles),
         number(Column::number("drift", ""), STATISTICS, drift),
-        number(Channel::LargestBallLoad.column(), NOTHING, load),
+        number(Channel::LargestBallLoad.column(), NO_ANALYSIS, load),
     ]);
     columns.extend(part_columns(rotor));
     columns.extend((0..bearings).flat_map(bearing_columns));
     let error = |run: &Run| Some(run.measured_error.as_ref()?.relative);
     let evaluations = |run: &Run| Some(run.counters.evaluations as f64);
     columns.extend([
-        number(Column::number(MEASURED_ERROR, ""), NOTHING, error),
-        number(Column::number("evaluations", ""), NOTHING, evaluations),
+        number(Column::number(MEASURED_ERROR, ""), NO_ANALYSIS, error),
+        number(Column::number("evaluations", ""), NO_ANALYSIS, evaluations),
     ]);
     columns
 }

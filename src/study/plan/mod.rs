@@ -47,7 +47,7 @@ impl Plan {
         }
     }
 
-    /// Whether values are drawn instead of standing on a grid.
+    /// Whether values are drawn instead of being those of a grid.
     pub fn is_drawn(&self) -> bool {
         self.sampling != Sampling::Grid
     }
