@@ -35,11 +35,11 @@ pub(crate) use severity::Machine;
 pub(crate) use severity::VibrationSeverity;
 pub(crate) use spalls::SpallPassage;
 pub(crate) use tables::TableUse;
-pub(crate) use warnings::{of_speed, speed_warnings};
+pub(crate) use warnings::{assembled_warnings, speed_warnings};
 pub use watch::{Monitor, SimulateError, TraceSink};
 
 pub use crate::integrate::{Counters, IntegrateError};
-use crate::integrate::{Pace, SEGMENT, States, System};
+use crate::integrate::{Progress, States, System};
 pub use crate::rotor::{BallContacts, NaturalFrequency, RotorError, Sample, Whirl};
 use crate::rotor::{Rotor, check_constraints};
 use observers::Observers;
@@ -47,7 +47,7 @@ use passes::{Passes, Watch};
 use tables::TableAudit;
 
 /// Samples that are integrated, checked and written at a time.
-const BLOCK: usize = SEGMENT as usize;
+const BLOCK: usize = 4096;
 
 /// Runs a model: every sample goes to `sink`, everything else is returned.
 ///
@@ -67,7 +67,7 @@ pub(crate) fn finer_modes(modes: usize) -> usize {
     modes + modes.max(4)
 }
 
-/// As [`simulate`]; the passes (of the run, of its error, of that of a shaft that bends) note in `paces` how they get on.
+/// As [`simulate`], with the progress of the passes: of the run, of its error, of that of a shaft that bends.
 ///
 /// # Errors
 /// [`SimulateError`] as there.
@@ -75,7 +75,7 @@ pub(crate) fn simulate_watched(
     model: &Model,
     sink: &mut dyn TraceSink,
     monitor: &mut Monitor<'_>,
-    paces: [Option<&Pace>; 3],
+    progress: [Option<&Progress>; 3],
 ) -> Result<Run, SimulateError> {
     let mut rotor = Rotor::assemble(&model.rotor)?;
     let tables = TableAudit::new(if model.table {
@@ -92,7 +92,7 @@ pub(crate) fn simulate_watched(
     let scale = passes::motion_scale(model, &rotor);
     let watch = Watch {
         stop: monitor.stop,
-        paces,
+        progress,
     };
     let mut passes = Passes::start(model, (&rotor, finer.as_ref()), grid, watch, scale);
     let mut observers = Observers::new(model, &rotor, grid, sink, tables);
@@ -126,7 +126,7 @@ fn integrate(
         let first = passes.main.done();
         states.clear();
         let mut result = passes.main.advance(BLOCK, &mut states);
-        if first == 0 && result.is_ok() && passes.begin_again(&states) {
+        if first == 0 && result.is_ok() && passes.restart_to_scale(&states) {
             states.clear();
             result = passes.main.advance(BLOCK, &mut states);
         }
@@ -168,7 +168,13 @@ fn answer(
     let whole = whole.filter(|_| model.analyses.highest_order.is_none());
     warnings.extend(spectra::warnings(whole, &estimated, speed_changes));
     warnings.extend(maps.iter().flat_map(|maps| maps.tracks.warnings()));
-    let severity = |machine| Some(VibrationSeverity::of(machine, motion.as_ref()?, steady?));
+    let severity = |machine| {
+        Some(VibrationSeverity::from_motion(
+            machine,
+            motion.as_ref()?,
+            steady?,
+        ))
+    };
     let vibration_severity = model.analyses.machine.and_then(severity);
     let vibration_severity = vibration_severity.and_then(|found| {
         let refused = |why| warnings.push(why);
@@ -176,7 +182,7 @@ fn answer(
     });
     Run {
         vibration_severity,
-        equilibrium: StaticState::of(rotor),
+        equilibrium: StaticState::from_rotor(rotor),
         ball_pass: sampling::ball_pass(rotor, sampling::reported_speed(model, rotor)),
         nominal_ball_pass: sampling::nominal_ball_pass(
             rotor,

@@ -43,7 +43,7 @@ impl Demand {
     /// # Errors
     /// [`SimulateError`] where it cannot be run at all.
     pub fn from_scenario(scenario: &Scenario, model: &Model) -> Result<Self, SimulateError> {
-        let size = RunSize::of(model)?;
+        let size = RunSize::from_model(model)?;
         Ok(Self {
             runs: None,
             size,
@@ -56,7 +56,7 @@ impl Demand {
     /// # Errors
     /// [`SimulateError`] where that cannot be run at all.
     pub fn from_study(first: &Model, study: &StudyFile, runs: u64) -> Result<Self, SimulateError> {
-        let size = RunSize::of(first)?;
+        let size = RunSize::from_model(first)?;
         let mut numbers = study.columns.len() as f64;
         if study.keep.traces {
             let channels = Channel::of_trace_in(&study.echo["base"], &first.rotor);

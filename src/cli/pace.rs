@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use super::jobs::Job;
 use super::terminal::{Progress, in_words};
-use crate::integrate::{Counters, Method, Pace};
+use crate::integrate::{self, Counters, Method};
 use crate::rotor::{Rotor, RotorError};
 use crate::simulate::{Model, finer_modes};
 
@@ -61,7 +61,7 @@ struct Present {
 pub struct PaceWatch<'a> {
     job: &'a Job,
     model: &'a Model,
-    paces: &'a [Pace; 3],
+    passes: &'a [integrate::Progress; 3],
     started: Instant,
     looks: VecDeque<Look>,
     progress: Progress,
@@ -71,11 +71,11 @@ pub struct PaceWatch<'a> {
 
 impl<'a> PaceWatch<'a> {
     /// Of a run that begins.
-    pub fn new(job: &'a Job, model: &'a Model, paces: &'a [Pace; 3]) -> Self {
+    pub fn new(job: &'a Job, model: &'a Model, passes: &'a [integrate::Progress; 3]) -> Self {
         Self {
             job,
             model,
-            paces,
+            passes,
             started: Instant::now(),
             looks: VecDeque::new(),
             progress: Progress::new(&job.scenario.title),
@@ -106,7 +106,7 @@ impl<'a> PaceWatch<'a> {
     fn present(&mut self) -> Present {
         let now = Look {
             at: Instant::now(),
-            passes: self.paces.each_ref().map(Pace::now),
+            passes: self.passes.each_ref().map(integrate::Progress::latest),
         };
         // a run that was begun anew
         let is_behind = |last: &Look| now.passes[0].0 < last.passes[0].0;

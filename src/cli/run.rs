@@ -10,7 +10,7 @@ use super::pace::PaceWatch;
 use super::written::Written;
 use super::{Outcome, terminal};
 use crate::ask;
-use crate::integrate::{IntegrateError, Pace};
+use crate::integrate::{IntegrateError, Progress};
 use crate::report::{KeptFiles, RunReport};
 use crate::scenario::Scenario;
 use crate::simulate::{Model, Monitor, RunSize, SimulateError, simulate_watched};
@@ -70,7 +70,7 @@ impl Arguments {
     fn motion<'j>(&self, job: &'j Job) -> Result<&'j Model, Failure> {
         let model = ask::motion(&job.scenario)?;
         // what keeps a run from beginning it tells itself
-        if let Ok(size) = RunSize::of(model) {
+        if let Ok(size) = RunSize::from_model(model) {
             check_memory(&size, 1)?;
         }
         self.written.check(&model.rotor)?;
@@ -83,13 +83,13 @@ pub fn run_motion(job: &Job, model: &Model, opens: bool) -> Result<Answer, Failu
     let started = Instant::now();
     let mut report = RunReport::of(&job.scenario, model, &job.folder)?;
     tell_of_thinning(job, model);
-    let paces: [Pace; 3] = Default::default();
+    let progress: [Progress; 3] = Default::default();
     let mut monitor = Monitor {
         stop: terminal::stop(),
         progress: &mut |_| {},
     };
-    let mut watch = PaceWatch::new(job, model, &paces);
-    let watched = paces.each_ref().map(Some);
+    let mut watch = PaceWatch::new(job, model, &progress);
+    let watched = progress.each_ref().map(Some);
     let result = terminal::watched(
         move || watch.look(),
         || simulate_watched(model, &mut report, &mut monitor, watched),
@@ -107,7 +107,7 @@ pub fn run_motion(job: &Job, model: &Model, opens: bool) -> Result<Answer, Failu
             Err(format!("{error}; nothing was written").into())
         }
         Err(SimulateError::Integrate(error)) => {
-            let [(_, counters), ..] = paces.each_ref().map(Pace::now);
+            let [(_, counters), ..] = progress.each_ref().map(Progress::latest);
             let kept = report.fail(&error, counters)?;
             Err(failed(&error, &kept).into())
         }

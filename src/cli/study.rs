@@ -189,7 +189,7 @@ impl Make {
         let threads = threads.unwrap_or_else(|| available().get());
         // what keeps the first run from beginning it tells itself
         if let Asked::Motion(first) = &question.first
-            && let Ok(size) = RunSize::of(first)
+            && let Ok(size) = RunSize::from_model(first)
         {
             check_memory(&size, threads).map_err(wrong)?;
         }

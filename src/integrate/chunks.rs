@@ -33,7 +33,7 @@ impl Padded {
     }
 
     /// Some numbers, padded with zeros.
-    pub fn of(numbers: &[f64]) -> Self {
+    pub fn from_slice(numbers: &[f64]) -> Self {
         Self::padded_with(numbers, 0.0)
     }
 

@@ -1,4 +1,4 @@
-//! A state carried along a grid of times, block by block, and from break to break.
+//! A state carried along a grid of times, block by block.
 
 use std::sync::atomic::AtomicBool;
 
@@ -6,15 +6,12 @@ use super::problem::Problem;
 use super::stepper::{Start, Stepper};
 use super::stiffness::{is_check_due, stiffness};
 use super::{
-    Counters, Grid, IntegrateError, Method, MethodUse, Pace, Scaling, Settings, States, Stiffness,
-    System,
+    Counters, Grid, IntegrateError, Method, MethodUse, Progress, Scaling, Settings, States,
+    Stiffness, System,
 };
 
 /// Steps between two checks for stiffness.
 const CHECK_EVERY: u64 = 2000;
-
-/// Samples of a segment, at the end of which the method begins afresh.
-pub const SEGMENT: u64 = 4096;
 
 /// An integration under way: it knows its state at a grid time and how to go on.
 pub struct Integration<'a> {
@@ -41,17 +38,16 @@ impl<'a> Integration<'a> {
         let start = Start {
             time: 0.0,
             deviation: deviation.map(|(state, origin)| state - origin).collect(),
-            step: 0.0,
             counters: Counters::default(),
         };
         let is_open = settings.method == Method::Auto;
-        let method_use = is_open.then(|| MethodUse::of(system));
+        let method_use = is_open.then(|| MethodUse::from_system(system));
         let problem = Problem {
             system,
             scaling,
             settings,
             stop,
-            pace: None,
+            progress: None,
             interval: grid.interval,
             end: grid.time(grid.count.saturating_sub(1)),
         };
@@ -65,28 +61,16 @@ impl<'a> Integration<'a> {
         }
     }
 
-    /// The same, watched from elsewhere.
+    /// With its progress recorded for other threads.
     #[must_use]
-    pub fn watched(mut self, pace: Option<&'a Pace>) -> Self {
-        self.problem.pace = pace;
+    pub fn watched(mut self, progress: Option<&'a Progress>) -> Self {
+        self.problem.progress = progress;
         self
-    }
-
-    /// Ends a segment in the present state: the method begins afresh there.
-    fn end_segment(&mut self) {
-        let scaling = &self.problem.scaling;
-        let start = Start {
-            time: self.grid.time(self.next),
-            deviation: scaling.deviation(&scaling.scaled(&self.state)),
-            step: self.stepper.method().step_size(),
-            counters: self.counters(),
-        };
-        self.stepper = Stepper::new(self.method_use(), &self.problem, &start);
     }
 
     /// Work done so far.
     pub fn counters(&self) -> Counters {
-        self.stepper.method().counters()
+        self.stepper.reached().counters
     }
 
     /// Stiffness that an explicit method met, where it was first seen: its steps were as long as its stability
@@ -120,14 +104,10 @@ impl<'a> Integration<'a> {
             self.next_sample()?;
             states.push(&self.state);
             self.next += 1;
-            if self.next.is_multiple_of(SEGMENT) && self.next < self.grid.count {
-                self.find_state()?;
-                self.end_segment();
-            }
         }
         let due = self.counters().steps / CHECK_EVERY != checks_before;
         // steps that are longer than the distance of the samples are no burden
-        let is_short = self.stepper.method().step_size() < self.grid.interval;
+        let is_short = self.stepper.reached().step < self.grid.interval;
         if due && self.stiffness.is_none() && is_short {
             self.stiffness = self.find_stiffness();
         }
@@ -145,8 +125,9 @@ impl<'a> Integration<'a> {
         let stiffness = if is_due { self.find_stiffness() } else { None };
         let ending = |found: Stiffness| found.ending(&self.problem, self.counters().steps);
         let result = stiffness.and_then(ending).map_or(result, Err);
-        if let (Err(_), Some(pace)) = (&result, self.problem.pace) {
-            pace.note(self.stepper.method().time(), &self.counters());
+        if let (Err(_), Some(progress)) = (&result, self.problem.progress) {
+            let reached = self.stepper.reached();
+            progress.record(reached.time, &reached.counters);
         }
         result
     }
@@ -159,14 +140,7 @@ impl<'a> Integration<'a> {
 
     /// Stiffness at the end of the latest step.
     fn find_stiffness(&self) -> Option<Stiffness> {
-        let method = self.stepper.method();
-        let (limit, deviation) = (method.stability_limit()?, method.deviation());
-        stiffness(
-            &self.problem,
-            limit,
-            method.time(),
-            deviation,
-            method.step_size(),
-        )
+        let limit = self.stepper.stability_limit()?;
+        stiffness(&self.problem, limit, &self.stepper.reached())
     }
 }

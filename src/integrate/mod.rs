@@ -21,8 +21,8 @@ mod variation;
 
 pub use error::IntegrateError;
 pub use grid::{Grid, States};
-pub use integration::{Integration, SEGMENT};
-pub use settings::{Counters, Method, Pace, Settings};
+pub use integration::Integration;
+pub use settings::{Counters, Method, Progress, Settings};
 pub use stepper::{ChangeReason, MethodUse};
 pub use stiffness::Stiffness;
 pub use system::{Scaling, Shifted, System};

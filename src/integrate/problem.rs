@@ -1,17 +1,17 @@
-//! What the steppers of all methods have in common: where steps end, when a run is given up, how long the first step
-//! is, and how its size follows the error.
+//! A system with its settings, and what all steppers share: where steps end, when a run is given up, how long the first
+//! step is, and how its size follows the error.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::{Counters, IntegrateError, Pace, Scaling, Settings, System};
+use super::{Counters, IntegrateError, Progress, Scaling, Settings, System};
 
 /// Least first guess of a step size, in units of the scaling's time.
 const LEAST_GUESS: f64 = 1e-6;
 /// Factor by which a step may be longer, so as to end at a break, a landing or the end of the run.
 pub(super) const STRETCH: f64 = 1.01;
 
-/// Distance, as a part of the samples' interval, below which a break does not divide a step.
-const BREAK_SLACK: f64 = 1e-6;
+/// Part of the samples' interval below which two times are one.
+pub(super) const SLACK: f64 = 1e-6;
 
 /// A system with the settings of its integration.
 #[derive(Clone)]
@@ -20,8 +20,7 @@ pub(super) struct Problem<'a> {
     pub scaling: Scaling,
     pub settings: Settings,
     pub stop: &'a AtomicBool,
-    /// Who watches takes it from here.
-    pub pace: Option<&'a Pace>,
+    pub progress: Option<&'a Progress>,
     /// Interval of the samples, s.
     pub interval: f64,
     /// No step ends after this, s.
@@ -31,7 +30,7 @@ pub(super) struct Problem<'a> {
 impl Problem<'_> {
     /// Breaks nearer than this to a step's start, or to a sample, count as being there, s.
     pub fn slack(&self) -> f64 {
-        BREAK_SLACK * self.interval
+        SLACK * self.interval
     }
 
     /// Whether another trial may be made of a step that starts at a time; `fault` where one from there
@@ -47,8 +46,8 @@ impl Problem<'_> {
         fault: bool,
     ) -> Result<(), IntegrateError> {
         let limit = self.settings.step_limit;
-        if let Some(pace) = self.pace {
-            pace.note(time, counters);
+        if let Some(progress) = self.progress {
+            progress.record(time, counters);
         }
         if self.stop.load(Ordering::Relaxed) {
             return Err(IntegrateError::Interrupted { time });
@@ -142,56 +141,39 @@ impl Problem<'_> {
     }
 }
 
-/// Part of the step that the error estimate would allow: where balls lose contact, larger ones are
-/// rejected too often.
-pub(super) const SAFETY: f64 = 0.8;
-/// Least change of the size from one trial to the next.
+/// Part of the step that the error estimate would allow: over surfaces larger ones are rejected too often.
+const SAFETY: f64 = 0.8;
+/// Least and largest change of the size from one trial to the next.
 const SHRINK: f64 = 0.2;
-/// Least error that counts: growth is limited anyway.
-const LEAST_ERROR: f64 = 1e-12;
+pub(super) const GROW: f64 = 6.0;
 
-/// Factors of the step size from errors, where an error of one is just allowed and the error falls
-/// with a power of the size.
+/// Factors of the step size from errors: `h₁/h = 0.8 error^(−1/p)`, where an error of one is just allowed and the error
+/// falls with the power p of the size.
 ///
 /// A part proportional to the change of the error, as K. Gustafsson proposes (*ACM Trans. Math. Softw.*
 /// 17 (1991) 533–554), was tried at 0.1 to 0.4 of the exponent: evaluations to a given error moved by
-/// less than their scatter, on smooth motion and with balls that lose contact.
-#[derive(Debug, Clone, Copy)]
+/// less than their scatter, on smooth motion and over surfaces.
+#[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Control {
-    /// Part of the step that the error estimate would allow.
-    safety: f64,
-    /// Largest change of the size from one trial to the next.
-    grow: f64,
     /// Whether the latest trial was rejected.
     pub rejected: bool,
 }
 
 impl Control {
-    /// With a part of the step that the error estimate would allow, and the largest change of the size.
-    pub fn new(safety: f64, grow: f64) -> Self {
-        Self {
-            safety,
-            grow,
-            rejected: false,
-        }
-    }
-
     /// Factor after a good step; none above one directly after a bad one.
     pub fn accepted(&mut self, error: f64, power: i32) -> f64 {
-        let growth = self.growth(error.max(LEAST_ERROR), power);
-        let most = if self.rejected { 1.0 } else { self.grow };
+        let most = if self.rejected { 1.0 } else { GROW };
         self.rejected = false;
-        growth.clamp(SHRINK, most)
+        growth(error, power).clamp(SHRINK, most)
     }
 
     /// Factor after a bad step, whose error may be no number.
     pub fn rejected(&mut self, error: f64, power: i32) -> f64 {
         self.rejected = true;
-        let growth = self.growth(error, power);
-        if growth >= SHRINK { growth } else { SHRINK }
+        growth(error, power).max(SHRINK)
     }
+}
 
-    fn growth(&self, error: f64, power: i32) -> f64 {
-        self.safety * error.powf(-1.0 / f64::from(power))
-    }
+fn growth(error: f64, power: i32) -> f64 {
+    SAFETY * error.powf(-1.0 / f64::from(power))
 }

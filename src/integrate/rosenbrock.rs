@@ -11,7 +11,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::problem::{Control, Problem, STRETCH};
-use super::stepper::{MethodStepper, Start};
+use super::stepper::{MethodStepper, Reached, Start};
 use super::{Counters, IntegrateError};
 
 const GAMMA: f64 = 0.25;
@@ -83,15 +83,9 @@ const DENSE: [[f64; 5]; 2] = [
 ];
 
 /// Error allowed in one step, as a part of the error aimed at over the run: local errors add up.
-pub(super) const LOCAL_PART: f64 = 0.25;
-/// Power of the step size that the error estimate falls with.
-const ERROR_POWER: i32 = 4;
-/// Part of the step that the error estimate would allow.
-const SAFETY: f64 = 0.9;
-/// Largest growth from step to step.
-const GROW: f64 = 6.0;
-/// First step in units of the scaling's time, where none is known.
-const FIRST_STEP: f64 = 1e-3;
+const LOCAL_PART: f64 = 0.4;
+/// Order of the method, and the power of the step size that the error estimate falls with.
+const ORDER: i32 = 4;
 
 /// The latest step, and how to go on, in scaled states.
 pub(super) struct RosenbrockStepper {
@@ -122,21 +116,20 @@ pub(super) struct RosenbrockStepper {
 impl RosenbrockStepper {
     /// Before the first step.
     pub fn new(problem: &Problem<'_>, start: &Start) -> Self {
-        let (time, deviation, size) = (start.time, &start.deviation, start.step);
+        let (time, deviation) = (start.time, &start.deviation);
         let states = deviation.len();
         let scaled = DVector::from_column_slice(deviation);
         let scaled = scaled.component_div(&DVector::from_column_slice(&problem.scaling.scale));
-        let first = FIRST_STEP * problem.scaling.time;
         Self {
             start: time,
             time,
             size: 0.0,
-            next_size: if size > 0.0 { size } else { first },
+            next_size: 0.0,
             limit: time,
             from: scaled.clone(),
             to: scaled,
             deviation: deviation.clone(),
-            control: Control::new(SAFETY, GROW),
+            control: Control::default(),
             fault: false,
             counters: start.counters,
             jacobian: DMatrix::zeros(states, states),
@@ -144,6 +137,17 @@ impl RosenbrockStepper {
             stages: std::array::from_fn(|_| DVector::zeros(states)),
             state: deviation.clone(),
         }
+    }
+
+    /// Size of the first step, s.
+    fn first_size(&mut self, problem: &Problem<'_>) -> f64 {
+        let mut slope = vec![0.0; self.deviation.len()];
+        problem.write_state(&self.deviation, &mut self.state);
+        problem
+            .system
+            .derivative(self.start, &self.state, &mut slope);
+        self.counters.evaluations += 2;
+        problem.first_size([self.start, self.limit], &self.deviation, &slope, ORDER)
     }
 
     /// Takes `∂f/∂y` and `∂f/∂t` at the start of the step, in scaled states.
@@ -161,16 +165,19 @@ impl RosenbrockStepper {
     /// Tries a step; its error over what is allowed.
     fn trial(&mut self, problem: &Problem<'_>) -> f64 {
         let (states, size) = (self.from.len(), self.size);
+        // 1/(hγ) − J, factorised once for all stages
         let unity = DMatrix::<f64>::identity(states, states);
         let factors = (unity / (size * GAMMA) - &self.jacobian).lu();
         let mut argument = self.from.clone();
         for stage in 0..STAGES {
+            // y + Σ a_ij k_j
             match stage {
                 5 => argument += &self.stages[4],
                 _ => argument = &self.from + combine(ARGUMENT[stage], &self.stages),
             }
             // what begins at a break is no part of a step that ends there
             let time = (self.start + NODE[stage] * size).min(self.limit.next_down());
+            // f + Σ c_ij k_j/h + h d_i ∂f/∂t
             let mut right = combine(COUPLING[stage], &self.stages) / size;
             let (scaling, rate) = (&problem.scaling, self.stages[stage].as_mut_slice());
             scaling.write_state(argument.as_slice(), &mut self.state);
@@ -187,6 +194,7 @@ impl RosenbrockStepper {
             self.stages[stage] = right;
         }
         self.counters.evaluations += STAGES as u64;
+        // y₁ = y + Σ a_5j k_j + k_5 + k_6
         self.to = argument + &self.stages[5];
         self.error(LOCAL_PART * problem.settings.tolerance)
     }
@@ -213,6 +221,9 @@ impl MethodStepper for RosenbrockStepper {
         if self.time >= self.limit {
             self.limit = problem.limit_after(self.time);
         }
+        if self.next_size == 0.0 {
+            self.next_size = self.first_size(problem);
+        }
         self.linearise(problem);
         loop {
             problem.check(self.start, self.next_size, &self.counters, self.fault)?;
@@ -226,7 +237,7 @@ impl MethodStepper for RosenbrockStepper {
             problem.check_progress([self.start, end], self.size, self.fault)?;
             let error = self.trial(problem);
             if error <= 1.0 {
-                let growth = self.control.accepted(error, ERROR_POWER);
+                let growth = self.control.accepted(error, ORDER);
                 if !cut {
                     self.next_size = self.size * growth;
                 }
@@ -238,7 +249,7 @@ impl MethodStepper for RosenbrockStepper {
             }
             self.counters.rejected += 1;
             self.fault |= error == f64::INFINITY;
-            self.next_size = self.size * self.control.rejected(error, ERROR_POWER);
+            self.next_size = self.size * self.control.rejected(error, ORDER);
         }
     }
 
@@ -247,6 +258,7 @@ impl MethodStepper for RosenbrockStepper {
             problem.write_state(&self.deviation, state);
             return;
         }
+        // y₀ (1 − θ) + θ (y₁ + (1 − θ)(d₂ + θ d₃))
         let theta = (time - self.start) / self.size;
         let rest = 1.0 - theta;
         let [second, third] = DENSE.map(|row| combine(&row, &self.stages));
@@ -255,20 +267,13 @@ impl MethodStepper for RosenbrockStepper {
         problem.scaling.write_state(scaled.as_slice(), state);
     }
 
-    fn time(&self) -> f64 {
-        self.time
-    }
-
-    fn deviation(&self) -> &[f64] {
-        &self.deviation
-    }
-
-    fn counters(&self) -> Counters {
-        self.counters
-    }
-
-    fn step_size(&self) -> f64 {
-        self.next_size
+    fn reached(&self) -> Reached<'_> {
+        Reached {
+            time: self.time,
+            deviation: &self.deviation,
+            step: self.next_size,
+            counters: self.counters,
+        }
     }
 }
 

@@ -1,4 +1,4 @@
-//! What the user chooses about the integration, and what it costs, also while it goes on.
+//! Method, tolerance and limits of an integration, its work, and its progress.
 
 use std::fmt;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -65,23 +65,23 @@ impl Counters {
     }
 }
 
-/// How far an integration has come: updated at every trial of a step.
+/// How far an integration has come, for other threads: updated at every trial of a step.
 #[derive(Debug, Default)]
-pub struct Pace(Mutex<(f64, Counters)>);
+pub struct Progress(Mutex<(f64, Counters)>);
 
-impl Pace {
-    /// Takes note of a time in s and of the work done up to it.
-    pub(super) fn note(&self, time: f64, counters: &Counters) {
+impl Progress {
+    /// Records a time in s and the work done up to it.
+    pub(super) fn record(&self, time: f64, counters: &Counters) {
         *self.locked() = (time, *counters);
     }
 
-    /// The time it has come to, s, and the work done up to there.
-    pub fn now(&self) -> (f64, Counters) {
+    /// The latest time, s, and the work done up to there.
+    pub fn latest(&self) -> (f64, Counters) {
         *self.locked()
     }
 
     fn locked(&self) -> MutexGuard<'_, (f64, Counters)> {
-        // numbers are whole whatever became of who wrote them
+        // the numbers are whole even where the thread that wrote them panicked
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -23,17 +23,8 @@ pub(super) trait MethodStepper {
     /// Writes the state at a sample that is neither before the start of the latest step nor after its end.
     fn state_within(&mut self, problem: &Problem<'_>, time: f64, state: &mut [f64]);
 
-    /// End of the latest step, s.
-    fn time(&self) -> f64;
-
-    /// Deviation from the scaling's origin at the end of the latest step.
-    fn deviation(&self) -> &[f64];
-
-    /// Work done so far.
-    fn counters(&self) -> Counters;
-
-    /// Size of the latest step or of the one to come, s; zero before the first.
-    fn step_size(&self) -> f64;
+    /// What the latest step has come to.
+    fn reached(&self) -> Reached<'_>;
 
     /// Product of step and largest eigenvalue at which the method ceases to be stable; none where nothing holds it.
     fn stability_limit(&self) -> Option<f64> {
@@ -53,8 +44,6 @@ pub(super) struct Start {
     pub time: f64,
     /// From the scaling's origin.
     pub deviation: Vec<f64>,
-    /// Size of the first step, s; zero where it is to find its own.
-    pub step: f64,
     /// Work done before.
     pub counters: Counters,
 }
@@ -62,17 +51,29 @@ pub(super) struct Start {
 #[cfg(test)]
 impl Start {
     /// At time zero in a deviation.
-    pub fn in_deviation(deviation: &[f64], step: f64) -> Self {
+    pub fn from_deviation(deviation: &[f64]) -> Self {
         Self {
             time: 0.0,
             deviation: deviation.to_vec(),
-            step,
             counters: Counters::default(),
         }
     }
 }
 
-fn stepper_of(method: Method, problem: &Problem<'_>, start: &Start) -> Box<dyn MethodStepper> {
+/// What a stepper has come to.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Reached<'a> {
+    /// End of the latest step, s.
+    pub time: f64,
+    /// Deviation from the scaling's origin there.
+    pub deviation: &'a [f64],
+    /// Size of the latest step or of the one to come, s; zero before the first.
+    pub step: f64,
+    /// Work done so far.
+    pub counters: Counters,
+}
+
+fn method_stepper(method: Method, problem: &Problem<'_>, start: &Start) -> Box<dyn MethodStepper> {
     match method {
         Method::Dopri5 | Method::Dop853 => Box::new(LibraryStepper::new(method, problem, start)),
         Method::Rodas => Box::new(RosenbrockStepper::new(problem, start)),
@@ -81,10 +82,8 @@ fn stepper_of(method: Method, problem: &Problem<'_>, start: &Start) -> Box<dyn M
     }
 }
 
-/// Steps of the exponential method that are looked back over, and how many of them that crossed a surface are
-/// "again and again".
-const LOOKED_BACK: u32 = u64::BITS;
-const AGAIN_AND_AGAIN: u32 = LOOKED_BACK / 4;
+/// Crossings of surfaces in the latest 64 steps of the exponential method from which on it gives way.
+const MOST_CROSSINGS: u32 = 16;
 
 /// The stepper of the method in use, and the rule that may change it.
 pub(super) struct Stepper {
@@ -100,7 +99,7 @@ impl Stepper {
     pub fn new(method_use: Option<MethodUse>, problem: &Problem<'_>, start: &Start) -> Self {
         let method = method_use.map_or(problem.settings.method, |used| used.latest());
         Self {
-            method: stepper_of(method, problem, start),
+            method: method_stepper(method, problem, start),
             method_use,
             crossings: 0,
         }
@@ -116,7 +115,7 @@ impl Stepper {
         time: f64,
         state: &mut [f64],
     ) -> Result<(), IntegrateError> {
-        while self.method.time() < time {
+        while self.method.reached().time < time {
             self.step(problem)?;
         }
         self.method.state_within(problem, time, state);
@@ -137,27 +136,31 @@ impl Stepper {
             Err(error) => return Err(error),
             Ok(()) => {
                 self.crossings = self.crossings << 1 | u64::from(self.method.crossed());
-                if self.crossings.count_ones() < AGAIN_AND_AGAIN {
+                if self.crossings.count_ones() < MOST_CROSSINGS {
                     return Ok(());
                 }
                 ChangeReason::Crossings
             }
         };
+        let reached = self.method.reached();
         let start = Start {
-            time: self.method.time(),
-            deviation: self.method.deviation().to_vec(),
-            // the pair finds its own first step
-            step: 0.0,
-            counters: self.method.counters(),
+            time: reached.time,
+            deviation: reached.deviation.to_vec(),
+            counters: reached.counters,
         };
         method_use.change = Some((reason, start.time));
-        self.method = stepper_of(method_use.latest(), problem, &start);
+        self.method = method_stepper(method_use.latest(), problem, &start);
         Ok(())
     }
 
-    /// The method.
-    pub fn method(&self) -> &dyn MethodStepper {
-        &*self.method
+    /// What the latest step has come to.
+    pub fn reached(&self) -> Reached<'_> {
+        self.method.reached()
+    }
+
+    /// Product of step and largest eigenvalue at which the method ceases to be stable; none where nothing holds it.
+    pub fn stability_limit(&self) -> Option<f64> {
+        self.method.stability_limit()
     }
 }
 
@@ -189,7 +192,7 @@ impl MethodUse {
     }
 
     /// By the rule, before the first step.
-    pub(super) fn of(system: &dyn System) -> Self {
+    pub(super) fn from_system(system: &dyn System) -> Self {
         let first = if system.expects_crossings() {
             Method::Verner76
         } else {

@@ -5,6 +5,7 @@ use nalgebra::linalg::Schur;
 
 use super::IntegrateError;
 use super::problem::Problem;
+use super::stepper::Reached;
 
 /// Part of the stability limit from which on a step counts as held by it: step sizes vary below it.
 const NEAR: f64 = 0.5;
@@ -45,14 +46,17 @@ impl Stiffness {
     }
 }
 
-/// Checks for stiffness in a deviation from the origin at a time, where an explicit method that is stable up to
-/// `limit` = step × eigenvalue takes steps of size `step`.
+/// The stiffness where an explicit method has come to that is stable up to `limit` = step × eigenvalue; none where its
+/// steps are shorter than that.
 pub(super) fn stiffness(
     problem: &Problem<'_>,
     limit: f64,
-    time: f64,
-    deviation: &[f64],
-    step: f64,
+    &Reached {
+        time,
+        deviation,
+        step,
+        ..
+    }: &Reached<'_>,
 ) -> Option<Stiffness> {
     let states = deviation.len();
     let (mut jacobian, mut by_time) = (DMatrix::zeros(states, states), vec![0.0; states]);

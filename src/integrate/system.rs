@@ -86,7 +86,7 @@ impl Scaling {
         }
     }
 
-    /// Writes the state that scaled numbers stand for.
+    /// Writes the state of scaled numbers.
     pub fn write_state(&self, scaled: &[f64], state: &mut [f64]) {
         let units = self.origin.iter().zip(&self.scale);
         for ((state, scaled), (origin, scale)) in state.iter_mut().zip(scaled).zip(units) {
@@ -94,7 +94,7 @@ impl Scaling {
         }
     }
 
-    /// The state that scaled numbers stand for.
+    /// The state of scaled numbers.
     pub fn state(&self, scaled: &[f64]) -> Vec<f64> {
         let mut state = vec![0.0; self.scale.len()];
         self.write_state(scaled, &mut state);
@@ -108,7 +108,7 @@ impl Scaling {
         state.iter().zip(units).map(scaled).collect()
     }
 
-    /// Deviation from the origin that scaled numbers stand for.
+    /// Deviation from the origin of scaled numbers.
     pub(super) fn deviation(&self, scaled: &[f64]) -> Vec<f64> {
         let units = self.scale.iter().zip(scaled);
         units.map(|(scale, scaled)| scale * scaled).collect()
@@ -124,7 +124,7 @@ impl Scaling {
     }
 }
 
-/// The same system with its time counted from `start`, s.
+/// A system with its time counted from `start`, s.
 #[derive(Clone, Copy)]
 pub struct Shifted<'a> {
     /// The system.

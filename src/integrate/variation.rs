@@ -89,7 +89,7 @@ impl System for Augmented<'_> {
         }
     }
 
-    /// That of the states; that of their slopes is one less, and as whole or broken.
+    /// Power of the states; that of their slopes is one less, and as whole or broken.
     fn event_exponent(&self, event: usize) -> f64 {
         self.system.event_exponent(event)
     }

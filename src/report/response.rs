@@ -9,7 +9,7 @@ use super::{FileSet, Findings};
 use crate::analysis::Channel;
 use crate::scenario::Scenario;
 use crate::shooting::SpecialKind;
-use crate::steady::{Response, ResponsePoint, Swing};
+use crate::steady::{MotionRange, Response, ResponsePoint};
 use crate::study::Variable;
 use crate::table::Table;
 
@@ -85,7 +85,7 @@ fn text(title: &str, variable: &Variable, branches: &[Response]) -> Lines {
 type Row<'a> = (Option<SpecialKind>, &'a ResponsePoint);
 
 /// A column of a displacement or force, and its value.
-type Measure = (&'static str, fn(&Swing) -> f64);
+type Measure = (&'static str, fn(&MotionRange) -> f64);
 
 fn all(branch: &Response) -> Vec<Row<'_>> {
     branch.points.iter().map(|point| (None, point)).collect()
@@ -131,9 +131,9 @@ fn table(
         ("peak_to_peak", |swing| swing.peak_to_peak),
         ("rms", |swing| swing.rms),
     ];
-    for (index, swing) in first.swings.iter().enumerate() {
+    for (index, swing) in first.ranges.iter().enumerate() {
         for (what, measure) in measures {
-            let values = points().map(|point| point.swings.get(index).map(measure));
+            let values = points().map(|point| point.ranges.get(index).map(measure));
             table.add(swing.channel.measure(what), values);
         }
     }
@@ -159,8 +159,8 @@ fn figure(title: &str, variable: &Variable, branches: &[Response]) -> Figure {
     let points = || branches.iter().flat_map(|branch| &branch.points);
     let values = points().map(|point| variable.shown(point.value));
     let axis = Axis::spanning(axis_label(variable), values);
-    let swings = points().take(1).flat_map(|point| &point.swings);
-    let displacements = swings
+    let ranges = points().take(1).flat_map(|point| &point.ranges);
+    let displacements = ranges
         .map(|swing| swing.channel)
         .filter(|channel| matches!(channel, Channel::Displacement(_)));
     let panels = displacements.enumerate().map(|(index, channel)| {
@@ -171,7 +171,7 @@ fn figure(title: &str, variable: &Variable, branches: &[Response]) -> Figure {
         let all = branches.iter().enumerate();
         let curves = all.flat_map(|(number, branch)| {
             curves(branch, distinct(number), |point| {
-                let swing = point.swings.get(index);
+                let swing = point.ranges.get(index);
                 let swing = swing.map_or(f64::NAN, |swing| swing.peak_to_peak);
                 (variable.shown(point.value), MICRO * swing)
             })

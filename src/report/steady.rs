@@ -17,7 +17,7 @@ use crate::analysis::Channel;
 use crate::scenario::Scenario;
 use crate::shooting::Multipliers;
 use crate::simulate::Model;
-use crate::steady::{Base, Stability, Steady, SteadyLine, SteadyLines, Swing};
+use crate::steady::{Base, MotionRange, Stability, Steady, SteadyLine, SteadyLines};
 use crate::table::{Column, Table};
 
 /// A steady motion: its trace, its spectrum, its stability and its error.
@@ -230,16 +230,17 @@ fn search(steady: &Steady) -> String {
     format!(
         "{} corrections {waited}, misses its start by {:.1e} of its size, {} evaluations",
         steady.history.len(),
-        steady.missing,
+        steady.residual,
         steady.counters.evaluations
     )
 }
 
 fn add_swings(out: &mut Lines, steady: &Steady) {
     let header = ["swing", "mean", "peak to peak", "rms", "unit"];
-    let of_shaft =
-        |swing: &&Swing| matches!(swing.channel, Channel::Displacement(_) | Channel::Force(_));
-    let rows = steady.swings.iter().filter(of_shaft).map(|swing| {
+    let of_shaft = |swing: &&MotionRange| {
+        matches!(swing.channel, Channel::Displacement(_) | Channel::Force(_))
+    };
+    let rows = steady.ranges.iter().filter(of_shaft).map(|swing| {
         let (unit, scale) = shown_unit(swing.channel.unit());
         let numbers =
             [swing.mean, swing.peak_to_peak, swing.rms].map(|value| digits(scale * value));

@@ -288,7 +288,7 @@ impl Scenario {
     /// [`ScenarioRunError`].
     pub fn simulate(&self) -> Result<RecordedRun, ScenarioRunError> {
         let model = self.model.as_ref().ok_or(ScenarioRunError::NoTime)?;
-        Ok(RecordedRun::of(model)?)
+        Ok(RecordedRun::from_model(model)?)
     }
 }
 

@@ -145,7 +145,7 @@ pub fn follow_doubled(
     let mut continuer = Continuer { family, plan };
     let mut last = ShootingError::Singular;
     for part in FIRST_PARTS {
-        match continuer.beside(doubling, direction.clone(), part * plan.step) {
+        match continuer.away_from(doubling, direction.clone(), part * plan.step) {
             Ok(first) => return Ok(continuer.branch(first, watch)),
             Err(error) if error.is_interrupted() => return Err(error),
             Err(error) => last = error,

@@ -43,9 +43,9 @@ pub(super) struct Node {
     /// States and parameter.
     unknowns: DVector<f64>,
     tangent: DVector<f64>,
-    /// Slopes of what is missing by states and parameter.
+    /// Slopes of the residual by states and parameter.
     slopes: DMatrix<f64>,
-    /// What is missing after half the period.
+    /// Residual after half the period.
     half: Option<DVector<f64>>,
     corrections: usize,
 }
@@ -53,7 +53,7 @@ pub(super) struct Node {
 impl Node {
     fn crossing(&self) -> Crossing {
         let turning = self.tangent[self.tangent.len() - 1];
-        Crossing::of(&self.point.multipliers, turning)
+        Crossing::from_multipliers(&self.point.multipliers, turning)
     }
 
     /// Number of multipliers outside the unit circle. Where it stays, a number that jumps means nothing: a pair
@@ -76,12 +76,12 @@ impl Continuer<'_> {
         self.family.set(0.0)?;
         let found = solve(self.family, guess, None, self.plan.tolerance)?;
         let unknowns = found.states.push(0.0);
-        let towards = of_parameter(unknowns.len());
+        let towards = parameter_direction(unknowns.len());
         self.node(unknowns, &towards, 0)
     }
 
-    /// The first point of a branch, a distance beside a motion in a direction of its states.
-    pub fn beside(
+    /// The first point of a branch, a distance from a motion along a direction of its states.
+    pub fn away_from(
         &mut self,
         point: &BranchPoint,
         direction: DVector<f64>,
@@ -178,10 +178,10 @@ impl Continuer<'_> {
         let mut factors = bordered(slopes, direction).lu();
         let (mut history, mut before, mut renewals) = (Vec::new(), f64::INFINITY, 0);
         for corrections in 1..=MOST_CORRECTIONS {
-            let missing = self.missing(&unknowns)?;
-            history.push(missing.amax());
+            let residual = self.residual(&unknowns)?;
+            history.push(residual.amax());
             let correction = factors
-                .solve(&missing.push(0.0))
+                .solve(&residual.push(0.0))
                 .ok_or(ShootingError::Singular)?;
             unknowns -= &correction;
             let size = correction.amax();
@@ -202,7 +202,7 @@ impl Continuer<'_> {
         Err(ShootingError::NotFound { history })
     }
 
-    fn missing(&mut self, unknowns: &DVector<f64>) -> Result<DVector<f64>, ShootingError> {
+    fn residual(&mut self, unknowns: &DVector<f64>) -> Result<DVector<f64>, ShootingError> {
         let (states, image) = self.image(unknowns, Slopes::None)?;
         Ok(residual(self.family, &states, &image.end))
     }
@@ -225,7 +225,7 @@ impl Continuer<'_> {
         self.slopes_from(unknowns, &states, &image)
     }
 
-    /// Slopes of what is missing by the states, and by the parameter as a difference.
+    /// Slopes of the residual by the states, and by the parameter as a difference.
     fn slopes_from(
         &mut self,
         unknowns: &DVector<f64>,
@@ -234,9 +234,9 @@ impl Continuer<'_> {
     ) -> Result<DMatrix<f64>, ShootingError> {
         let by_states = jacobian(self.family, &image.slopes);
         let here = residual(self.family, states, &image.end);
-        let mut beside = unknowns.clone();
-        beside[unknowns.len() - 1] += PARAMETER_STEP;
-        let by_parameter = (self.missing(&beside)? - here) / PARAMETER_STEP;
+        let mut ahead = unknowns.clone();
+        ahead[unknowns.len() - 1] += PARAMETER_STEP;
+        let by_parameter = (self.residual(&ahead)? - here) / PARAMETER_STEP;
         let columns = by_states.ncols();
         let mut all = by_states.insert_column(columns, 0.0);
         all.set_column(columns, &by_parameter);
@@ -254,7 +254,7 @@ impl Continuer<'_> {
         let half = self.family.half_return(&states)?;
         let multipliers = multipliers(self.family.circle(), &image.slopes);
         let slopes = self.slopes_from(&unknowns, &states, &image)?;
-        let ahead = of_parameter(unknowns.len());
+        let ahead = parameter_direction(unknowns.len());
         let tangent = bordered(&slopes, direction).lu().solve(&ahead);
         let tangent = tangent.ok_or(ShootingError::Singular)?;
         Ok(Node {
@@ -279,7 +279,7 @@ impl Continuer<'_> {
         let mut guess = &before.unknowns + (&after.unknowns - &before.unknowns) * part;
         let last = guess.len() - 1;
         guess[last] = 1.0;
-        let direction = of_parameter(guess.len());
+        let direction = parameter_direction(guess.len());
         Ok(self.corrected(guess, &direction, &after.slopes)?.point)
     }
 
@@ -293,7 +293,7 @@ impl Continuer<'_> {
     ) -> Result<(), ShootingError> {
         for kind in Crossing::between(&before.crossing(), &after.crossing()) {
             let found = self.locate(before, after, length, kind)?;
-            let (left, after_points) = (found.crossing().of_kind(kind).abs(), branch.points.len());
+            let (left, after_points) = (found.crossing().value(kind).abs(), branch.points.len());
             if left < CONTINUOUS {
                 branch.specials.push(Special {
                     kind,
@@ -320,7 +320,7 @@ impl Continuer<'_> {
         length: f64,
         kind: SpecialKind,
     ) -> Result<Node, ShootingError> {
-        let value = |node: &Node| node.crossing().of_kind(kind);
+        let value = |node: &Node| node.crossing().value(kind);
         let mut nearest = if value(before).abs() < value(after).abs() {
             before.clone()
         } else {
@@ -360,7 +360,7 @@ fn passed_half(before: &Node, after: &Node) -> bool {
 }
 
 /// The direction of the parameter among so many unknowns.
-fn of_parameter(unknowns: usize) -> DVector<f64> {
+fn parameter_direction(unknowns: usize) -> DVector<f64> {
     let mut direction = DVector::zeros(unknowns);
     direction[unknowns - 1] = 1.0;
     direction

@@ -10,9 +10,9 @@ use crate::integrate::IntegrateError;
 pub enum Slopes {
     /// None.
     None,
-    /// Those of the first state, taken for all.
+    /// Slopes of the first state, taken for all.
     First,
-    /// Those of every state.
+    /// Slopes of every state.
     All,
 }
 
@@ -57,7 +57,7 @@ pub trait ReturnMap {
     /// [`MapError::Parameter`] where there is none.
     fn set(&mut self, parameter: f64) -> Result<(), MapError>;
 
-    /// What is missing for states to return after half the period; `None` where the period has no half
+    /// The residual after half the period; `None` where the period has no half
     /// that the forcing repeats with.
     ///
     /// # Errors
@@ -67,7 +67,7 @@ pub trait ReturnMap {
     }
 }
 
-/// What is missing for states to return: image less the shifted states.
+/// Residual of states that are to return: image less the shifted states.
 pub(super) fn residual(
     map: &dyn ReturnMap,
     states: &DVector<f64>,
@@ -92,12 +92,12 @@ pub(super) fn jacobian(map: &dyn ReturnMap, slopes: &[DMatrix<f64>]) -> DMatrix<
     let count = shift.nrows();
     DMatrix::from_fn(size * count, size * count, |row, column| {
         let (node, from) = (row / size, column / size);
-        let (part, of) = (row % size, column % size);
+        let (part, by) = (row % size, column % size);
         let own = match slopes {
-            [only] => only[(part, of)],
-            all => all[node][(part, of)],
+            [only] => only[(part, by)],
+            all => all[node][(part, by)],
         };
         let own = if node == from { own } else { 0.0 };
-        own - if part == of { shift[(node, from)] } else { 0.0 }
+        own - if part == by { shift[(node, from)] } else { 0.0 }
     })
 }

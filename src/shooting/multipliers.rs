@@ -31,7 +31,7 @@ impl Multipliers {
         self.largest() < 1.0
     }
 
-    /// The same where each multiplier is known to an error, which holds within a factor of 3.
+    /// Stability where each multiplier is known to an error, which holds within a factor of 3.
     pub fn stability(&self, errors: &[f64]) -> Stability {
         let beyond = |(value, error): (&Complex<f64>, &f64)| (value.norm() - 1.0) / (3.0 * error);
         let values = self.values();
@@ -186,7 +186,7 @@ pub struct Crossing([f64; 5]);
 
 impl Crossing {
     /// The numbers of a motion whose branch changes the parameter by `turning`.
-    pub fn of(multipliers: &Multipliers, turning: f64) -> Self {
+    pub fn from_multipliers(multipliers: &Multipliers, turning: f64) -> Self {
         let Multipliers::Periodic(all) = multipliers else {
             return Self([turning, 1.0, 1.0, 1.0, 1.0 - multipliers.largest()]);
         };
@@ -203,7 +203,7 @@ impl Crossing {
     }
 
     /// The number that belongs to a kind.
-    pub fn of_kind(&self, kind: SpecialKind) -> f64 {
+    pub fn value(&self, kind: SpecialKind) -> f64 {
         self.0[kind as usize]
     }
 
@@ -212,7 +212,7 @@ impl Crossing {
         // a zero at a point itself belongs to one of its two sides; numbers that stay near zero, as those of undamped
         // vibrations, change their sign by their errors only
         let changes = |kind: &SpecialKind| {
-            let [before, after] = [before, after].map(|point| point.of_kind(*kind));
+            let [before, after] = [before, after].map(|point| point.value(*kind));
             let resolved = *kind == SpecialKind::Fold || before.abs().max(after.abs()) > RESOLVED;
             resolved && (before < 0.0) != (after < 0.0)
         };

@@ -12,7 +12,7 @@ const MOST_CORRECTIONS: usize = 40;
 const SLOW: f64 = 0.2;
 /// Halvings of a correction that would lead away.
 const MOST_HALVINGS: u32 = 6;
-/// Factor by which what is missing may grow under a correction.
+/// Factor by which the residual may grow under a correction.
 const LEADS_AWAY: f64 = 2.0;
 /// Corrections of so many tolerances that stay as they are with slopes of the same states are the error
 /// of the integration.
@@ -23,7 +23,7 @@ const NOISE: f64 = 100.0;
 pub struct Returned {
     /// The states, scaled, one after the other.
     pub states: DVector<f64>,
-    /// What was missing before every correction, the largest component.
+    /// Residual before every correction, the largest component.
     pub history: Vec<f64>,
 }
 
@@ -37,7 +37,7 @@ pub enum ShootingError {
     #[error("after {} corrections the motion still misses its start by {:.1e} of its size (at best {:.1e})",
         history.len(), history.last().unwrap_or(&f64::NAN), history.iter().copied().fold(f64::INFINITY, f64::min))]
     NotFound {
-        /// What was missing before every correction.
+        /// Residual before every correction.
         history: Vec<f64>,
     },
     /// A neighbouring motion returns as well: a multiplier is 1.
@@ -72,7 +72,7 @@ pub fn solve(
 ) -> Result<Returned, ShootingError> {
     let mut search = Search {
         states: guess,
-        missing: DVector::zeros(0),
+        residual: DVector::zeros(0),
         factors: slopes.map(|slopes| jacobian(map, slopes).lu()),
         asked: Slopes::First,
         history: Vec::new(),
@@ -104,7 +104,7 @@ pub fn solve(
 
 struct Search {
     states: DVector<f64>,
-    missing: DVector<f64>,
+    residual: DVector<f64>,
     factors: Option<LU<f64, Dyn, Dyn>>,
     /// Slopes that the next evaluation asks for where fresh ones are needed: those of one state until they lead too slowly.
     asked: Slopes,
@@ -112,14 +112,14 @@ struct Search {
 }
 
 impl Search {
-    /// Evaluates what is missing, with slopes where they are to be renewed.
+    /// Evaluates the residual, with slopes where they are to be renewed.
     fn evaluate(&mut self, map: &mut dyn ReturnMap) -> Result<(), ShootingError> {
         let asked = match self.factors {
             Some(_) => Slopes::None,
             None => self.asked,
         };
         let image = map.image(&self.states, asked)?;
-        self.missing = residual(map, &self.states, &image.end);
+        self.residual = residual(map, &self.states, &image.end);
         if self.factors.is_none() {
             self.factors = Some(jacobian(map, &image.slopes).lu());
         }
@@ -130,9 +130,9 @@ impl Search {
         if self.factors.is_none() {
             self.evaluate(map)?;
         }
-        self.history.push(self.missing.amax());
+        self.history.push(self.residual.amax());
         let factors = self.factors.as_ref().ok_or(ShootingError::Singular)?;
-        let solved = factors.solve(&self.missing).map(|correction| -correction);
+        let solved = factors.solve(&self.residual).map(|correction| -correction);
         solved
             .filter(|correction| correction.iter().all(|part| part.is_finite()))
             .ok_or(ShootingError::Singular)
@@ -145,7 +145,7 @@ impl Search {
         correction: &DVector<f64>,
         renewed: bool,
     ) -> Result<(), ShootingError> {
-        let (start, before) = (self.states.clone(), self.missing.amax());
+        let (start, before) = (self.states.clone(), self.residual.amax());
         let mut part = 1.0;
         for halving in 0..=MOST_HALVINGS {
             self.states = &start + correction * part;
@@ -153,7 +153,7 @@ impl Search {
                 self.factors = None;
             }
             match self.evaluate(map) {
-                Ok(()) if self.missing.amax() <= LEADS_AWAY * before || before < 1e-3 => {
+                Ok(()) if self.residual.amax() <= LEADS_AWAY * before || before < 1e-3 => {
                     return Ok(());
                 }
                 Err(error) if halving == MOST_HALVINGS => return Err(error),

@@ -27,7 +27,7 @@ pub struct EnergyReport {
     /// Largest residual of the balance at any sample: the error of the integration in energy.
     #[serde(rename = "largest_residual_J")]
     pub largest_residual: f64,
-    /// The same relative to the largest term of the balance.
+    /// That residual relative to the largest term of the balance.
     pub relative_residual: f64,
     /// Largest energy that was stored at any sample, of whose round-off no residual can be free.
     #[serde(skip)]

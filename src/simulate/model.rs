@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::warnings::of_speed;
+use super::warnings::assembled_warnings;
 use super::{Machine, SimulateError};
 use crate::analysis::{SectionKind, SpectrumRequest, Window};
 use crate::integrate::Settings;
@@ -61,17 +61,17 @@ impl Model {
         self.duration * self.sampling.rate(self.rotor.highest_speed())
     }
 
-    /// What is told before anything moves, of its highest speed too.
+    /// Warnings before anything moves, of its highest speed too.
     ///
     /// # Errors
     /// [`SimulateError`] where no motion can begin.
     pub(crate) fn first_warnings(&self) -> Result<Vec<String>, SimulateError> {
         let rotor = Rotor::assemble(&self.rotor)?;
         let unconstrained = check_constraints(&self.rotor, &rotor)?;
-        let of_speed = of_speed(&self.rotor, &rotor);
+        let of_shaft = assembled_warnings(&self.rotor, &rotor);
         Ok(self
             .rotor
-            .warnings_with(unconstrained.into_iter().chain(of_speed)))
+            .warnings_with(unconstrained.into_iter().chain(of_shaft)))
     }
 }
 

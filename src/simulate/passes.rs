@@ -7,7 +7,7 @@ use super::{BLOCK, MeasuredError, Model, SimulateError, sampling};
 use crate::analysis::Moments;
 use crate::bearing::Vector5;
 use crate::integrate::{
-    Counters, Grid, IntegrateError, Integration, Pace, Settings, States, System,
+    Counters, Grid, IntegrateError, Integration, Progress, Settings, States, System,
 };
 use crate::rotor::{FREEDOMS, MotionScale, Rotor};
 
@@ -59,10 +59,10 @@ fn pass<'a>(
     scale: &MotionScale,
     grid: Grid,
     settings: Settings,
-    (stop, pace): (&'a AtomicBool, Option<&'a Pace>),
+    (stop, progress): (&'a AtomicBool, Option<&'a Progress>),
 ) -> Integration<'a> {
     let (scaling, state) = (rotor.scaling(scale), rotor.start());
-    Integration::new(rotor, scaling, grid, settings, stop, &state).watched(pace)
+    Integration::new(rotor, scaling, grid, settings, stop, &state).watched(progress)
 }
 
 /// The right scale, where states up to a grid time show a motion far below the one assumed; none where the rest of
@@ -103,7 +103,7 @@ pub(super) struct Passes<'a> {
 #[derive(Clone, Copy)]
 pub(super) struct Watch<'a> {
     pub stop: &'a AtomicBool,
-    pub paces: [Option<&'a Pace>; 3],
+    pub progress: [Option<&'a Progress>; 3],
 }
 
 /// Another pass, and how far the first is from it.
@@ -119,7 +119,7 @@ struct Reference<'a> {
 }
 
 impl<'a> Passes<'a> {
-    /// Those of a motion of a size.
+    /// Starts all passes of a motion of a size.
     pub fn start(
         model: &'a Model,
         (rotor, finer): (&'a Rotor, Option<&'a Rotor>),
@@ -129,11 +129,11 @@ impl<'a> Passes<'a> {
     ) -> Self {
         let Watch {
             stop,
-            paces: [pace, reference_pace, finer_pace],
+            progress: [progress, reference_progress, finer_progress],
         } = watch;
         let second = reference_settings(model.integrator);
-        let another = |rotor: &'a Rotor, settings: Settings, pace| {
-            let integration = pass(rotor, &scale, grid, settings, (stop, pace));
+        let another = |rotor: &'a Rotor, settings: Settings, progress| {
+            let integration = pass(rotor, &scale, grid, settings, (stop, progress));
             Reference {
                 rotor,
                 states: States::new(rotor.states()),
@@ -143,13 +143,15 @@ impl<'a> Passes<'a> {
                 integration,
             }
         };
-        let reference = model.verify.then(|| another(rotor, second, reference_pace));
-        let finer = finer.map(|finer| another(finer, model.integrator, finer_pace));
+        let reference = model
+            .verify
+            .then(|| another(rotor, second, reference_progress));
+        let finer = finer.map(|finer| another(finer, model.integrator, finer_progress));
         Self {
             model,
             rotor,
             grid,
-            main: pass(rotor, &scale, grid, model.integrator, (stop, pace)),
+            main: pass(rotor, &scale, grid, model.integrator, (stop, progress)),
             scale,
             recorded: Recorded::default(),
             watch,
@@ -158,9 +160,9 @@ impl<'a> Passes<'a> {
         }
     }
 
-    /// Begins anew with the right scale where the states of the first block show a motion far below the one assumed;
+    /// Starts anew with the right scale where the states of the first block show a motion far below the one assumed;
     /// whether it does.
-    pub fn begin_again(&mut self, states: &States) -> bool {
+    pub fn restart_to_scale(&mut self, states: &States) -> bool {
         let Some(scale) = corrected(self.rotor, &self.scale, self.grid, states) else {
             return false;
         };
@@ -169,7 +171,7 @@ impl<'a> Passes<'a> {
         true
     }
 
-    /// The size of the motion that the passes were begun anew for, after the one assumed; none where that one was right.
+    /// The size of the motion that the passes were started anew for, after the one assumed; none where that one was right.
     pub fn corrected_scale(&self) -> Option<[f64; 2]> {
         let assumed = motion_scale(self.model, self.rotor).length;
         (assumed != self.scale.length).then_some([assumed, self.scale.length])
@@ -302,19 +304,19 @@ impl<'a> BareRun<'a> {
     }
 
     /// Integrates over all samples of the model by its method and forgets the states: no second pass, no
-    /// observation of the bearings, no spectra. `pace` takes note of how it gets on.
+    /// observation of the bearings, no spectra. `progress` is that of the integration.
     ///
     /// # Errors
     /// [`SimulateError`] as a run.
     pub fn integrate(
         &self,
         stop: &AtomicBool,
-        pace: Option<&Pace>,
+        progress: Option<&Progress>,
     ) -> Result<Counters, SimulateError> {
         let (model, rotor) = (self.model, &self.rotor);
         let grid = sampling::grid(model, rotor)?;
         let scale = motion_scale(model, rotor);
-        let begun = |scale| pass(rotor, scale, grid, model.integrator, (stop, pace));
+        let begun = |scale| pass(rotor, scale, grid, model.integrator, (stop, progress));
         let mut integration = begun(&scale);
         let mut states = States::with_capacity(rotor.states(), BLOCK);
         integration.advance(BLOCK, &mut states)?;

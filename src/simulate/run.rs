@@ -51,7 +51,7 @@ pub struct MeasuredError {
     /// Largest difference of a displacement (tilts times their arm), and the round-off of one, m.
     #[serde(rename = "displacement_m")]
     pub displacement: f64,
-    /// The same relative to the motion recorded after the settle time: the largest distance of a displacement of the
+    /// That difference relative to the motion recorded after the settle time: the largest distance of a displacement of the
     /// shaft from its mean, or the smallest motion that the tolerance resolves above round-off.
     pub relative: f64,
     /// Tolerance of the second pass.
@@ -94,7 +94,7 @@ pub struct ReductionError {
     /// Largest difference of a displacement of the observed point (tilts times their arm), m.
     #[serde(rename = "displacement_m")]
     pub displacement: f64,
-    /// The same relative to the motion, as [`MeasuredError::relative`].
+    /// That difference relative to the motion, as [`MeasuredError::relative`].
     pub relative: f64,
     /// Modes of the other motion in each plane.
     pub modes: usize,
@@ -122,14 +122,14 @@ pub struct Run {
     /// settle time; at the highest speed where it changes there. Their lines are there in the simulation: its cages keep
     /// the ratio to the speed that the static equilibrium at t = 0 gives them.
     pub ball_pass: Vec<BallPass>,
-    /// The same at the nominal contact angles without slip, as handbooks print them.
+    /// Ball-pass frequencies at the nominal contact angles without slip, as handbooks print them.
     pub nominal_ball_pass: Vec<BallPass>,
     /// Work done.
     pub counters: Counters,
     /// Which methods did it, where the choice was left open.
     #[serde(skip)]
     pub(crate) method_use: Option<MethodUse>,
-    /// Size of the motion that was assumed before the run and found far too large, and the one that the run was begun anew
+    /// Size of the motion that was assumed before the run and found far too large, and the one that the run was started anew
     /// with, m.
     #[serde(skip)]
     pub(crate) corrected_scale: Option<[f64; 2]>,
@@ -181,7 +181,7 @@ pub struct Run {
 
 impl StaticState {
     /// What a rotor found before it moved.
-    pub(crate) fn of(rotor: &Rotor) -> Self {
+    pub(crate) fn from_rotor(rotor: &Rotor) -> Self {
         let equilibrium = rotor.equilibrium();
         Self {
             displacement: equilibrium.displacement,
@@ -236,7 +236,7 @@ impl RecordedRun {
     ///
     /// # Errors
     /// [`SimulateError`].
-    pub(crate) fn of(model: &Model) -> Result<Self, SimulateError> {
+    pub(crate) fn from_model(model: &Model) -> Result<Self, SimulateError> {
         let stop = AtomicBool::new(false);
         let mut monitor = Monitor {
             stop: &stop,
@@ -245,7 +245,7 @@ impl RecordedRun {
         Self::watched(model, false, &mut monitor)
     }
 
-    /// The same while somebody watches, and with all balls where `balls` says so.
+    /// Runs a model under a monitor and keeps all samples, and with `balls` all balls.
     ///
     /// # Errors
     /// [`SimulateError`].

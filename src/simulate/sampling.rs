@@ -98,7 +98,7 @@ pub(super) fn ball_pass(rotor: &Rotor, speed: f64) -> Vec<BallPass> {
     supports.map(|support| support.ball_pass(speed)).collect()
 }
 
-/// The same at the nominal contact angles, without slip.
+/// Ball-pass frequencies at the nominal contact angles, without slip.
 pub(super) fn nominal_ball_pass(rotor: &Rotor, speed: f64) -> Vec<BallPass> {
     let supports = rotor.supports().iter();
     supports
@@ -216,11 +216,11 @@ pub struct RunSize {
 }
 
 impl RunSize {
-    /// Of a model.
+    /// What a model takes.
     ///
     /// # Errors
     /// [`SimulateError`] where it cannot be run at all.
-    pub fn of(model: &Model) -> Result<Self, SimulateError> {
+    pub fn from_model(model: &Model) -> Result<Self, SimulateError> {
         let rotor = Rotor::assemble(&model.rotor)?;
         let grid = grid(model, &rotor)?;
         let columns = recording(model, &rotor);

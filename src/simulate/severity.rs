@@ -7,7 +7,7 @@ use serde::Serialize;
 use crate::analysis::{Channel, Motion, VelocityLevel};
 use crate::physics::{MachineGroup, MachineSupport, VibrationZone, velocity_band, zone_boundaries};
 
-/// Edition whose tables stand in [`zone_boundaries`].
+/// Edition of the tables in [`zone_boundaries`].
 const STANDARD: &str = "ISO 20816-3:2022";
 /// Speeds that the standard speaks of, rpm.
 const SPEEDS: [f64; 2] = [120.0, 30_000.0];
@@ -53,7 +53,11 @@ impl VibrationSeverity {
     ///
     /// # Errors
     /// Why there is no zone: the standard does not speak of the speed, or the record does not hold its band.
-    pub(super) fn of(machine: Machine, motion: &Motion, speed: f64) -> Result<Self, String> {
+    pub(super) fn from_motion(
+        machine: Machine,
+        motion: &Motion,
+        speed: f64,
+    ) -> Result<Self, String> {
         let refused = |why| format!("no zone of {STANDARD}: {why}");
         covered(motion, speed).map_err(refused)?;
         let housings = motion.housing_velocity.iter();

@@ -66,19 +66,22 @@ pub(super) fn warnings(
         ));
     }
     warnings.extend(passes.main.stiffness().as_ref().map(stiff));
-    warnings.extend(of_speed(&model.rotor, rotor));
+    warnings.extend(assembled_warnings(&model.rotor, rotor));
     warnings.extend(motion.and_then(not_settled));
     warnings
 }
 
-/// What is told of the highest speed of a shaft before anything moves; nothing where it cannot be assembled.
+/// Warnings of the highest speed of a shaft before anything moves; none where it cannot be assembled.
 pub(crate) fn speed_warnings(definition: &RotorDefinition) -> Vec<String> {
     let rotor = Rotor::assemble(definition);
-    rotor.map_or_else(|_| Vec::new(), |rotor| of_speed(definition, &rotor))
+    rotor.map_or_else(
+        |_| Vec::new(),
+        |rotor| assembled_warnings(definition, &rotor),
+    )
 }
 
-/// The same of an assembled shaft.
-pub(crate) fn of_speed(definition: &RotorDefinition, rotor: &Rotor) -> Vec<String> {
+/// Warnings of the highest speed of an assembled shaft.
+pub(crate) fn assembled_warnings(definition: &RotorDefinition, rotor: &Rotor) -> Vec<String> {
     let unbalance = unbalance(definition, rotor).into_iter();
     let inertia = inertia_left_out(rotor).into_iter();
     let doubtful = unbalance.chain(overdamped(definition)).chain(inertia);

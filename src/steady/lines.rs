@@ -56,7 +56,7 @@ impl SteadyLines {
 
     /// The lines of one period sampled from every node; what is below `noise` of its channel's largest in
     /// all channels is left out.
-    pub(super) fn of(
+    pub(super) fn from_samples(
         periods: &Periods,
         channels: &[Channel],
         sampled: &[Vec<Sample>],
@@ -145,10 +145,10 @@ fn line(periods: &Periods, multiples: [i32; 2], values: &[Complex<f64>]) -> Stea
     }
 }
 
-/// How far a quantity swings.
+/// Mean, peak-to-peak range and RMS of a quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
-pub struct Swing {
+pub struct MotionRange {
     /// The quantity.
     #[serde(serialize_with = "Channel::serialize_with_unit")]
     pub channel: Channel,
@@ -169,21 +169,25 @@ pub(super) fn values(channel: Channel, sampled: &[Vec<Sample>]) -> DMatrix<f64> 
     })
 }
 
-/// How far channels swing.
-pub(super) fn swings(channels: &[Channel], circle: &Circle, sampled: &[Vec<Sample>]) -> Vec<Swing> {
+/// Ranges of channels.
+pub(super) fn ranges(
+    channels: &[Channel],
+    circle: &Circle,
+    sampled: &[Vec<Sample>],
+) -> Vec<MotionRange> {
     let nodes = circle.nodes();
     let finer = if nodes == 1 { 1 } else { FINER * nodes };
     let angles: Vec<f64> = (0..finer).map(|k| TAU * k as f64 / finer as f64).collect();
     let around = circle.values_at(&angles);
-    let swing = |channel: &Channel| {
+    let range = |channel: &Channel| {
         let all = &around * values(*channel, sampled);
         let mean = all.mean();
-        Swing {
+        MotionRange {
             channel: *channel,
             mean,
             peak_to_peak: all.max() - all.min(),
             rms: all.map(|value| (value - mean).powi(2)).mean().sqrt(),
         }
     };
-    channels.iter().map(swing).collect()
+    channels.iter().map(range).collect()
 }

@@ -18,7 +18,7 @@ pub struct Measured {
     /// Largest difference of a displacement (tilts times their arm), and the round-off of one, m.
     #[serde(rename = "displacement_m")]
     pub displacement: f64,
-    /// The same relative to the motion: the largest distance of a displacement from its mean.
+    /// That difference relative to the motion: the largest distance of a displacement from its mean.
     pub relative: f64,
     /// Error of every Floquet multiplier, in their order: its distance from that of the motion found again.
     pub multipliers: Vec<f64>,

@@ -18,8 +18,8 @@ use nalgebra::DVector;
 use serde::Serialize;
 
 pub use error::SteadyError;
-use lines::swings;
-pub use lines::{SteadyLine, SteadyLines, Swing};
+use lines::ranges;
+pub use lines::{MotionRange, SteadyLine, SteadyLines};
 pub use measured::Measured;
 use measured::{measured, reduction};
 pub(crate) use periods::Base;
@@ -35,14 +35,14 @@ use crate::keys;
 use crate::rotor::{CageMotion, Rotor, Sample, check_constraints};
 use crate::shooting::{Circle, ReturnMap};
 pub use crate::shooting::{Multipliers, SpecialKind, Stability};
-use crate::simulate::{Model, Reduction, StaticState, of_speed};
+use crate::simulate::{Model, Reduction, StaticState, assembled_warnings};
 
 /// A measured error above this many tolerances is worth a warning.
 const PROMISE: f64 = 10.0;
 /// Lines below this part of the largest, in tolerances, are left out; so are those below the measured error.
 const NOISE: f64 = 0.1;
 
-/// What is told where cages do not roll as asked for, as `refusal` of the forcing.
+/// Warning where cages do not roll as asked for, as `refusal` of the forcing.
 fn rolling_cages(refusal: &SteadyError) -> String {
     let reason = match refusal {
         SteadyError::RatioChanges => {
@@ -94,10 +94,9 @@ pub struct Steady {
     /// Largest multiplier of the motion of a single period, where the motion found takes several.
     #[serde(rename = "single_period_multipliers")]
     pub single_period: Option<Multipliers>,
-    /// What is missing after a period, relative to the size of the motion.
-    #[serde(rename = "residual")]
-    pub missing: f64,
-    /// The same before every correction.
+    /// Distance of the state after a period from that before it, relative to the size of the motion.
+    pub residual: f64,
+    /// The residual before every correction.
     #[serde(rename = "residual_history")]
     pub history: Vec<f64>,
     /// Periods integrated before the search, where it did not succeed from rest.
@@ -106,8 +105,9 @@ pub struct Steady {
     /// Harmonics of the second frequency.
     #[serde(rename = "harmonics_of_second")]
     pub harmonics: usize,
-    /// How far displacements and forces swing.
-    pub swings: Vec<Swing>,
+    /// Ranges of displacements and forces.
+    #[serde(rename = "swings")]
+    pub ranges: Vec<MotionRange>,
     /// The spectrum.
     #[serde(skip)]
     pub lines: SteadyLines,
@@ -257,7 +257,7 @@ fn answer(
         None => map.stability(&found),
     };
     let mut warnings = peak_warnings(&map, &trajectories)?;
-    warnings.extend(of_speed(&question.model.rotor, &map.rotor));
+    warnings.extend(assembled_warnings(&question.model.rotor, &map.rotor));
     warnings.extend(reduction.as_ref().and_then(Reduction::warning));
     let error = measured.as_ref();
     warnings.extend(self::warnings(
@@ -267,17 +267,17 @@ fn answer(
         solver.settings.tolerance,
     ));
     Ok(Steady {
-        equilibrium: StaticState::of(&map.rotor),
+        equilibrium: StaticState::from_rotor(&map.rotor),
         period: map.periods.circle.period,
         multiple: map.periods.multiple,
         stability,
         single_period,
-        missing: found.missing,
+        residual: found.residual,
         history: found.history,
         waited: found.waited,
         harmonics: map.periods.circle.harmonics(),
-        swings: swings(&channels, &map.periods.circle, &sampled),
-        lines: SteadyLines::of(&map.periods, &channels, &sampled, noise),
+        ranges: ranges(&channels, &map.periods.circle, &sampled),
+        lines: SteadyLines::from_samples(&map.periods, &channels, &sampled, noise),
         trace,
         measured,
         reduction,
@@ -308,7 +308,7 @@ fn search(
     if asked.is_torus() || multiple == Some(1) || (stable && multiple.is_none()) {
         return Ok((single, None));
     }
-    // what leaves a motion that is not stable begins beside it; beside a stable one, at rest
+    // what leaves a motion that is not stable begins near it; where a stable one has another beside it, at rest
     let start = match stable {
         true => DVector::zeros(map.size()),
         false => single.states.clone(),

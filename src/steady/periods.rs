@@ -134,7 +134,7 @@ impl Periods {
         }
     }
 
-    /// The same with so many harmonics of the second frequency.
+    /// These periods with so many harmonics of the second frequency.
     pub fn with_harmonics(&self, harmonics: usize) -> Result<Self, SteadyError> {
         let circle = Circle::around(self.circle.period, self.rotation(), harmonics);
         Ok(Self {
@@ -146,8 +146,8 @@ impl Periods {
         })
     }
 
-    /// Those of another rotor whose frequencies have the same ratio.
-    pub fn of_rotor(&self, rotor: &Rotor) -> Result<Self, SteadyError> {
+    /// The periods of another rotor whose frequencies have the same ratio.
+    pub fn with_rotor(&self, rotor: &Rotor) -> Result<Self, SteadyError> {
         let other = Self::new(rotor, self.multiple)?;
         let turn = (other.rotation() - self.rotation()).abs();
         if other.bases.len() != self.bases.len() || turn > SAME_RATIO * TAU {
@@ -162,7 +162,7 @@ impl Periods {
         })
     }
 
-    /// The same over another multiple of the period; a single frequency only.
+    /// These frequencies over another multiple of the period; a single frequency only.
     pub fn times(&self, multiple: u32) -> Self {
         Self {
             circle: Circle::point(self.bases[0].period() * f64::from(multiple)),

@@ -5,13 +5,13 @@ use std::sync::atomic::{AtomicBool, AtomicU64};
 use nalgebra::Complex;
 use serde::Serialize;
 
-use super::lines::swings;
+use super::lines::ranges;
 use super::measured::found_again;
 use super::periods::Periods;
 use super::rotor_map::{RotorMap, Solver};
 use super::samples::sampled;
 use super::search::find;
-use super::{SteadyError, Swing, rolling_cages};
+use super::{MotionRange, SteadyError, rolling_cages};
 use crate::analysis::Channel;
 use crate::integrate::Counters;
 use crate::keys;
@@ -25,8 +25,8 @@ use crate::simulate::{Model, speed_warnings};
 /// Steps that the range of the parameter is divided into at least, and the least part of one.
 const STEPS: f64 = 50.0;
 const LEAST_PART: f64 = 1e-5;
-/// Part of the tolerance that motions are integrated with: where two motions meet, what is missing for
-/// them to return tells little of how far they are from it.
+/// Part of the tolerance that motions are integrated with: where two motions meet, the residual
+/// is far smaller than the error of the states.
 const EXACTER: f64 = 0.1;
 const TIGHTEST: f64 = 1e-13;
 /// Doublings of the period that are followed, one out of the other.
@@ -85,7 +85,7 @@ impl ResponseQuestion<'_> {
             Ok(Rotor::assemble(&rotor)?)
         });
         let periods = first.and_then(|rotor| Periods::new(&rotor, self.multiple));
-        let both = periods.and_then(|periods| periods.of_rotor(&last?));
+        let both = periods.and_then(|periods| periods.with_rotor(&last?));
         both.err().filter(|error| {
             matches!(
                 error,
@@ -103,8 +103,9 @@ pub struct ResponsePoint {
     /// Period of the motion, s.
     #[serde(rename = "period_s")]
     pub period: f64,
-    /// How far displacements and forces swing.
-    pub swings: Vec<Swing>,
+    /// Ranges of displacements and forces.
+    #[serde(rename = "swings")]
+    pub ranges: Vec<MotionRange>,
     /// Floquet multipliers over the period, magnitudes where it has two frequencies.
     #[serde(serialize_with = "keys::complex")]
     pub multipliers: Vec<Complex<f64>>,
@@ -308,7 +309,7 @@ fn response_point(
     Ok(ResponsePoint {
         value: question.value(point.parameter),
         period: map.periods.circle.period,
-        swings: swings(&channels, &map.periods.circle, &sampled),
+        ranges: ranges(&channels, &map.periods.circle, &sampled),
         multipliers: point.multipliers.values(),
         multiplier_errors: match question.model.verify {
             true => multiplier_errors(map, point).unwrap_or_default(),

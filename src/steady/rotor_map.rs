@@ -49,7 +49,7 @@ impl<'a> Solver<'a> {
         }
     }
 
-    /// That of a motion found again to measure errors.
+    /// Settings for a motion found again to measure errors.
     pub fn reference(self) -> Self {
         Self {
             settings: reference_settings(self.settings),
@@ -228,7 +228,7 @@ impl ReturnMap for RotorMap<'_> {
         let wrong = |error: SteadyError| MapError::Parameter(error.to_string());
         let definition = source(parameter).map_err(MapError::Parameter)?;
         let rotor = Rotor::assemble(&definition).map_err(|error| wrong(error.into()))?;
-        self.periods = self.periods.of_rotor(&rotor).map_err(wrong)?;
+        self.periods = self.periods.with_rotor(&rotor).map_err(wrong)?;
         self.scale = rotor.motion_scale(0.1 * self.solver.settings.tolerance);
         self.rotor = rotor;
         // the motion is followed, not the state of rest that it is about

@@ -20,8 +20,8 @@ const MOST_PERIODS: usize = 8;
 const SUBHARMONIC_WAITS: [usize; 4] = [24, 48, 96, 192];
 /// and how near a state must come to an earlier one, relative to how far they are spread.
 const NEARLY: f64 = 0.05;
-/// How far beside a motion that is not stable the wait begins, in sizes of the motion.
-const BESIDE: f64 = 1e-2;
+/// Distance from a motion that is not stable at which the wait begins, in sizes of the motion.
+const PERTURBATION: f64 = 1e-2;
 
 /// A motion that repeats.
 #[derive(Clone)]
@@ -29,9 +29,9 @@ pub(super) struct Found {
     pub states: DVector<f64>,
     pub slopes: Vec<DMatrix<f64>>,
     pub multipliers: Multipliers,
-    /// What is missing for the states to return, in sizes of the motion.
-    pub missing: f64,
-    /// What was missing before every correction.
+    /// Distance of the states after a period from those before it, in sizes of the motion.
+    pub residual: f64,
+    /// Residual before every correction.
     pub history: Vec<f64>,
     /// Periods integrated before the search.
     pub waited: u64,
@@ -141,10 +141,10 @@ fn more_harmonics(sizes: &[f64], tolerance: f64) -> Option<usize> {
     }
     let first = sizes[1..].iter().copied().fold(0.0, f64::max);
     let fall = (last / first).ln() / (harmonics - 1) as f64;
-    let missing = (tolerance / last).ln() / fall;
+    let further = (tolerance / last).ln() / fall;
     let most = 4 * harmonics;
-    Some(if missing > 0.0 && missing.is_finite() {
-        (harmonics + missing.ceil() as usize).min(most)
+    Some(if further > 0.0 && further.is_finite() {
+        (harmonics + further.ceil() as usize).min(most)
     } else {
         most
     })
@@ -155,7 +155,7 @@ fn finished(map: &mut RotorMap<'_>, returned: Returned, waited: u64) -> Result<F
     let image = map.image(&returned.states, Slopes::All)?;
     let shifted = mixed(&map.circle().shift, &returned.states, map.size());
     Ok(Found {
-        missing: (&image.end - shifted).amax(),
+        residual: (&image.end - shifted).amax(),
         multipliers: multipliers(map.circle(), &image.slopes),
         states: returned.states,
         slopes: image.slopes,
@@ -164,14 +164,14 @@ fn finished(map: &mut RotorMap<'_>, returned: Returned, waited: u64) -> Result<F
     })
 }
 
-/// Waits beside some states until they nearly repeat after some periods, and finds the motion of that
+/// Waits near some states until they nearly repeat after some periods, and finds the motion of that
 /// many periods: the map is then that of those; `None` where none is found that is stable.
 pub(super) fn subharmonic(
     map: &mut RotorMap<'_>,
     from: &DVector<f64>,
 ) -> Result<Option<Found>, SteadyError> {
     let (single, tolerance) = (map.periods.clone(), map.solver.settings.tolerance);
-    let mut states = from.add_scalar(BESIDE);
+    let mut states = from.add_scalar(PERTURBATION);
     let mut waited = 0;
     for wait in SUBHARMONIC_WAITS {
         let mut visited = Vec::new();

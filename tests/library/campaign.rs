@@ -263,7 +263,7 @@ fn assert_told(error: &ScenarioError) {
 
 /// Follows the first steps of a motion.
 fn begin(mut model: Model) {
-    let Ok(size) = RunSize::of(&model) else {
+    let Ok(size) = RunSize::from_model(&model) else {
         return;
     };
     if size.memory > 2e8 {

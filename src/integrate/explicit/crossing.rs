@@ -11,13 +11,10 @@ use crate::integrate::System;
 use crate::integrate::problem::Problem;
 use crate::numerics::root::root;
 
-/// Steps that a landing costs: it divides one in two. Where crossings are n steps apart, it raises the cost by this
-/// part of n, and pays where it takes a larger part of the tolerance off the error.
-const LANDING_COST: f64 = 1.0;
-/// Error that is let pass where a step was to end on the surface, over the tolerance.
-const BESIDE: f64 = 0.01;
-/// Error of a trial, in units of the state, from which on it says nothing of surfaces.
-const WILD: f64 = 1e-2;
+/// Error of a landing that misses its surface, over the tolerance, up to which it is good.
+const LANDING_TOLERANCE: f64 = 0.01;
+/// Error of a trial, in units of the state, from which on its crossings are no guess of where surfaces lie.
+const UNUSABLE: f64 = 1e-2;
 
 /// Crossings within this part of a trial are one.
 const TOGETHER: f64 = 1e-3;
@@ -109,9 +106,8 @@ impl ExplicitStepper {
     /// Whether crossing an event surface spoils the trial: landings are then planned.
     pub(super) fn is_spoiled(&mut self, problem: &Problem<'_>, plan: &Plan, error: f64) -> bool {
         self.crossing.is_end_known = false;
-        // with no number or a wild one there is nothing to see
         let off = error * problem.settings.tolerance;
-        if self.crossing.past.is_empty() || off.is_nan() || off > WILD {
+        if self.crossing.past.is_empty() || off.is_nan() || off > UNUSABLE {
             return false;
         }
         if !self.looks_ahead(problem, plan.end) {
@@ -155,12 +151,14 @@ impl ExplicitStepper {
 
     /// Whether the error of crossing any surface counts.
     fn does_any_count(&mut self, problem: &Problem<'_>, plan: &Plan) -> bool {
-        let let_pass = LANDING_COST * plan.size / (plan.end - self.crossing.latest);
+        // a landing divides a step in two: where crossings are n steps apart it raises the cost by 1/n, and pays where it
+        // takes more than this part of the tolerance off the error
+        let let_pass = plan.size / (plan.end - self.crossing.latest);
         (0..self.crossing.changed.len()).any(|event| {
             if !self.crossing.changed[event] {
                 false
             } else if plan.lands_on(self.crossing.due[event]) {
-                self.error_beside(problem, plan, event) > BESIDE
+                self.error_of_miss(problem, plan, event) > LANDING_TOLERANCE
             } else {
                 self.error_over(problem, plan, event) > let_pass
             }
@@ -184,7 +182,7 @@ impl ExplicitStepper {
     }
 
     /// Error of a trial that was to end on a surface, over the tolerance.
-    fn error_beside(&mut self, problem: &Problem<'_>, plan: &Plan, event: usize) -> f64 {
+    fn error_of_miss(&mut self, problem: &Problem<'_>, plan: &Plan, event: usize) -> f64 {
         let [from, to] = self.ends_past(event);
         let exponent = problem.system.event_exponent(event);
         let part = error_at_end(exponent) * (to.abs() / (from - to).abs());
@@ -244,7 +242,7 @@ impl ExplicitStepper {
         any
     }
 
-    /// Takes note of the sides after a good step.
+    /// Records the sides after a good step.
     pub(super) fn arrive(&mut self, problem: &Problem<'_>, plan: &Plan) {
         let crossing = &mut self.crossing;
         crossing.fresh = false;
@@ -270,9 +268,9 @@ impl ExplicitStepper {
         }
     }
 
-    /// Takes note of a step that was to end on a surface, and of the side after it.
+    /// Records a step that was to end on a surface, and the side after it.
     fn land(&mut self, problem: &Problem<'_>, plan: &Plan, event: usize, past: bool) {
-        let misses = self.error_beside(problem, plan, event) > BESIDE;
+        let misses = self.error_of_miss(problem, plan, event) > LANDING_TOLERANCE;
         let [from, to] = self.ends_past(event);
         let crossing = &mut self.crossing;
         crossing.due[event] = f64::INFINITY;
@@ -284,7 +282,7 @@ impl ExplicitStepper {
             crossing.past[event] = past;
             crossing.fresh |= past && crossing.broken[event];
         } else if (near..self.size).contains(&left) && self.time + left < self.limit {
-            // not quite there: a short step more
+            // a short step more leads there
             crossing.due[event] = self.time + left;
         }
     }

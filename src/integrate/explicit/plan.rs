@@ -1,13 +1,13 @@
-//! How far a trial step goes, in which variable, and what its error says of the next one.
+//! The size of a trial step, the variable that it is taken in, and the size of the next one by its error.
 
 use super::crossing::Landing;
 use super::stepper::ExplicitStepper;
-use super::verner76::ERROR_POWER;
+use super::verner76::ORDER;
 use crate::integrate::problem::STRETCH;
 
-/// Error of a step from or to a surface, over its estimate: measured. Such steps stand alone, and one whose
-/// estimate is too good has no neighbours to make up for it.
-const DOUBT: f64 = 3.0;
+/// Error of a step in another variable, over its estimate: such steps are single, and where the estimate of one is too
+/// good no neighbours make up for it.
+const SINGLE_STEP: f64 = 3.0;
 /// Most that a step may be longer than the one from a surface before it.
 const AFTER_SURFACE: f64 = 4.0;
 
@@ -126,20 +126,20 @@ impl ExplicitStepper {
     }
 
     /// Factor of the error estimate.
-    pub(super) fn doubt(&self) -> f64 {
+    pub(super) fn error_factor(&self) -> f64 {
         if self.substitution.is_none() {
             1.0
         } else {
-            DOUBT
+            SINGLE_STEP
         }
     }
 
     /// Power of the step size that the error falls with: in the variable that is squared it has half.
     fn error_power(&self) -> i32 {
         if self.substitution.is_none() {
-            ERROR_POWER
+            ORDER
         } else {
-            (ERROR_POWER + 1) / 2
+            (ORDER + 1) / 2
         }
     }
 
@@ -153,7 +153,7 @@ impl ExplicitStepper {
                 self.next_size = self.next_size.min(AFTER_SURFACE * self.size);
             }
         } else if plan.short {
-            // a step that was cut tells little of how long the next may be
+            // the error of a step that was cut does not bound the next one
             self.next_size = proposed.max(self.next_size);
         } else {
             self.next_size = proposed;
@@ -173,7 +173,7 @@ impl ExplicitStepper {
         }
     }
 
-    /// What a step from or to a surface says of the next one.
+    /// Sizes the next step from or to a surface by the latest one.
     fn resize(&mut self, proposed: f64, free: bool) {
         let Substitution { start, end } = self.substitution;
         for (size, is) in self.crossing.sizes.iter_mut().zip([start, end]) {

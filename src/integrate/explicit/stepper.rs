@@ -9,20 +9,18 @@ use super::verner76::{
     sum_of_stages,
 };
 use crate::integrate::chunks::{Padded, add_scaled, chunks_of};
-use crate::integrate::problem::{Control, Problem, SAFETY};
-use crate::integrate::stepper::{MethodStepper, Start};
+use crate::integrate::problem::{Control, Problem};
+use crate::integrate::stepper::{MethodStepper, Reached, Start};
 use crate::integrate::{Counters, IntegrateError};
 use crate::registers::in_wide_registers;
 
-/// Largest growth from step to step.
-const GROW: f64 = 6.0;
 /// Times that a step looks for a better position to land on.
 const MOST_SEARCHES: u32 = 5;
 
 /// The latest step, and how to go on. States are kept as deviations from the scaling's origin: sums
 /// of them lose less to round-off.
 pub(in crate::integrate) struct ExplicitStepper {
-    /// What the processor has.
+    /// Vector instructions of the processor.
     pub(super) level: Level,
     /// Start and end of the latest step, s.
     pub(super) start: f64,
@@ -47,9 +45,9 @@ pub(in crate::integrate) struct ExplicitStepper {
     pub(super) stages: Vec<Stages>,
     pub(super) substitution: Substitution,
     pub(super) crossing: Crossings,
-    /// Whether the derivative at the end of the trial is there.
+    /// Whether the derivative at the end of the trial is known.
     pub(super) ended: bool,
-    /// Whether the stages for dense output are there.
+    /// Whether the stages for dense output are known.
     pub(super) extended: bool,
     pub(super) control: Control,
     /// Whether a trial since the latest good step was not finite.
@@ -70,13 +68,13 @@ impl ExplicitStepper {
             start: time,
             time,
             size: 0.0,
-            next_size: start.step,
+            next_size: 0.0,
             limit: time,
-            origin: Padded::of(&problem.scaling.origin),
+            origin: Padded::from_slice(&problem.scaling.origin),
             // what is zero has no error
             scale: Padded::padded_with(&problem.scaling.scale, 1.0),
-            from: Padded::of(deviation),
-            to: Padded::of(deviation),
+            from: Padded::from_slice(deviation),
+            to: Padded::from_slice(deviation),
             argument: zeros(),
             rate: zeros(),
             start_rate: zeros(),
@@ -86,7 +84,7 @@ impl ExplicitStepper {
             crossing: Crossings::new(problem.system),
             ended: false,
             extended: false,
-            control: Control::new(SAFETY, GROW),
+            control: Control::default(),
             fault: false,
             events_known: false,
             counters: start.counters,
@@ -121,6 +119,7 @@ impl ExplicitStepper {
     /// Evaluates the derivative in the argument as a stage.
     #[inline(always)]
     fn evaluate(&mut self, problem: &Problem<'_>, stage: usize) {
+        // dy/ds = h φ′(s) f(t₀ + h φ(s), y), here without h
         let [part, slope] = self.substitution.at(NODES[stage]);
         // what begins at a break is no part of a step that ends there
         let time = (self.start + part * self.size).min(self.limit.next_down());
@@ -143,6 +142,7 @@ impl ExplicitStepper {
         for (argument, ((origin, from), stages)) in
             self.argument.chunks_mut().iter_mut().zip(chunks)
         {
+            // y + h Σ_j a_ij k_j
             let sum = sum_of_stages!(FACTORS[STAGE], stages);
             for i in 0..4 {
                 argument[i] = origin[i] + (from[i] + self.size * sum[i]);
@@ -154,7 +154,7 @@ impl ExplicitStepper {
     /// Tries a step; its error over what is allowed, or no number.
     pub(super) fn trial(&mut self, problem: &Problem<'_>) -> f64 {
         let error = in_wide_registers!(self.level, self.tried(problem)) * self.size;
-        error * self.doubt() / problem.settings.tolerance
+        error * self.error_factor() / problem.settings.tolerance
     }
 
     /// Tries a step; the error per time, relative to one unit and the deviation.
@@ -172,6 +172,7 @@ impl ExplicitStepper {
         self.stage::<9>(problem);
         let chunks = self.from.chunks().iter().zip(&self.stages);
         for (to, (from, stages)) in self.to.chunks_mut().iter_mut().zip(chunks) {
+            // y₁ = y + h Σ_i b_i k_i
             let moved = sum_of_stages!(FACTORS[LAST], stages);
             for i in 0..4 {
                 to[i] = from[i] + self.size * moved[i];
@@ -181,6 +182,7 @@ impl ExplicitStepper {
         let chunks = chunks.zip(self.to.chunks().iter().zip(&self.stages));
         let mut squares = 0.0;
         for ((scale, from), (to, stages)) in chunks {
+            // Σ_i e_i k_i over the unit and the deviation of each component
             let error = sum_of_stages!(ERROR, stages);
             let mut parts = [0.0; 4];
             for i in 0..4 {
@@ -273,24 +275,17 @@ impl MethodStepper for ExplicitStepper {
         self.argument = deviation;
     }
 
-    fn time(&self) -> f64 {
-        self.time
-    }
-
-    fn deviation(&self) -> &[f64] {
-        &self.to
-    }
-
-    fn counters(&self) -> Counters {
-        self.counters
-    }
-
-    fn step_size(&self) -> f64 {
-        // where a break or the end cut the latest step, that to come
-        if self.time >= self.limit {
-            self.next_size
-        } else {
-            self.size
+    fn reached(&self) -> Reached<'_> {
+        Reached {
+            time: self.time,
+            deviation: &self.to,
+            // where a break or the end cut the latest step, that to come
+            step: if self.time >= self.limit {
+                self.next_size
+            } else {
+                self.size
+            },
+            counters: self.counters,
         }
     }
 

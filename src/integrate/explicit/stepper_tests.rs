@@ -27,7 +27,7 @@ fn stepped(steps: u32, time: f64) -> ExplicitStepper {
     stepped_by(Level::new(), steps, time)
 }
 
-/// The same by a level of the processor.
+/// That by a level of the processor.
 fn stepped_by(level: Level, steps: u32, time: f64) -> ExplicitStepper {
     let stop = AtomicBool::new(false);
     let settings = Settings {
@@ -40,13 +40,13 @@ fn stepped_by(level: Level, steps: u32, time: f64) -> ExplicitStepper {
         scaling: Scaling::identity(2),
         settings,
         stop: &stop,
-        pace: None,
+        progress: None,
         end: 100.0,
         interval: 1.0,
     };
     let mut stepper = ExplicitStepper {
         level,
-        ..ExplicitStepper::new(&problem, &Start::in_deviation(&START, 0.0))
+        ..ExplicitStepper::new(&problem, &Start::from_deviation(&START))
     };
     for step in 1..=steps {
         stepper.begin(&problem);

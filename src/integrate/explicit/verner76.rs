@@ -24,11 +24,8 @@ pub(super) const STAGES: usize = 13;
 /// The slopes of all stages of a chunk of the state.
 pub(super) type Stages = [Chunk; STAGES];
 
-/// Order of the method.
+/// Order of the method, and the power of the step size that the error estimate falls with.
 pub(super) const ORDER: i32 = 7;
-
-/// Power of the step size that the error estimate falls with.
-pub(super) const ERROR_POWER: i32 = 7;
 
 /// Product of step and eigenvalue at which the method ceases to be stable on the negative real axis, without its
 /// sign.

@@ -23,7 +23,7 @@ pub(super) struct Basis {
 }
 
 impl Basis {
-    /// That of a Jacobian with the units in which it is smallest; none where it is no sound one, as where two
+    /// The basis of a Jacobian with the units in which it is smallest; none where it is no sound one, as where two
     /// modes are nearly the same.
     pub fn new(jacobian: &DMatrix<f64>, units: &[f64]) -> Option<Self> {
         if !jacobian.iter().all(|entry| entry.is_finite()) {
@@ -35,14 +35,14 @@ impl Basis {
         if acting.is_empty() || !acting.iter().all(|&position| units[position].is_finite()) {
             return None;
         }
-        let basis = Self::of_acting(&acting, jacobian, units)?;
+        let basis = Self::from_acting(&acting, jacobian, units)?;
         let basis = basis.with_hanging(&acting, jacobian)?;
         let mut all = basis.shapes.iter().chain(basis.parts.iter());
         all.all(|entry| entry.is_finite()).then_some(basis)
     }
 
     /// The basis of what acts, pairs first, by the modes of its matrix in the units given.
-    fn of_acting(acting: &[usize], jacobian: &DMatrix<f64>, units: &[f64]) -> Option<Self> {
+    fn from_acting(acting: &[usize], jacobian: &DMatrix<f64>, units: &[f64]) -> Option<Self> {
         let (count, rows) = (acting.len(), jacobian.nrows());
         let modes = modes(DMatrix::from_fn(count, count, |row, column| {
             let (row, column) = (acting[row], acting[column]);
@@ -82,7 +82,7 @@ impl Basis {
         })
     }
 
-    /// The same with what hangs on it, of which a mode has what it adds up, H = R X Λ⁻¹:
+    /// This basis with what hangs on it, of which a mode has what it adds up, H = R X Λ⁻¹:
     /// V = (X 0, H 1), V⁻¹ = (X⁻¹ 0, −H X⁻¹ 1).
     fn with_hanging(mut self, acting: &[usize], jacobian: &DMatrix<f64>) -> Option<Self> {
         let count = acting.len();
@@ -195,7 +195,7 @@ pub(super) struct Mode {
 }
 
 impl Mode {
-    /// Whether it stands for a conjugate pair.
+    /// Whether it is one of a conjugate pair.
     pub fn is_pair(&self) -> bool {
         self.eigenvalue.im > 0.0
     }
@@ -268,7 +268,7 @@ fn eigenvector(
             let up = low - 1;
             let [above, below] = [form[(up, low)], form[(low, up)]];
             let determinant = own(up) * own(low) - above * below;
-            let divisor = not_nothing(determinant, least * least);
+            let divisor = at_least(determinant, least * least);
             let pair = [
                 rest(low) * above - own(low) * rest(up),
                 rest(up) * below - own(up) * rest(low),
@@ -276,14 +276,14 @@ fn eigenvector(
             [vector[up], vector[low]] = pair.map(|entry| entry / divisor);
             found = up;
         } else {
-            vector[low] = -rest(low) / not_nothing(own(low), least);
+            vector[low] = -rest(low) / at_least(own(low), least);
             found = low;
         }
     }
     vector
 }
 
-fn not_nothing(divisor: Complex<f64>, least: f64) -> Complex<f64> {
+fn at_least(divisor: Complex<f64>, least: f64) -> Complex<f64> {
     if divisor.norm() < least {
         Complex::from(least)
     } else {
@@ -406,7 +406,7 @@ mod tests {
             .fold(0.0, f64::max)
     }
 
-    /// Real eigenvalues and conjugate pairs in any order, and one that stands three times.
+    /// Real eigenvalues and conjugate pairs in any order, and one that occurs three times.
     #[test]
     fn vectors_belong_to_their_eigenvalues() {
         let mixed = DMatrix::from_fn(10, 10, |row, column| {

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! A real eigenvalue has one coordinate; of a conjugate pair the real and the imaginary part of the vector have
-//! one each, which stand side by side and turn into one another.
+//! one each, side by side, which turn into one another.
 
 use fearless_simd::Level;
 use nalgebra::{Complex, DMatrix};
@@ -19,7 +19,7 @@ use crate::integrate::chunks::{Chunk, Padded, add_product, add_scaled, chunks_of
 const PARTING: f64 = 1e-3;
 
 /// A function of a linear part for a chunk of its modes: a factor for each coordinate, and one for what it adds to its
-/// partner. Pairs stand at even positions, so that none is divided between chunks.
+/// partner. Pairs lie at even positions, so that none is divided between chunks.
 pub(super) type Diagonal = [Chunk; 2];
 
 /// The linear part of a system: `∂f/∂y` in one state, or a matrix next to it whose modes are a sound basis.
@@ -27,7 +27,7 @@ pub(super) type Diagonal = [Chunk; 2];
 pub(super) struct LinearPart {
     /// Norm of the Jacobian in the units that make it smallest, 1/s.
     pub norm: f64,
-    /// What the processor has.
+    /// Vector instructions of the processor.
     pub level: Level,
     /// Eigenvalue of each coordinate, 1/s: of a pair both, the one with positive imaginary part first.
     pub eigenvalues: Vec<Complex<f64>>,
@@ -64,7 +64,7 @@ impl ModalState {
 impl LinearPart {
     /// No linear part of so many states: every component by itself.
     pub fn none(states: usize) -> Self {
-        let unity = ChunkMatrix::of(&DMatrix::identity(states, states));
+        let unity = ChunkMatrix::from_matrix(&DMatrix::identity(states, states));
         Self {
             norm: 0.0,
             level: Level::new(),
@@ -75,7 +75,7 @@ impl LinearPart {
         }
     }
 
-    /// That of a Jacobian, or of a matrix next to it: the frozen linear part of the method may be any, and what it
+    /// The linear part of a Jacobian, or of a matrix next to it: the frozen linear part of the method may be any, and what it
     /// lacks is in the remainder. Where the modes are no sound basis, as at critical damping, every component gets a
     /// little damping of its own, which parts them, and what acts on nothing that acts back only decays; where that does
     /// not help either, there is no linear part.
@@ -97,15 +97,15 @@ impl LinearPart {
                     jacobian.column_mut(position).fill(0.0);
                 }
             }
-            Self::of(&jacobian, &units)
+            Self::from_modes(&jacobian, &units)
         };
-        let own = Self::of(jacobian, &units).or_else(apart);
+        let own = Self::from_modes(jacobian, &units).or_else(apart);
         let own = own.unwrap_or_else(|| Self::none(units.len()));
         Self { norm, ..own }
     }
 
     /// By the modes of a Jacobian with the units in which it is smallest; none where they are no sound basis.
-    fn of(jacobian: &DMatrix<f64>, units: &[f64]) -> Option<Self> {
+    fn from_modes(jacobian: &DMatrix<f64>, units: &[f64]) -> Option<Self> {
         let basis = Basis::new(jacobian, units)?;
         let mut part = Self::none(units.len());
         for (coordinate, eigenvalue) in basis.eigenvalues.iter().enumerate() {
@@ -113,8 +113,8 @@ impl LinearPart {
             own[coordinate % 4] = -eigenvalue.re;
             given[coordinate % 4] = eigenvalue.im;
         }
-        part.shapes = ChunkMatrix::of(&basis.shapes);
-        part.parts = ChunkMatrix::of(&basis.parts);
+        part.shapes = ChunkMatrix::from_matrix(&basis.shapes);
+        part.parts = ChunkMatrix::from_matrix(&basis.parts);
         part.eigenvalues = basis.eigenvalues;
         Some(part)
     }
@@ -155,9 +155,9 @@ impl LinearPart {
 struct ChunkMatrix(Vec<Chunk>);
 
 impl ChunkMatrix {
-    fn of(matrix: &DMatrix<f64>) -> Self {
+    fn from_matrix(matrix: &DMatrix<f64>) -> Self {
         let columns = matrix.as_slice().chunks_exact(matrix.nrows());
-        let chunks = columns.flat_map(|column| Padded::of(column).chunks().to_vec());
+        let chunks = columns.flat_map(|column| Padded::from_slice(column).chunks().to_vec());
         Self(chunks.collect())
     }
 
@@ -177,7 +177,7 @@ impl ChunkMatrix {
         }
     }
 
-    /// That of some chunks of rows.
+    /// Finds the product of some chunks of rows with a vector, or adds it.
     #[inline(always)]
     fn multiply_rows<const ADD: bool, const CHUNKS: usize>(
         &self,
@@ -238,7 +238,7 @@ mod tests {
 
     /// f − J y at a rate and a deviation.
     fn remainder(part: &LinearPart, rate: &[f64], at: &[f64]) -> Padded {
-        let (rate, coordinates) = (Padded::of(rate), coordinates(part, at));
+        let (rate, coordinates) = (Padded::from_slice(rate), coordinates(part, at));
         let mut remainder = rate.clone();
         part.find_remainder(&rate, &coordinates, &mut remainder);
         deviation(part, &remainder)
@@ -254,7 +254,8 @@ mod tests {
             [0.0, 1.0, -300.0, -400.0],
         ];
         let jacobian = DMatrix::from_column_slice(4, 4, columns.as_flattened());
-        let part = LinearPart::of(&jacobian, &balanced_units(&jacobian)).expect("a sound basis");
+        let part =
+            LinearPart::from_modes(&jacobian, &balanced_units(&jacobian)).expect("a sound basis");
         assert!(part.eigenvalues[0].im > 0.0 && part.eigenvalues[3].im == 0.0);
         let (deviation, rate) = ([1e-6, -2e-6, 3e-3, 4e-3], [3e-3, 4e-3, 70.0, -50.0]);
         let found = remainder(&part, &rate, &deviation);
@@ -276,7 +277,7 @@ mod tests {
         for columns in [held, free] {
             let jacobian = DMatrix::from_column_slice(3, 3, columns.as_flattened());
             let units = balanced_units(&jacobian);
-            assert!(LinearPart::of(&jacobian, &units).is_none());
+            assert!(LinearPart::from_modes(&jacobian, &units).is_none());
             let part = LinearPart::near(&jacobian);
             assert!(part.eigenvalues.iter().any(|value| value.norm() > 0.0));
             for position in 0..3 {

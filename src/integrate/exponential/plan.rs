@@ -2,26 +2,22 @@
 //! shorter ones a round part of one, so that few sizes occur and every sample is a step's end or lies
 //! whole intervals after its start.
 
-/// Least part of an interval that counts as one, and nearness to a grid time that counts as there.
-const SLACK: f64 = 1e-6;
+use crate::integrate::problem::SLACK;
 
-/// Times that a step might be longer than the rest of a leg allows it to be from which on that rest is divided anew.
-const MUCH: f64 = 4.0;
-
-/// The way to the next time at which a step ends anyhow: a grid time or a break.
+/// The equal steps to the next time at which a step ends anyhow: a grid time or a break.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Leg {
+pub(super) struct Span {
     /// Its end, s.
     pub end: f64,
-    /// Equal steps that are left on it, and their size, s.
+    /// Steps that are left to it, and their size, s.
     pub left: f64,
     pub size: f64,
     /// Intervals of samples that its only step lasts; zero where it lasts no whole number.
     pub intervals: f64,
 }
 
-impl Leg {
-    /// A leg from a time on in steps no longer than a requested size, on a grid of samples, up to a limit.
+impl Span {
+    /// From a time on in steps no longer than a requested size, on a grid of samples, up to a limit.
     pub fn new(time: f64, requested: f64, interval: f64, limit: f64) -> Self {
         let index = (time / interval).round();
         if index * interval == time {
@@ -49,38 +45,27 @@ impl Leg {
         Self::divided(end, end - time, requested)
     }
 
+    /// A length in as few parts as a requested size allows, of the numbers 1, 2, 3, 4, 6, 8, 12, ….
     fn divided(end: f64, length: f64, requested: f64) -> Self {
-        let whole = Self {
+        let left = round_above(length / requested * (1.0 - SLACK));
+        Self {
             end,
-            left: 1.0,
-            size: length,
+            left,
+            size: length / left,
             intervals: 0.0,
-        };
-        whole.halved(requested)
-    }
-
-    /// The same in equal parts no longer than a requested size.
-    fn halved(mut self, requested: f64) -> Self {
-        while self.size > requested * (1.0 + SLACK) {
-            self.left *= 2.0;
-            self.size *= 0.5;
         }
-        self
     }
 
-    /// The rest of the leg in steps no longer than a requested size.
+    /// The rest in steps no longer than a requested size: as before, or in fewer.
     pub fn adapted(self, requested: f64) -> Self {
-        let mut leg = self.halved(requested);
-        leg.intervals = 0.0;
-        while leg.left % 2.0 == 0.0 && 2.0 * leg.size <= requested * (1.0 + SLACK) {
-            leg.left *= 0.5;
-            leg.size *= 2.0;
+        let anew = Self::divided(self.end, self.left * self.size, requested);
+        if self.size > requested * (1.0 + SLACK) || anew.left < self.left {
+            return anew;
         }
-        if MUCH * leg.size <= requested {
-            // steps grow faster than halves of the whole leg allow
-            leg = Self::divided(self.end, self.left * self.size, requested);
+        Self {
+            intervals: 0.0,
+            ..self
         }
-        leg
     }
 }
 
@@ -97,6 +82,19 @@ fn round_below(number: f64) -> f64 {
     }
 }
 
+/// The smallest of 1, 2, 3, 4, 6, 8, 12, … that is not below a number.
+fn round_above(number: f64) -> f64 {
+    if number <= 1.0 {
+        return 1.0;
+    }
+    let power = 2.0_f64.powi(number.log2().ceil() as i32);
+    if power >= 4.0 && number <= 0.75 * power {
+        0.75 * power
+    } else {
+        power
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -105,13 +103,13 @@ mod tests {
     #[test]
     fn steps_on_the_way_to_a_sample_grow_as_fast_as_they_may() {
         let (mut requested, mut time, mut steps) = (1e-3, 0.0, 0);
-        let mut leg = Leg::new(time, requested, 1.0, f64::INFINITY);
-        while leg.left > 0.0 {
-            assert!(leg.size <= requested * (1.0 + SLACK));
-            (time, steps) = (time + leg.size, steps + 1);
-            (leg.left, requested) = (leg.left - 1.0, 8.0 * leg.size);
-            if leg.left > 0.0 {
-                leg = leg.adapted(requested);
+        let mut span = Span::new(time, requested, 1.0, f64::INFINITY);
+        while span.left > 0.0 {
+            assert!(span.size <= requested * (1.0 + SLACK));
+            (time, steps) = (time + span.size, steps + 1);
+            (span.left, requested) = (span.left - 1.0, 8.0 * span.size);
+            if span.left > 0.0 {
+                span = span.adapted(requested);
             }
         }
         assert!((time - 1.0).abs() < 1e-12 && steps <= 6, "{time}, {steps}");

@@ -10,14 +10,12 @@ use crate::registers::in_wide_registers;
 /// Step sizes whose operators are kept.
 const KEPT: usize = 12;
 
-/// φ_0 … φ_HIGHEST of a chunk of modes.
-pub(super) type Functions = [Diagonal; HIGHEST + 1];
-
-const NO_FUNCTIONS: Functions = [[[0.0; 4]; 2]; HIGHEST + 1];
+/// φ_0 … φ_7, up to the number of points, of a chunk of modes.
+pub(super) type Functions = [Diagonal; POINTS + 1];
 
 /// Finds the functions of all modes over an interval, s.
 fn find_functions(eigenvalues: &[Complex<f64>], interval: f64, functions: &mut [Functions]) {
-    functions.fill(NO_FUNCTIONS);
+    functions.fill(Functions::default());
     let mut coordinate = 0;
     while coordinate < eigenvalues.len() {
         let exponent = eigenvalues[coordinate] * interval;
@@ -42,19 +40,14 @@ fn find_functions(eigenvalues: &[Complex<f64>], interval: f64, functions: &mut [
 
 /// `z(t + c_i h) = E_i z(t) + Σ_j A_ij g(t + c_j h)`, exact where g is a polynomial of the points' degree: E_i and
 /// A_ij of the points after the first, for a chunk of modes.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 struct ChunkPropagator {
     free: [Diagonal; POINTS - 1],
     forced: [[Diagonal; POINTS]; POINTS - 1],
 }
 
 impl ChunkPropagator {
-    const NONE: Self = Self {
-        free: [[[0.0; 4]; 2]; POINTS - 1],
-        forced: [[[[0.0; 4]; 2]; POINTS]; POINTS - 1],
-    };
-
-    /// What each of the points' polynomials adds over an interval between two points.
+    /// E and A of an interval between two points: φ_0, and `h Σ_m p⁽ᵐ⁾ φ_{m+1}` of each of the points' polynomials p.
     #[inline(always)]
     fn integrate(&mut self, interval: usize, length: f64, functions: &Functions) {
         self.free[interval] = functions[0];
@@ -70,17 +63,17 @@ impl ChunkPropagator {
         }
     }
 
-    /// What came before a point is carried on.
+    /// From intervals to the whole step up to each point: E_i = E E_{i−1}, A_ij = E A_{i−1,j} + A of the interval.
     #[inline(always)]
     fn go_from_point_to_point(&mut self) {
         for point in 1..POINTS - 1 {
             let on = self.free[point];
-            for of in 0..POINTS {
-                let mut carried = product(&on, &self.forced[point - 1][of]);
-                for (carried, forced) in carried.iter_mut().zip(&self.forced[point][of]) {
+            for node in 0..POINTS {
+                let mut carried = product(&on, &self.forced[point - 1][node]);
+                for (carried, forced) in carried.iter_mut().zip(&self.forced[point][node]) {
                     add_scaled(carried, 1.0, forced);
                 }
-                self.forced[point][of] = carried;
+                self.forced[point][node] = carried;
             }
             self.free[point] = product(&on, &self.free[point - 1]);
         }
@@ -157,11 +150,17 @@ impl Propagator {
 
     /// Finds what the remainder at one point alone does to the coordinates at another.
     #[inline(always)]
-    pub fn find_effect(&self, point: usize, of: usize, remainder: &Padded, effect: &mut Padded) {
+    pub fn find_effect(
+        &self,
+        point: usize,
+        source: usize,
+        remainder: &Padded,
+        effect: &mut Padded,
+    ) {
         let chunks = self.chunks.iter().zip(remainder.chunks());
         for (effect, (chunk, remainder)) in effect.chunks_mut().iter_mut().zip(chunks) {
             let mut sums = [[0.0; 4]; 2];
-            add(&chunk.forced[point - 1][of], remainder, &mut sums);
+            add(&chunk.forced[point - 1][source], remainder, &mut sums);
             *effect = joined(&sums);
         }
     }
@@ -195,13 +194,13 @@ impl Propagators {
         let chunks = chunks_of(states);
         let none = Propagator {
             size: 0.0,
-            chunks: vec![ChunkPropagator::NONE; chunks],
+            chunks: vec![ChunkPropagator::default(); chunks],
         };
         Self {
             kept: vec![none; KEPT],
-            samples: vec![NO_FUNCTIONS; chunks],
+            samples: vec![Functions::default(); chunks],
             are_samples_known: false,
-            functions: vec![NO_FUNCTIONS; chunks],
+            functions: vec![Functions::default(); chunks],
         }
     }
 
@@ -213,8 +212,8 @@ impl Propagators {
         self.are_samples_known = false;
     }
 
-    /// The operator over a step.
-    pub fn of(&mut self, linear: &LinearPart, size: f64) -> &Propagator {
+    /// The operator over a step of a size, s.
+    pub fn over_step(&mut self, linear: &LinearPart, size: f64) -> &Propagator {
         let known = self.kept.iter().position(|kept| kept.size == size);
         // the one that was not asked for longest gives its place
         let position = known.unwrap_or(KEPT - 1);
@@ -237,17 +236,11 @@ impl Propagators {
     }
 }
 
-/// Highest k.
-const HIGHEST: usize = POINTS;
-
-/// Part of the series that is nothing.
-const NOTHING: f64 = 1e-18;
-
 /// 1/k!.
-const INVERSE_FACTORIALS: [f64; HIGHEST + 1] = {
-    let mut inverse = [1.0; HIGHEST + 1];
+const INVERSE_FACTORIALS: [f64; POINTS + 1] = {
+    let mut inverse = [1.0; POINTS + 1];
     let (mut k, mut factorial) = (1, 1.0);
-    while k <= HIGHEST {
+    while k <= POINTS {
         factorial *= k as f64;
         inverse[k] = 1.0 / factorial;
         k += 1;
@@ -255,7 +248,7 @@ const INVERSE_FACTORIALS: [f64; HIGHEST + 1] = {
     inverse
 };
 
-/// φ_0 … φ_HIGHEST of a number, real or complex, as accurate where it is small as where it is large.
+/// φ_0 … φ_7 of a number, real or complex, as accurate where it is small as where it is large.
 ///
 /// ```text
 /// φ_0(x) = exp x,   φ_k = (φ_{k−1} − 1/(k−1)!)/x,   φ_k(x) = Σ_n x^n/(n+k)!
@@ -265,17 +258,17 @@ const INVERSE_FACTORIALS: [f64; HIGHEST + 1] = {
 /// the exponential and down from the series of the highest function, and both meet at |x|.
 ///
 /// Source: Hochbruck & Ostermann, *Exponential integrators*, Acta Numerica 19 (2010) 209–286, sec. 2.
-fn phi_functions<T: ComplexField<RealField = f64> + Copy>(x: T) -> [T; HIGHEST + 1] {
-    let mut values = [x.exp(); HIGHEST + 1];
+fn phi_functions<T: ComplexField<RealField = f64> + Copy>(x: T) -> [T; POINTS + 1] {
+    let mut values = [x.exp(); POINTS + 1];
     let size = x.modulus();
-    let meeting = size.min(HIGHEST as f64) as usize;
+    let meeting = size.min(POINTS as f64) as usize;
     let inverse = x.recip();
     for k in 1..=meeting {
         values[k] = (values[k - 1] - T::from_real(INVERSE_FACTORIALS[k - 1])) * inverse;
     }
-    if meeting < HIGHEST {
-        values[HIGHEST] = highest(x, size);
-        for k in (meeting + 1..HIGHEST).rev() {
+    if meeting < POINTS {
+        values[POINTS] = highest(x, size);
+        for k in (meeting + 1..POINTS).rev() {
             values[k] = x * values[k + 1] + T::from_real(INVERSE_FACTORIALS[k]);
         }
     }
@@ -285,14 +278,14 @@ fn phi_functions<T: ComplexField<RealField = f64> + Copy>(x: T) -> [T; HIGHEST +
 /// The highest function by its series.
 fn highest<T: ComplexField<RealField = f64> + Copy>(x: T, size: f64) -> T {
     let (mut term, mut sum) = (T::one(), T::one());
-    let (mut divisor, mut part) = (HIGHEST as f64, 1.0);
-    while part > NOTHING {
+    let (mut divisor, mut part) = (POINTS as f64, 1.0);
+    while part > 0.01 * f64::EPSILON {
         divisor += 1.0;
         term *= x.unscale(divisor);
         part *= size / divisor;
         sum += term;
     }
-    sum.scale(INVERSE_FACTORIALS[HIGHEST])
+    sum.scale(INVERSE_FACTORIALS[POINTS])
 }
 
 #[cfg(test)]
@@ -338,7 +331,7 @@ mod tests {
             for angle in [0.0_f64, 0.4, 0.8, 1.2, std::f64::consts::FRAC_PI_2] {
                 let x = Complex::new(-size * angle.cos(), size * angle.sin());
                 let found = phi_functions(x);
-                for k in 0..HIGHEST {
+                for k in 0..POINTS {
                     let off = found[k] - (x * found[k + 1] + INVERSE_FACTORIALS[k]);
                     let error = off.norm() / INVERSE_FACTORIALS[k];
                     assert!(error < 1e-14 * size.max(10.0), "phi_{k}({x}): {error:e}");

@@ -5,26 +5,22 @@ use nalgebra::DMatrix;
 use super::dense::Cursor;
 use super::linear::{LinearPart, ModalState};
 use super::nodes::{NODES, POINTS, Points, combined, no_points, weights};
-use super::plan::Leg;
+use super::plan::Span;
 use super::propagator::Propagators;
-use super::sweeps::{self, Ending, Sweeps, Trial};
+use super::sweeps::{self, Outcome, Sweeps, Trial};
 use crate::integrate::chunks::Padded;
-use crate::integrate::problem::{Control, Problem, SAFETY};
-use crate::integrate::stepper::{MethodStepper, Start};
+use crate::integrate::problem::{Control, GROW, Problem};
+use crate::integrate::stepper::{MethodStepper, Reached, Start};
 use crate::integrate::{Counters, IntegrateError};
 
 /// Power of the size that the error estimate falls with.
 const ERROR_POWER: i32 = POINTS as i32;
-/// Largest growth from step to step: sizes are powers of two of the samples' interval, with halves between.
-const GROW: f64 = 8.0;
-/// Ratio of a step to the one before up to which the polynomial of that one is carried on into it: beyond, as
-/// behind a step that was cut next to a sample, it is round-off by powers of the ratio, and sweeps that begin
-/// so far off seem to meet faster than they do.
-const MOST_AHEAD: f64 = 16.0;
-/// Sweeps that a step may take without a better linear part saving any.
-const USUAL_SWEEPS: u32 = 2;
-/// Sweeps that a new linear part and its propagators cost, about.
-const COST: u32 = 34;
+
+/// Sweeps that cost as much as a new linear part, by their operations: some 25 n³ for its modes and 7 · 2n² and more for
+/// each point of a sweep.
+fn renewal_cost(states: usize) -> u32 {
+    3 * states as u32
+}
 
 /// The latest step, and how to go on. States are kept as deviations from the scaling's origin.
 pub(in crate::integrate) struct ExponentialStepper {
@@ -35,8 +31,8 @@ pub(in crate::integrate) struct ExponentialStepper {
     requested: f64,
     /// Next break, s: no step reaches over it.
     limit: f64,
-    /// The leg of the latest step.
-    leg: Leg,
+    /// The equal steps of which the latest is one.
+    span: Span,
     /// The start and the end of the latest step.
     from: ModalState,
     to: ModalState,
@@ -47,8 +43,8 @@ pub(in crate::integrate) struct ExponentialStepper {
     linear: LinearPart,
     /// Whether the linear part is that of the start of the step.
     fresh: bool,
-    /// Sweeps that a better linear part might have saved since the latest one.
-    waste: u32,
+    /// Sweeps beyond the fewest since the linear part was taken: what a better one might have saved.
+    excess: u32,
     control: Control,
     /// Whether a trial since the latest good step was not finite.
     fault: bool,
@@ -78,10 +74,9 @@ impl ExponentialStepper {
         Self {
             start: time,
             time,
-            requested: start.step,
+            requested: 0.0,
             limit: time,
-            // one that has ended
-            leg: Leg::default(),
+            span: Span::default(),
             from: to.clone(),
             to,
             remainder: no_points(states),
@@ -90,8 +85,8 @@ impl ExponentialStepper {
             linear,
             fresh: false,
             // the first step takes a linear part
-            waste: COST,
-            control: Control::new(SAFETY, GROW),
+            excess: renewal_cost(states),
+            control: Control::default(),
             fault: false,
             counters: start.counters,
             ahead: [[0.0; POINTS]; POINTS],
@@ -113,7 +108,7 @@ impl ExponentialStepper {
         if behind_break {
             self.limit = problem.system.next_break(self.time + problem.slack());
         }
-        if self.waste >= COST {
+        if self.is_renewal_due() {
             self.linearise(problem);
         } else if behind_break {
             self.forget(problem);
@@ -122,6 +117,11 @@ impl ExponentialStepper {
             // a moment that changes its sign as the shaft starts is over at once: nothing is missed
             self.requested = problem.scaling.time.min(1.0 / self.linear.norm);
         }
+    }
+
+    /// Whether a new linear part might save what it costs.
+    fn is_renewal_due(&self) -> bool {
+        self.excess >= renewal_cost(self.by_time.len())
     }
 
     /// Takes the linear part anew.
@@ -133,7 +133,7 @@ impl ExponentialStepper {
             .linearisation(self.start, &self.state, jacobian, by_time);
         self.linear = LinearPart::near(jacobian);
         self.linear.to_coordinates(&mut self.from);
-        (self.fresh, self.waste) = (true, 0);
+        (self.fresh, self.excess) = (true, 0);
         self.propagators.clear();
         self.forget(problem);
     }
@@ -152,35 +152,36 @@ impl ExponentialStepper {
 
     /// Chooses the size of the step to come.
     fn plan(&mut self, interval: f64) {
-        self.leg = if self.leg.left == 0.0 || self.leg.intervals > 0.0 {
-            Leg::new(self.start, self.requested, interval, self.limit)
+        self.span = if self.span.left == 0.0 || self.span.intervals > 0.0 {
+            Span::new(self.start, self.requested, interval, self.limit)
         } else {
-            self.leg.adapted(self.requested)
+            self.span.adapted(self.requested)
         };
     }
 
     /// Tries a step; how its sweeps ended.
-    fn trial(&mut self, problem: &Problem<'_>) -> Ending {
+    fn trial(&mut self, problem: &Problem<'_>) -> Outcome {
         self.guess();
         let trial = Trial {
             problem,
             linear: &self.linear,
-            operator: self.propagators.of(&self.linear, self.leg.size),
+            operator: self.propagators.over_step(&self.linear, self.span.size),
             start: self.start,
-            size: self.leg.size,
+            size: self.span.size,
             limit: self.limit.next_down(),
             from: &self.from,
         };
         self.sweeps.begin(&trial);
-        let ending = self.sweeps.run(&trial);
+        let outcome = self.sweeps.run(&trial);
         self.counters.evaluations += u64::from(self.sweeps.count) * (POINTS as u64 - 1);
-        ending
+        outcome
     }
 
-    /// Guesses the remainder at the points of the step to come by the polynomial of the latest one.
+    /// Guesses the remainder at the points of the step to come by the polynomial of the latest one; where steps grow faster
+    /// than by [`GROW`], as behind one that was cut, that is round-off, and it is taken as it is at the start.
     fn guess(&mut self) {
-        let ratio = self.leg.size / self.remainder_size;
-        let is_known = self.remainder_size > 0.0 && ratio <= MOST_AHEAD;
+        let ratio = self.span.size / self.remainder_size;
+        let is_known = self.remainder_size > 0.0 && ratio <= GROW;
         if is_known && ratio != self.ahead_ratio {
             self.ahead_ratio = ratio;
             self.ahead = NODES.part.map(|part| weights(1.0 + ratio * part));
@@ -198,41 +199,41 @@ impl ExponentialStepper {
     fn accept(&mut self, error: f64) {
         std::mem::swap(&mut self.to, &mut self.sweeps.to);
         std::mem::swap(&mut self.remainder, &mut self.sweeps.remainder);
-        self.remainder_size = self.leg.size;
+        self.remainder_size = self.span.size;
         let growth = self.control.accepted(error, ERROR_POWER);
-        // sweeps that hardly met would not meet over a longer step
+        // sweeps that hardly converged would not over a longer step
         let proposed = match self.sweeps.count {
-            count if count > USUAL_SWEEPS + 1 => self.leg.size * growth.min(1.0),
-            _ => self.leg.size * growth,
+            count if count > sweeps::FEWEST + 1 => self.span.size * growth.min(1.0),
+            _ => self.span.size * growth,
         };
-        // a size far below the requested one was cut by a break or a sample, and tells little
-        self.requested = if self.leg.size < 0.5 * self.requested {
+        // the error of a step that was cut by a break or a sample does not bound the next one
+        self.requested = if self.span.size < 0.5 * self.requested {
             proposed.max(self.requested)
         } else {
             proposed
         };
-        self.waste += self.sweeps.count.saturating_sub(USUAL_SWEEPS);
+        self.excess += self.sweeps.count - sweeps::FEWEST;
         (self.fault, self.fresh) = (false, false);
         self.counters.steps += 1;
-        self.leg.left -= 1.0;
-        self.time = if self.leg.left == 0.0 {
-            self.leg.end
+        self.span.left -= 1.0;
+        self.time = if self.span.left == 0.0 {
+            self.span.end
         } else {
-            self.start + self.leg.size
+            self.start + self.span.size
         };
     }
 
     fn reject(&mut self, error: f64) {
         self.counters.rejected += 1;
-        self.requested = self.leg.size * self.control.rejected(error, ERROR_POWER);
+        self.requested = self.span.size * self.control.rejected(error, ERROR_POWER);
     }
 
-    /// After sweeps that did not meet: a new linear part once it pays, else a shorter step.
-    fn bring_together(&mut self, problem: &Problem<'_>) {
+    /// After sweeps that did not converge: a new linear part once it pays, else a shorter step.
+    fn renew_or_shorten(&mut self, problem: &Problem<'_>) {
         self.counters.rejected += 1;
         self.control.rejected = true;
-        if self.fresh || self.waste < COST {
-            self.requested = 0.5 * self.leg.size;
+        if self.fresh || !self.is_renewal_due() {
+            self.requested = 0.5 * self.span.size;
         } else {
             self.linearise(problem);
         }
@@ -245,24 +246,24 @@ impl MethodStepper for ExponentialStepper {
         loop {
             problem.check(self.start, self.requested, &self.counters, self.fault)?;
             self.plan(problem.interval);
-            let ends = [self.start, self.start + self.leg.size];
-            problem.check_progress(ends, self.leg.size, self.fault)?;
-            let ending = self.trial(problem);
-            match ending {
-                Ending::Met(error) if error <= 1.0 => {
+            let ends = [self.start, self.start + self.span.size];
+            problem.check_progress(ends, self.span.size, self.fault)?;
+            let outcome = self.trial(problem);
+            match outcome {
+                Outcome::Converged(error) if error <= 1.0 => {
                     self.accept(error);
                     return Ok(());
                 }
-                Ending::Met(error) => {
-                    self.waste += 1;
+                Outcome::Converged(error) => {
+                    self.excess += 1;
                     self.reject(error);
                 }
-                Ending::Apart => {
-                    self.waste += sweeps::MOST;
-                    self.bring_together(problem);
+                Outcome::Slow => {
+                    self.excess += sweeps::MOST;
+                    self.renew_or_shorten(problem);
                 }
-                Ending::NotFinite => {
-                    self.waste += 1;
+                Outcome::NotFinite => {
+                    self.excess += 1;
                     self.fault = true;
                     self.reject(f64::INFINITY);
                 }
@@ -280,27 +281,20 @@ impl MethodStepper for ExponentialStepper {
         let phi = self.propagators.samples(&self.linear, interval);
         let (cursor, linear) = (&mut self.cursor, &self.linear);
         if cursor.index > index {
-            let (from, intervals) = (&self.from.coordinates, [interval, self.leg.intervals]);
+            let (from, intervals) = (&self.from.coordinates, [interval, self.span.intervals]);
             cursor.begin(from, &self.remainder, intervals, phi, linear);
         }
         cursor.go_to(index, phi, linear, &mut self.state);
         problem.write_state(&self.state, state);
     }
 
-    fn time(&self) -> f64 {
-        self.time
-    }
-
-    fn deviation(&self) -> &[f64] {
-        &self.to.deviation
-    }
-
-    fn counters(&self) -> Counters {
-        self.counters
-    }
-
-    fn step_size(&self) -> f64 {
-        self.requested
+    fn reached(&self) -> Reached<'_> {
+        Reached {
+            time: self.time,
+            deviation: &self.to.deviation,
+            step: self.requested,
+            counters: self.counters,
+        }
     }
 
     fn crossed(&self) -> bool {

@@ -31,38 +31,29 @@ fn after_a_step() -> ExponentialStepper {
         scaling: Scaling::identity(1),
         settings,
         stop: &stop,
-        pace: None,
+        progress: None,
         end: 1.0,
         interval: 1.0,
     };
-    let mut stepper = ExponentialStepper::new(&problem, &Start::in_deviation(&[0.0], 0.0));
+    let mut stepper = ExponentialStepper::new(&problem, &Start::from_deviation(&[0.0]));
     stepper.remainder_size = 1.0;
     stepper.remainder[0] = NODES.part.map(|part| [1.0 / 3.0 + part, 0.0, 0.0, 0.0]);
     stepper
 }
 
-/// Up to [`MOST_AHEAD`] the remainder is carried on by its polynomial. Far beyond, as behind a step that was cut
+/// Up to [`GROW`] the remainder is carried on by its polynomial. Far beyond, as behind a step that was cut
 /// next to a sample, the polynomial is round-off: what is guessed there is off by the change of the remainder and
 /// no more.
 #[test]
 fn a_guess_is_never_further_off_than_the_remainder_changes() {
-    for ratio in [
-        0.1,
-        1.0,
-        4.0,
-        MOST_AHEAD,
-        1.01 * MOST_AHEAD,
-        100.0,
-        1e4,
-        1e8,
-    ] {
+    for ratio in [0.1, 1.0, 4.0, GROW, 1.01 * GROW, 100.0, 1e4, 1e8] {
         let mut stepper = after_a_step();
-        stepper.leg.size = ratio;
+        stepper.span.size = ratio;
         stepper.guess();
         for (part, guess) in NODES.part.iter().zip(stepper.sweeps.remainder[0]) {
             let change = ratio * part;
             let off = (guess[0] - (4.0 / 3.0 + change)).abs();
-            let allowed = if ratio <= MOST_AHEAD { 1e-3 } else { change };
+            let allowed = if ratio <= GROW { 1e-3 } else { change };
             assert!(
                 off <= allowed + 1e-9,
                 "{ratio} times as far, at {part}: {off:e}"
@@ -75,7 +66,7 @@ fn a_guess_is_never_further_off_than_the_remainder_changes() {
 #[test]
 fn a_first_guess_stays_where_it_is() {
     let mut stepper = after_a_step();
-    (stepper.remainder_size, stepper.leg.size) = (0.0, 1.0);
+    (stepper.remainder_size, stepper.span.size) = (0.0, 1.0);
     stepper.guess();
     let guesses = stepper.sweeps.remainder[0].map(|guess| guess[0]);
     assert_eq!(guesses, [4.0 / 3.0; POINTS]);

@@ -1,4 +1,4 @@
-//! A trial step: sweeps over its points until the nonlinear remainder there is that of the states there.
+//! Sweeps over the points of a trial step, until the nonlinear remainders are those of the states there.
 
 use super::linear::{LinearPart, ModalState};
 use super::nodes::{NODES, POINTS, Points, SPARE, combined, no_points};
@@ -10,22 +10,11 @@ use crate::registers::in_wide_registers;
 
 /// Error allowed in one step, as a part of the error aimed at over the run: measured.
 const LOCAL_PART: f64 = 0.05;
-/// The loosest tolerance that is gone by. Beyond it sweeps under strong damping of the contacts meet where
-/// the motion is not, and what follows costs more than it saves.
-const LOOSEST: f64 = 1e-2;
-/// Part of it that sweeps which are not made may leave.
-const REST: f64 = 0.03;
-/// Most sweeps of a trial.
+/// Part of it that may be left by the iteration.
+const ITERATION_PART: f64 = 0.03;
+/// Fewest sweeps of a trial, which show how fast their changes fall, and most.
+pub(super) const FEWEST: u32 = 2;
 pub(super) const MOST: u32 = 6;
-/// Fall of the change from sweep to sweep that is not worth another.
-const SLOWEST: f64 = 0.7;
-/// Least fall that is believed.
-const LEAST_RATE: f64 = 1e-3;
-/// Part of the fall so far below which it is not believed: what falls fast goes first, and what is left
-/// falls more slowly.
-const LASTING: f64 = 0.7;
-/// Factor of what the fall of the Legendre coefficients promises: measured.
-const SMOOTH_CAUTION: f64 = 2.0;
 
 /// A step that is tried.
 #[derive(Clone, Copy)]
@@ -53,8 +42,7 @@ pub(super) struct Sweeps {
     change: Points,
     /// Reciprocals of the errors allowed.
     inverse: Vec<f64>,
-    /// Fall of the change from sweep to sweep; zero where none is known.
-    rate: f64,
+    /// Sweeps of the trial so far.
     pub count: u32,
     /// Whether event surfaces lie between the points.
     pub crossed: bool,
@@ -77,11 +65,11 @@ pub(super) struct Evaluation {
 
 /// How the sweeps ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Ending {
-    /// They met; the error over what is allowed.
-    Met(f64),
-    /// They do not meet, or too slowly.
-    Apart,
+pub(super) enum Outcome {
+    /// They converged; the error over what is allowed.
+    Converged(f64),
+    /// They diverge, or converge too slowly.
+    Slow,
     NotFinite,
 }
 
@@ -124,11 +112,10 @@ impl Sweeps {
             deviations: vec![zeros.clone(); POINTS],
             change: no_points(states),
             inverse: vec![0.0; states],
-            rate: 0.0,
             count: 0,
             crossed: false,
             evaluation: Evaluation {
-                origin: Padded::of(&problem.scaling.origin),
+                origin: Padded::from_slice(&problem.scaling.origin),
                 state: zeros.clone(),
                 rate: zeros.clone(),
                 remainder: zeros,
@@ -140,7 +127,7 @@ impl Sweeps {
 
     /// Begins with a guess of the remainder.
     pub fn begin(&mut self, trial: &Trial<'_>) {
-        (self.rate, self.count) = (0.0, 0);
+        self.count = 0;
         let (linear, from) = (trial.linear, trial.from);
         let (to, remainder) = (&mut self.to, &self.remainder);
         in_wide_registers!(linear.level, {
@@ -151,35 +138,44 @@ impl Sweeps {
             linear.find_deviation(&to.coordinates, &mut to.deviation);
         });
         let problem = trial.problem;
-        let allowed = LOCAL_PART * problem.settings.tolerance.min(LOOSEST);
+        let allowed = LOCAL_PART * problem.settings.tolerance;
         for (i, inverse) in self.inverse.iter_mut().enumerate() {
             let most = from.deviation[i].abs().max(self.to.deviation[i].abs());
             *inverse = (allowed * (problem.scaling.scale[i] + most)).recip();
         }
     }
 
-    /// Sweeps until the rest is small.
-    pub fn run(&mut self, trial: &Trial<'_>) -> Ending {
-        let mut before = f64::INFINITY;
+    /// Sweeps until what further ones would change is small.
+    ///
+    /// Changes Δ that fall by the factor θ from sweep to sweep leave Δ θ/(1 − θ). A fall that is much faster than that
+    /// before it does not last: θ is the geometric mean of both.
+    ///
+    /// Source: Hairer & Wanner, *Solving Ordinary Differential Equations II*, 2nd ed. (1996), sec. IV.8, and the code RADAU.
+    pub fn run(&mut self, trial: &Trial<'_>) -> Outcome {
+        let (mut before, mut rate) = (f64::NAN, f64::NAN);
         while self.count < MOST {
             let change = self.sweep(trial);
             if !change.is_finite() {
-                return Ending::NotFinite;
+                return Outcome::NotFinite;
             }
-            if self.count > 1 {
-                let least = LEAST_RATE.max(LASTING * self.rate);
-                self.rate = (change / before).max(least);
-                let rest = rest(change, self.rate);
-                if rest <= REST {
-                    return Ending::Met(rest + self.error(trial));
+            if self.count >= FEWEST {
+                let fall = if change > 0.0 { change / before } else { 0.0 };
+                rate = if rate.is_nan() {
+                    fall
+                } else {
+                    (rate * fall).sqrt()
+                };
+                if rate >= 1.0 {
+                    return Outcome::Slow;
                 }
-                if self.rate > SLOWEST {
-                    return Ending::Apart;
+                let rest = change * rate / (1.0 - rate);
+                if rest <= ITERATION_PART {
+                    return Outcome::Converged(rest + self.error(trial));
                 }
             }
             before = change;
         }
-        Ending::Apart
+        Outcome::Slow
     }
 
     /// Evaluates the remainder point by point, each with what is known by then; the size of what that
@@ -196,9 +192,11 @@ impl Sweeps {
         let coordinates = &mut self.shift.coordinates;
         let evaluation = &mut self.evaluation;
         for point in 1..POINTS {
+            // y_i = V (E_i z + Σ_j A_ij g_j), the latest g_j
             let (from, deviation) = (&trial.from.coordinates, &mut self.deviations[point]);
             operator.find_coordinates(point, from, &self.remainder, coordinates);
             linear.find_deviation(coordinates, deviation);
+            // g_i = V⁻¹ f(t + c_i h, y_i) − Λ z_i
             let time = trial.time_of(point);
             evaluation.evaluate(linear, trial.problem.system, time, [coordinates, deviation]);
             let points = self.remainder.iter_mut().zip(&mut self.change);
@@ -210,6 +208,7 @@ impl Sweeps {
                 known[point] = *found;
             }
         }
+        // y₁ moves by V Σ_j A_j Δg_j
         operator.find_shift(&self.change, coordinates);
         linear.find_deviation(coordinates, &mut self.shift.deviation);
         for (to, by) in [
@@ -276,7 +275,8 @@ impl Sweeps {
         let [before, middle, highest] = sizes;
         let square = middle * middle;
         let fall = (square + highest * highest) / (before * before + square);
-        let factor = SMOOTH_CAUTION * fall.max(highest / before.max(middle));
+        // with a factor of two for how even the fall is
+        let factor = 2.0 * fall.max(highest / before.max(middle));
         // no number where the remainder is constant
         self.crossed = self.crosses(trial);
         if factor < 1.0 && !self.crossed {
@@ -326,15 +326,6 @@ fn norm(vector: &[f64], inverse: &[f64]) -> f64 {
     (sum / vector.len() as f64).sqrt()
 }
 
-/// What sweeps still to be made would change, from the latest change and the fall from each to the next.
-fn rest(change: f64, rate: f64) -> f64 {
-    if rate < 1.0 {
-        change * rate / (1.0 - rate)
-    } else {
-        f64::INFINITY
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use std::sync::atomic::AtomicBool;
@@ -376,7 +367,7 @@ mod tests {
             scaling: Scaling::identity(2),
             settings,
             stop: &stop,
-            pace: None,
+            progress: None,
             end: 100.0,
             interval: 1.0,
         };
@@ -387,7 +378,7 @@ mod tests {
         from.deviation.copy_from_slice(&[0.98, 0.0]);
         linear.to_coordinates(&mut from);
         let size = time / f64::from(steps);
-        let operator = propagators.of(&linear, size);
+        let operator = propagators.over_step(&linear, size);
         let mut sweeps = Sweeps::new(&problem);
         for step in 0..steps {
             let start = f64::from(step) * size;

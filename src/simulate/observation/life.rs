@@ -40,7 +40,7 @@ impl ConsumedLife {
         (self.share > 0.0).then(|| 1e-6 * self.revolutions / self.share)
     }
 
-    /// The same in hours at the mean speed of the history.
+    /// That life in hours at the mean speed of the history.
     pub fn hours(&self) -> Option<f64> {
         (self.share > 0.0).then(|| self.time / self.share / HOUR)
     }

@@ -27,14 +27,14 @@ pub struct LoadZone {
     #[serde(rename = "balls_loaded")]
     pub balls: Spread,
     /// Arc that holds all loaded balls, rad: the full circle less the longest row of unloaded ones,
-    /// every ball standing for its share of the circle.
+    /// every ball counted for its share of the circle.
     #[serde(rename = "extent_rad")]
     pub extent: Spread,
 }
 
 impl Spread {
     /// Of some values, in parts of a unit.
-    fn of(values: &Moments, unit: f64) -> Self {
+    fn from_moments(values: &Moments, unit: f64) -> Self {
         let [smallest, largest] = values.extremes();
         Self {
             smallest: unit * smallest,
@@ -64,8 +64,8 @@ impl LoadZoneSums {
 
     pub fn finish(self) -> Option<LoadZone> {
         (self.balls > 0).then(|| LoadZone {
-            balls: Spread::of(&self.loaded, 1.0),
-            extent: Spread::of(&self.spanned, TAU / self.balls as f64),
+            balls: Spread::from_moments(&self.loaded, 1.0),
+            extent: Spread::from_moments(&self.spanned, TAU / self.balls as f64),
         })
     }
 }

@@ -17,7 +17,7 @@ use serde::Serialize;
 use crate::bearing::Oil;
 use crate::integrate::Method;
 use crate::rotor::Rotor;
-use crate::simulate::{Model, Monitor, SimulateError, of_speed};
+use crate::simulate::{Model, Monitor, SimulateError, assembled_warnings};
 use reference::Reference;
 
 pub use levels::FidelityLevels;
@@ -108,7 +108,7 @@ impl Question<'_> {
             rows: measured,
             ladder,
             duration: self.model.duration,
-            warnings: definition.warnings_with(of_speed(definition, &rotor)),
+            warnings: definition.warnings_with(assembled_warnings(definition, &rotor)),
         })
     }
 }

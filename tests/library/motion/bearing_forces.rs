@@ -61,7 +61,7 @@ fn mixed(freedoms: Freedoms, law: ContactLaw) -> RotorDefinition {
 }
 
 fn recorded(definition: RotorDefinition) -> Vec<Sample> {
-    let run = RecordedRun::of(&model(definition, 0.02, 5000.0));
+    let run = RecordedRun::from_model(&model(definition, 0.02, 5000.0));
     run.expect("a run").samples
 }
 

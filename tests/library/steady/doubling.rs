@@ -53,8 +53,8 @@ fn question(definition: RotorDefinition) -> Model {
 }
 
 fn swing(steady: &Steady, axis: usize) -> f64 {
-    let own = |swing: &&crate::steady::Swing| swing.channel == Channel::Displacement(axis);
-    let swing = steady.swings.iter().find(own).expect("a displacement");
+    let own = |swing: &&crate::steady::MotionRange| swing.channel == Channel::Displacement(axis);
+    let swing = steady.ranges.iter().find(own).expect("a displacement");
     swing.peak_to_peak / MICROMETRE
 }
 

@@ -78,7 +78,7 @@ static DOWN: LazyLock<Response> = LazyLock::new(|| {
 });
 
 fn axial(point: &ResponsePoint) -> f64 {
-    point.swings[2].peak_to_peak
+    point.ranges[2].peak_to_peak
 }
 
 fn folds(branch: &Response) -> Vec<f64> {

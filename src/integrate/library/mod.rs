@@ -8,25 +8,25 @@
 //!   finite one is accepted, and explains the step-size underflow that follows.
 //! - Grid times drift by added round-off; they are rebuilt from the index.
 //! - Its own test for stiffness comes once in a thousand steps of one solver, and ends runs that
-//!   would end well; it is left out for [`stiffness`], which knows the Jacobian and the limit on
-//!   steps.
+//!   would end well; it is left out for [`stiffness`](super::stiffness()), which knows the Jacobian and the limit
+//!   on steps.
+
+mod bridge;
 
 use std::cell::RefCell;
-use std::sync::atomic::Ordering;
 
 use ode_solvers::dop_shared::{IntegrationError, OutputType, Stats};
-use ode_solvers::{DVector, Dop853, Dopri5, System as LibrarySystem};
+use ode_solvers::{DVector, Dop853, Dopri5};
 
 use super::problem::Problem;
-use super::rosenbrock::LOCAL_PART;
-use super::stepper::{MethodStepper, Start};
-use super::stiffness::{is_check_due, stiffness};
-use super::{Counters, IntegrateError, Method, SEGMENT, States};
+use super::stepper::{MethodStepper, Reached, Start};
+use super::{Counters, IntegrateError, Method, States};
+use bridge::{Bridge, Record};
 
-/// Evaluations after an accepted step's own that dense output may add, and that one itself.
-const REMEMBERED: usize = 4;
-/// Accepted steps between two of the library's own tests for stiffness: none comes so far.
-const NO_TEST_FOR_STIFFNESS: u32 = u32::MAX;
+/// Error allowed in one step, as a part of the error aimed at over the run: local errors add up.
+const LOCAL_PART: f64 = 0.25;
+/// Most samples of a block, which the library keeps in memory.
+const BLOCK: f64 = 4096.0;
 
 /// A method of the library under way.
 pub(super) struct LibraryStepper {
@@ -66,13 +66,13 @@ impl LibraryStepper {
             time: start.time,
             scaled: units.map(|(deviation, scale)| deviation / scale).collect(),
             deviation: start.deviation.clone(),
-            step: start.step,
+            step: 0.0,
             counters: start.counters,
             ending: None,
         }
     }
 
-    /// The block to come: up to the end of a segment of samples, to the next break, or from one to the next sample.
+    /// The block to come: up to the next break, or from one to the next sample.
     fn next_block<'a>(&self, problem: &'a Problem<'a>) -> Block<'a> {
         let (time, interval) = (self.time, problem.interval);
         let limit = problem.limit_after(time);
@@ -87,7 +87,7 @@ impl LibraryStepper {
         };
         if index * interval == time {
             let free = ((limit - time + problem.slack()) / interval).floor();
-            let whole = free.min(SEGMENT as f64 - index % SEGMENT as f64);
+            let whole = free.min(BLOCK);
             if whole >= 1.0 {
                 return block((index + whole) * interval, whole);
             }
@@ -130,7 +130,8 @@ impl LibraryStepper {
                     end,
                     first_step,
                     block.steps_left(),
-                    NO_TEST_FOR_STIFFNESS,
+                    // accepted steps to the library's own test for stiffness
+                    u32::MAX,
                     OutputType::Dense,
                 );
                 let result = solver.integrate();
@@ -194,20 +195,13 @@ impl MethodStepper for LibraryStepper {
             .write_state(scaled.unwrap_or(&self.scaled), state);
     }
 
-    fn time(&self) -> f64 {
-        self.time
-    }
-
-    fn deviation(&self) -> &[f64] {
-        &self.deviation
-    }
-
-    fn counters(&self) -> Counters {
-        self.counters
-    }
-
-    fn step_size(&self) -> f64 {
-        self.step
+    fn reached(&self) -> Reached<'_> {
+        Reached {
+            time: self.time,
+            deviation: &self.deviation,
+            step: self.step,
+            counters: self.counters,
+        }
     }
 
     fn stability_limit(&self) -> Option<f64> {
@@ -243,157 +237,5 @@ impl Block<'_> {
         let used = self.before.steps + self.before.rejected;
         let left = self.problem.settings.step_limit.saturating_sub(used);
         u32::try_from(left).unwrap_or(u32::MAX)
-    }
-}
-
-/// What the solver's calls reveal and its interface does not.
-struct Record {
-    /// Latest evaluations, in a ring.
-    evaluated: [(f64, DVector<f64>); REMEMBERED],
-    evaluations: u64,
-    accepted: u64,
-    /// State at the end of the latest accepted step.
-    end: DVector<f64>,
-    end_x: f64,
-    /// Sizes of the latest accepted steps.
-    steps: [f64; 3],
-    /// Whether an evaluation since the latest accepted step was not finite.
-    fault: bool,
-    /// Why the solver was told to stop.
-    ending: Option<IntegrateError>,
-    /// Room for a state.
-    state: Vec<f64>,
-}
-
-impl Record {
-    fn new(scaled: &[f64]) -> Self {
-        let start = DVector::from_column_slice(scaled).push(0.0);
-        Self {
-            evaluated: std::array::from_fn(|_| (f64::NAN, start.clone())),
-            evaluations: 0,
-            accepted: 0,
-            end: start,
-            end_x: 0.0,
-            steps: [0.0; 3],
-            fault: false,
-            ending: None,
-            state: scaled.to_vec(),
-        }
-    }
-
-    /// Takes note of a step that ended at `x`, if one did: Dopri5 announces dense points as well,
-    /// and those were not evaluated. Whether it did.
-    fn announced(&mut self, x: f64) -> bool {
-        let count = self.evaluations as usize;
-        let state = (1..=REMEMBERED.min(count))
-            .map(|back| &self.evaluated[(count - back) % REMEMBERED])
-            .find(|(at, _)| *at == x && x > self.end_x);
-        let Some((_, state)) = state else {
-            return false;
-        };
-        self.end.copy_from(state);
-        let [_, second, third] = self.steps;
-        self.steps = [second, third, x - self.end_x];
-        self.end_x = x;
-        self.accepted += 1;
-        self.fault = false;
-        true
-    }
-
-    /// The last step may be cut short by the end of the block; one of those before was not.
-    fn longest_late_step(&self) -> f64 {
-        self.steps.into_iter().fold(0.0, f64::max)
-    }
-
-    fn rejected(&self, result: &Result<Stats, IntegrationError>) -> u64 {
-        match result {
-            Ok(stats) => u64::from(stats.rejected_steps),
-            Err(IntegrationError::MaxNumStepReached { n_step, .. }) => {
-                u64::from(*n_step).saturating_sub(self.accepted)
-            }
-            Err(_) => 0,
-        }
-    }
-
-    /// Why the run ends within a block, if it does, after steps of a size in s.
-    fn ending(
-        self,
-        block: &Block<'_>,
-        result: Result<Stats, IntegrationError>,
-        step: f64,
-    ) -> Option<IntegrateError> {
-        let time = block.time(self.end_x);
-        match result {
-            _ if self.ending.is_some() => self.ending,
-            Ok(_) => None,
-            Err(_) if self.fault => Some(IntegrateError::NotFinite { time }),
-            Err(IntegrationError::MaxNumStepReached { .. }) => Some(IntegrateError::StepLimit {
-                time,
-                limit: block.problem.settings.step_limit,
-            }),
-            // the library does not test for stiffness
-            Err(
-                IntegrationError::StepSizeUnderflow { .. }
-                | IntegrationError::StiffnessDetected { .. },
-            ) => Some(IntegrateError::StepUnderflow { time, step }),
-        }
-    }
-
-    /// The error that ends a run which stability keeps from its end within the limit on steps.
-    fn stiff(&self, block: &Block<'_>, steps: u64) -> Option<IntegrateError> {
-        let problem = block.problem;
-        let deviation = problem.scaling.deviation(without_time(&self.end));
-        let step = self.longest_late_step() * problem.scaling.time;
-        let (limit, time) = (stability_limit(block.method), block.time(self.end_x));
-        stiffness(problem, limit, time, &deviation, step)?.ending(problem, steps)
-    }
-}
-
-/// The system as the library sees it: scaled, and with the time as its last state.
-struct Bridge<'a> {
-    block: &'a Block<'a>,
-    record: &'a RefCell<Record>,
-}
-
-impl LibrarySystem<f64, DVector<f64>> for Bridge<'_> {
-    fn system(&self, x: f64, state: &DVector<f64>, rate: &mut DVector<f64>) {
-        let own = state.len() - 1;
-        let (problem, rates) = (self.block.problem, &mut rate.as_mut_slice()[..own]);
-        let record = &mut *self.record.borrow_mut();
-        let time = self.block.time(state[own]);
-        problem
-            .scaling
-            .write_state(without_time(state), &mut record.state);
-        problem.system.derivative(time, &record.state, rates);
-        for (rate, scale) in rates.iter_mut().zip(&problem.scaling.scale) {
-            *rate *= problem.scaling.time / scale;
-        }
-        record.fault |= !rates.iter().sum::<f64>().is_finite();
-        rate[own] = 1.0;
-        let (at, kept) = &mut record.evaluated[record.evaluations as usize % REMEMBERED];
-        *at = x;
-        kept.copy_from(state);
-        record.evaluations += 1;
-    }
-
-    fn solout(&mut self, x: f64, _stale: &DVector<f64>, _rate: &DVector<f64>) -> bool {
-        let (block, record) = (self.block, &mut *self.record.borrow_mut());
-        let problem = block.problem;
-        let accepted = record.announced(x);
-        let counters = Counters {
-            steps: block.before.steps + record.accepted,
-            ..Counters::default()
-        };
-        if let Some(pace) = problem.pace {
-            pace.note(block.time(x), &counters);
-        }
-        if problem.stop.load(Ordering::Relaxed) {
-            let time = block.time(record.end_x);
-            record.ending = Some(IntegrateError::Interrupted { time });
-        }
-        if accepted && is_check_due(problem, counters.steps - 1, counters.steps) {
-            record.ending = record.stiff(block, counters.steps).or(record.ending.take());
-        }
-        record.ending.is_some()
     }
 }
