@@ -36,11 +36,11 @@ pub(crate) const FORCE: [(&str, &str); FREEDOMS] = [
     ("moment_y", "N m"),
 ];
 
-/// The columns of the diagonal of a stiffness matrix: `K_x_N_m` ….
+/// The columns of the diagonal of a stiffness matrix: `stiffness_x_N_m` ….
 pub(crate) fn diagonal_columns() -> [Column; FREEDOMS] {
     std::array::from_fn(|axis| {
         let unit = format!("{}/{}", FORCE[axis].1, DISPLACEMENT[axis].1);
-        Column::number(format!("K_{}", AXES[axis]), unit)
+        Column::number(format!("stiffness_{}", AXES[axis]), unit)
     })
 }
 
@@ -106,7 +106,7 @@ pub(crate) fn rows<S: Serializer>(
     named.serialize(serializer)
 }
 
-/// The diagonal of a stiffness matrix: `{"K_x_N_m": …, …}`.
+/// The diagonal of a stiffness matrix: `{"stiffness_x_N_m": …, …}`.
 pub(crate) fn diagonal<S: Serializer>(matrix: &Matrix5, serializer: S) -> Serialized<S> {
     let columns = diagonal_columns().into_iter().enumerate();
     serializer.collect_map(columns.map(|(axis, column)| (column, matrix[(axis, axis)])))

@@ -23,9 +23,9 @@ pub fn columns<'py>(py: Python<'py>, table: &Table<'_>) -> PyResult<Columns<'py>
                 let counts: Vec<i64> = values.iter().map(|value| *value as i64).collect();
                 counts.into_pyarray(py).into_any()
             }
-            ColumnKind::Word(words) => {
-                let word = |value: &f64| words.get(*value as usize).map_or("", String::as_str);
-                let words: Vec<&str> = values.iter().map(word).collect();
+            ColumnKind::Word(_) => {
+                let words = values.iter().map(|value| column.kind.word(*value));
+                let words: Vec<&str> = words.collect();
                 words.into_pyobject(py)?.into_any()
             }
             _ => PyArray1::from_slice(py, values).into_any(),

@@ -146,7 +146,7 @@ def test_a_sweep_asks_where_the_shaft_stands(scenarios: Path) -> None:
     scenario = jc.Scenario(scenarios / "bearing-7205c.toml")
     found = scenario.sweep({"load[1].constant.z": ["500 N", "1000 N"]}, ask="bearing", keep={"positions": 16})
     alone = scenario.with_({"load[1].constant.z": "500 N"}).bearing()
-    assert found["K_z_N_m"][0] == alone.summary["stiffness"]["named"]["K_z_N_m"]
+    assert found["stiffness_z_N_m"][0] == alone.summary["stiffness"]["named"]["stiffness_z_N_m"]
     around = found.table("around")
     assert list(around["run"]) == 16 * [0] + 16 * [1] and list(around["position"][:3]) == [1, 2, 3]
     assert {"stiffness", "deformation", "contact_angle"} <= set(found.figures)

@@ -3,28 +3,26 @@
 //! These files hold times, and so are the only ones that differ from one measurement to the next.
 
 use super::figure::{Axis, COLOURS, Curve, Figure, GREY, Mark, Name, Panel, distinct};
-use super::terminal::{Lines, MICRO, MILLI, or_dash, wrapped};
+use super::terminal::{Lines, MICRO, or_dash, shown_column, wrapped};
 use super::{FileSet, Findings};
 use crate::scenario::Scenario;
-use crate::study::accuracy::{Accuracy, Agreement, Cost, Errors, Measured};
-use crate::table::{Named, Table};
+use crate::study::accuracy::{Accuracy, Agreement, Cost, Errors};
+use crate::table::{ColumnKind, Named, Table};
 
 /// Reference, methods and ladder of a measurement.
 pub fn accuracy_findings(scenario: &Scenario, accuracy: &Accuracy) -> Findings {
-    let title = &scenario.title;
+    let (title, agreement) = (&scenario.title, &accuracy.agreement);
+    let (methods, ladder) = (methods_table(accuracy), ladder_table(accuracy));
     let mut text = Lines::titled(title);
-    add_reference(&mut text, &accuracy.agreement);
-    add_methods(&mut text, accuracy);
-    add_ladder(&mut text, accuracy);
+    add_reference(&mut text, agreement);
+    add_methods(&mut text, accuracy, &methods);
+    add_ladder(&mut text, accuracy, &ladder);
     Findings {
-        tables: vec![
-            ("accuracy", methods_table(accuracy)),
-            ("ladder", ladder_table(accuracy)),
-        ],
         figures: vec![
-            methods_figure(title, accuracy),
-            ladder_figure(title, accuracy),
+            methods_figure(title, agreement, &methods),
+            ladder_figure(title, agreement, &ladder),
         ],
+        tables: vec![("accuracy", methods), ("ladder", ladder)],
         ..Findings::new(FileSet::ACCURACY, scenario, accuracy, text)
     }
 }
@@ -150,43 +148,30 @@ fn add_reference(out: &mut Lines, agreement: &Agreement) {
     }
 }
 
-fn add_methods(out: &mut Lines, accuracy: &Accuracy) {
-    // of traces, or of statistics where traces mean nothing
-    let (errors, mark, meaning) = match accuracy.agreement.irregular {
-        true => (&STATISTICS, "≈", "within the scatter of exact runs"),
-        false => (&TRACES, "≤", "not above the uncertainty of the reference"),
+/// Every method, with errors of traces, or of statistics where traces mean nothing.
+fn add_methods(out: &mut Lines, accuracy: &Accuracy, table: &Table<'_>) {
+    let errors = match accuracy.agreement.irregular {
+        true => [
+            ("error\nin mean", "error_displacement_mean_relative"),
+            ("\nin rms", "error_displacement_rms_relative"),
+            ("\nin peak", "error_displacement_peak_relative"),
+        ],
+        false => [
+            ("error\nmotion", "error_displacement_relative"),
+            ("\nforce", "error_force_relative"),
+            ("\nlines", "error_lines_relative"),
+        ],
     };
-    let first = [
-        "method\n",
-        "tolerance\n",
-        "time\nms",
-        "evaluations\n",
-        "steps\n",
-        "rejected\n",
+    let costs = [
+        ("method", "method"),
+        ("tolerance", "tolerance"),
+        ("time", "wall_time"),
+        ("evaluations", "evaluations"),
+        ("steps", "steps"),
+        ("rejected", "rejected"),
     ];
-    let rows = accuracy.rows.iter().filter_map(|row| {
-        let measured = row.result.as_ref().ok()?;
-        let counters = &measured.cost.counters;
-        let mut cells = vec![
-            row.method.clone(),
-            format!("{:e}", row.tolerance),
-            time(MILLI * measured.cost.seconds),
-            counters.evaluations.to_string(),
-            counters.steps.to_string(),
-            counters.rejected.to_string(),
-        ];
-        cells.extend(errors.iter().map(|(_, cell)| cell(&measured.errors)));
-        if measured.within_uncertainty {
-            let error = &mut cells[first.len()];
-            *error = format!("{mark} {error}");
-        }
-        Some(cells)
-    });
-    out.table(first.into_iter().chain(titles(errors)), rows);
-    let mut measured = accuracy.rows.iter().flat_map(|row| &row.result);
-    if measured.any(|measured| measured.within_uncertainty) {
-        out.put(format!("{mark} {meaning}"));
-    }
+    let within = [("within\nuncertainty", "within_uncertainty")];
+    out.show(table, &[&costs[..], &errors, &within].concat(), 2);
     for row in &accuracy.rows {
         if let Err(reason) = &row.result {
             let what = format!("{} at {:e}", row.method, row.tolerance);
@@ -195,78 +180,36 @@ fn add_methods(out: &mut Lines, accuracy: &Accuracy) {
     }
 }
 
-/// A column of errors for people: its title and its cells.
-type ErrorColumn = (&'static str, fn(&Errors) -> String);
-
-const TRACES: [ErrorColumn; 3] = [
-    ("error\ndisplacement", |errors| {
-        short(errors.displacement_relative)
-    }),
-    ("\nforce", |errors| short(errors.force_relative)),
-    ("\nlines", |errors| or_dash(errors.lines.map(short))),
-];
-const STATISTICS: [ErrorColumn; 3] = [
-    ("error\nin mean", |errors| short(errors.statistics.mean)),
-    ("\nin rms", |errors| short(errors.statistics.rms)),
-    ("\nin peak", |errors| short(errors.statistics.peak)),
-];
-
-const VIBRATION: [ErrorColumn; 4] = [
-    ("from the top\nposition", |errors| {
-        short(errors.statistics.mean)
-    }),
-    ("\nvibration", |errors| short(errors.displacement_relative)),
-    ("\nforce", |errors| short(errors.force_relative)),
-    ("\nlines", |errors| or_dash(errors.lines.map(short))),
-];
-const SPREAD: [ErrorColumn; 4] = [
-    ("from the top\nposition", |errors| {
-        short(errors.statistics.mean)
-    }),
-    ("\nrms", |errors| short(errors.statistics.rms)),
-    ("\npeak", |errors| short(errors.statistics.peak)),
-    ("force\nrms", |errors| short(errors.force_statistics.rms)),
-];
-
-fn add_ladder(out: &mut Lines, accuracy: &Accuracy) {
-    let errors = if accuracy.agreement.irregular {
-        &SPREAD
-    } else {
-        &VIBRATION
+/// Every model, with its difference from the highest.
+fn add_ladder(out: &mut Lines, accuracy: &Accuracy, table: &Table<'_>) {
+    let errors = match accuracy.agreement.irregular {
+        true => [
+            ("rms", "difference_displacement_rms_relative"),
+            ("peak", "difference_displacement_peak_relative"),
+            ("force rms", "difference_force_rms_relative"),
+        ],
+        false => [
+            ("vibration", "difference_displacement_relative"),
+            ("force", "difference_force_relative"),
+            ("lines", "difference_lines_relative"),
+        ],
     };
-    let header = ["model, cage, freedoms\n", "\n", "ms per\nsimulated s"];
-    let rows = &accuracy.ladder.rows;
-    let cells = rows.iter().filter_map(|row| {
-        let (cost, found) = row.result.as_ref().ok()?;
-        let is_top = accuracy.ladder.top == Some(row.configuration);
-        let mark = match (is_top, row.as_written) {
-            (true, true) => "top, written",
-            (true, false) => "top",
-            (false, true) => "written",
-            (false, false) => "",
-        };
-        let cells = [
-            row.configuration.to_string(),
-            mark.to_owned(),
-            time(MILLI * cost.seconds / accuracy.duration),
-        ];
-        let errors = errors.iter().map(|(_, cell)| cell(found));
-        Some(cells.into_iter().chain(errors).collect())
-    });
-    out.table(header.into_iter().chain(titles(errors)), cells);
+    let costs = [
+        ("model, cage, freedoms", "model"),
+        ("written", "as_written"),
+        ("time per\nsecond", "wall_time_per_simulated_s"),
+        ("position", "difference_displacement_mean_relative"),
+    ];
+    out.show(table, &[&costs[..], &errors].concat(), 2);
     out.put(
         "relative to the RMS vibration of the highest level after the settle time; position: of its mean",
     );
-    for row in rows {
+    for row in &accuracy.ladder.rows {
         if let Err(reason) = &row.result {
             add_note(out, row.configuration.to_string(), reason);
         }
     }
     out.put("");
-}
-
-fn titles(columns: &[ErrorColumn]) -> impl Iterator<Item = &'static str> {
-    columns.iter().map(|(title, _)| *title)
 }
 
 /// What could not be measured, and why.
@@ -284,113 +227,89 @@ fn short(value: f64) -> String {
     }
 }
 
-/// Three significant digits, without a power of ten.
-fn time(value: f64) -> String {
-    let decimals = (2.0 - value.log10().floor()).clamp(0.0, 6.0) as usize;
-    format!("{value:.decimals$}")
-}
-
 /// Height of a plot, px.
 const HEIGHT: u32 = 320;
 /// Height of a row, px.
 const LEVEL_HEIGHT: u32 = 30;
 
-/// Quantity on an axis and its name.
-type Quantity = ((&'static str, &'static str), fn(&Measured) -> f64);
+/// A quantity of errors, and the uncertainty of it.
+type Uncertain = (&'static str, f64);
 
-const TIME: Quantity = (("time of the integration", "ms"), |measured| {
-    MILLI * measured.cost.seconds
-});
-const EVALUATIONS: Quantity = (("evaluations of the right-hand side", ""), |measured| {
-    measured.cost.counters.evaluations as f64
-});
-const STEPS: Quantity = (("steps, accepted and rejected", ""), |measured| {
-    let counters = &measured.cost.counters;
-    (counters.steps + counters.rejected) as f64
-});
-const DISPLACEMENT: Quantity = (("error in displacement", ""), |measured| {
-    measured.errors.displacement_relative
-});
-const FORCE: Quantity = (("error in force", ""), |measured| {
-    measured.errors.force_relative
-});
-const RMS: Quantity = (("error in rms of displacement", ""), |measured| {
-    measured.errors.statistics.rms
-});
-const FORCE_RMS: Quantity = (("error in rms of force", ""), |measured| {
-    measured.errors.force_statistics.rms
-});
-/// What is plotted below and upwards, and the uncertainty of it.
-type Plotted = (Quantity, Quantity, f64);
-
-/// What is plotted over what, and the uncertainty of it: of traces, or of their rms where they mean
-/// nothing.
-fn plotted(agreement: &Agreement) -> [Plotted; 4] {
+/// What is plotted over what: errors of traces, or of their rms where they mean nothing.
+fn plotted(agreement: &Agreement) -> [(&'static str, Uncertain); 4] {
     let (scatter, uncertainty) = (&agreement.scatter, &agreement.uncertainty);
-    let [displacement, force] = if agreement.irregular {
-        [
-            (RMS, scatter.statistics.rms),
-            (FORCE_RMS, scatter.force_statistics.rms),
-        ]
-    } else {
-        [
-            (DISPLACEMENT, uncertainty.displacement_relative),
-            (FORCE, uncertainty.force_relative),
-        ]
+    let [displacement, force] = match agreement.irregular {
+        true => [
+            ("error_displacement_rms_relative", scatter.statistics.rms),
+            ("error_force_rms_relative", scatter.force_statistics.rms),
+        ],
+        false => [
+            (
+                "error_displacement_relative",
+                uncertainty.displacement_relative,
+            ),
+            ("error_force_relative", uncertainty.force_relative),
+        ],
     };
     [
-        (TIME, displacement.0, displacement.1),
-        (EVALUATIONS, displacement.0, displacement.1),
-        (STEPS, displacement.0, displacement.1),
-        (TIME, force.0, force.1),
+        ("wall_time", displacement),
+        ("evaluations", displacement),
+        ("steps", displacement),
+        ("wall_time", force),
     ]
 }
 
 /// Error over time, evaluations and steps, a curve a method; the uncertainty is a grey line.
-fn methods_figure(title: &str, accuracy: &Accuracy) -> Figure {
-    let mut methods: Vec<&str> = Vec::new();
-    for row in &accuracy.rows {
-        if !methods.contains(&row.method.as_str()) {
-            methods.push(&row.method);
-        }
-    }
-    let panels = plotted(&accuracy.agreement).map(|what| methods_panel(accuracy, &methods, what));
-    let names = methods.iter().enumerate().map(|(index, method)| Name {
+fn methods_figure(title: &str, agreement: &Agreement, table: &Table<'_>) -> Figure {
+    let panels = plotted(agreement);
+    let panels = panels
+        .into_iter()
+        .filter_map(|(x, y)| methods_panel(table, x, y));
+    let methods = methods(table).iter().enumerate();
+    let names = methods.map(|(index, method)| Name {
         mark: Some(mark(index)),
-        ..Name::new(*method, distinct(index))
+        ..Name::new(method, distinct(index))
     });
-    let grey = if accuracy.agreement.irregular {
-        "scatter of exact runs, which part company"
-    } else {
-        "uncertainty of the reference"
+    let grey = match agreement.irregular {
+        true => "scatter of exact runs, which part company",
+        false => "uncertainty of the reference",
     };
-    let figure = Figure::new("accuracy", title, 2, panels.to_vec());
+    let figure = Figure::new("accuracy", title, 2, panels.collect());
     figure.with_names(names.chain([Name::new(grey, GREY)]))
 }
 
-fn methods_panel(accuracy: &Accuracy, methods: &[&str], plotted: Plotted) -> Panel {
-    let ((x_name, x), (y_name, y), uncertainty) = plotted;
-    let rows = || accuracy.rows.iter();
-    let measured = || rows().filter_map(|row| row.result.as_ref().ok());
-    let x_axis = Axis::logarithmic(x_name, measured().map(x));
-    let y_axis = Axis::logarithmic(y_name, measured().map(y));
+/// Names of the methods, as the table numbers them.
+fn methods<'a>(table: &'a Table<'_>) -> &'a [String] {
+    match table.column("method").map(|(column, _)| &column.kind) {
+        Some(ColumnKind::Word(methods)) => methods,
+        _ => &[],
+    }
+}
+
+fn methods_panel(table: &Table<'_>, x: &str, (y, uncertainty): Uncertain) -> Option<Panel> {
+    let (_, methods_of_rows) = table.column("method")?;
+    let [(x, xs), (y, ys)] = [table.column(x)?, table.column(y)?];
+    let [x_axis, y_axis] = [(x, xs), (y, ys)].map(|(column, values)| {
+        let (label, factor) = shown_column(column);
+        Axis::logarithmic(label, values.iter().map(|value| factor * value))
+    });
     let ends = [x_axis.least(), x_axis.most()];
     let limit = Curve::line(GREY, ends.map(|end| (end, uncertainty)).to_vec());
-    let curves = methods.iter().enumerate().map(|(index, method)| {
+    let curves = (0..methods(table).len()).map(|index| {
         // from the loosest tolerance to the tightest
-        let points = rows().filter(|row| row.method == *method);
-        let points = points.filter_map(|row| row.result.as_ref().ok());
-        let points: Vec<_> = points.map(|measured| (x(measured), y(measured))).collect();
+        let own = methods_of_rows.iter().zip(xs.iter().zip(ys));
+        let own = own.filter(|(method, (x, _))| **method == index as f64 && x.is_finite());
+        let points: Vec<_> = own.map(|(_, (x, y))| (*x, *y)).collect();
         Curve {
             mark: mark(index),
             marks: points.clone(),
             ..Curve::line(distinct(index), points)
         }
     });
-    Panel {
+    Some(Panel {
         curves: std::iter::once(limit).chain(curves).collect(),
         ..Panel::new(x_axis, y_axis, HEIGHT)
-    }
+    })
 }
 
 /// Curves beyond the colours that there are differ by their marks.
@@ -403,46 +322,44 @@ fn mark(index: usize) -> Mark {
 }
 
 /// A row a fidelity level: its cost to the left, its difference from the highest one to the right.
-fn ladder_figure(title: &str, accuracy: &Accuracy) -> Figure {
-    let rows = accuracy.ladder.rows.iter();
-    let levels = rows.filter_map(|row| Some((row.configuration, row.result.as_ref().ok()?)));
-    let levels: Vec<_> = levels.collect();
-    let cost = |cost: &Cost| MILLI * cost.seconds / accuracy.duration;
-    let costs: Vec<f64> = levels.iter().map(|(_, found)| cost(&found.0)).collect();
-    let (name, difference): (_, fn(&Errors) -> f64) = if accuracy.agreement.irregular {
-        ("difference of the rms from the top", |errors| {
-            errors.statistics.rms
-        })
-    } else {
-        ("vibration: rms difference from the top", |errors| {
-            errors.displacement_relative
-        })
+fn ladder_figure(title: &str, agreement: &Agreement, table: &Table<'_>) -> Figure {
+    let difference = match agreement.irregular {
+        true => "difference_displacement_rms_relative",
+        false => "difference_displacement_relative",
     };
-    let differences: Vec<f64> = levels
-        .iter()
-        .map(|(_, found)| difference(&found.1))
-        .collect();
-    let names = levels.iter();
-    let names = Axis::names(names.map(|(configuration, _)| configuration.to_string()));
-    let panels = vec![
-        levels_panel("ms per simulated second", names.clone(), &costs, 0),
-        levels_panel(name, names, &differences, 1),
-    ];
-    Figure::new("ladder", title, 2, panels)
+    let shown = ["wall_time_per_simulated_s", difference].into_iter();
+    let shown = shown.enumerate();
+    let panels = shown.filter_map(|(index, quantity)| levels_panel(table, quantity, index));
+    Figure::new("ladder", title, 2, panels.collect())
 }
 
 /// A disc a level over one logarithmic axis; a level whose value is zero has none.
-fn levels_panel(name: &str, levels: Axis, values: &[f64], colour: usize) -> Panel {
-    let axis = Axis::logarithmic(name, values.iter().copied());
-    let height = LEVEL_HEIGHT * values.len().max(1) as u32;
-    let places = values.iter().enumerate().filter(|(_, value)| **value > 0.0);
-    let places = places.map(|(index, value)| (*value, index as f64 + 0.5));
+fn levels_panel(table: &Table<'_>, quantity: &str, colour: usize) -> Option<Panel> {
+    let ((models, levels), (column, values)) = (table.column("model")?, table.column(quantity)?);
+    let known = levels.iter().zip(values.iter().copied());
+    let known: Vec<_> = known.filter(|(_, value)| value.is_finite()).collect();
+    let names = known
+        .iter()
+        .map(|(level, _)| models.kind.word(**level).to_owned());
+    let axis = Axis::logarithmic(
+        shown_column(column).0,
+        known.iter().map(|(_, value)| *value),
+    );
+    let places = known
+        .iter()
+        .enumerate()
+        .filter(|(_, (_, value))| *value > 0.0);
+    let places = places.map(|(index, (_, value))| (*value, index as f64 + 0.5));
     let discs = Curve {
         mark: Mark::Disc,
         ..Curve::dots(distinct(colour), places.collect())
     };
-    Panel {
+    Some(Panel {
         curves: vec![discs],
-        ..Panel::new(axis, levels, height)
-    }
+        ..Panel::new(
+            axis,
+            Axis::names(names),
+            LEVEL_HEIGHT * known.len().max(1) as u32,
+        )
+    })
 }

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::figure::{Axis, Colour, Curve, Figure, GREY, Name, Panel, distinct};
 use super::shaft_shapes::shapes_at;
-use super::terminal::{Lines, PER_MINUTE, PER_SECOND, decimals, or_dash, rounded};
+use super::terminal::{Lines, PER_MINUTE, PER_SECOND, decimal, or_dash, rounded};
 use super::{FileSet, Findings};
 use crate::rotor::{Mode, RotorDefinition, Whirl};
 use crate::scenario::Scenario;
@@ -117,7 +117,7 @@ fn add_branches(out: &mut Lines, campbell: &Campbell) {
             branch.whirl().to_string(),
             frequency(first),
             frequency(last),
-            last.map_or_else(String::new, |mode| decimals(mode.damping_ratio(), 4)),
+            last.map_or_else(String::new, |mode| decimal(mode.damping_ratio())),
         ]
     });
     out.table(header, rows);
@@ -148,7 +148,7 @@ fn add_critical(out: &mut Lines, campbell: &Campbell) {
             format!("{:.1}", PER_MINUTE * found.speed),
             format!("{:.3}", found.speed),
             format!("{:.3}", found.frequency),
-            decimals(found.damping_ratio, 4),
+            decimal(found.damping_ratio),
         ]
     });
     out.table(header, rows);

@@ -7,9 +7,7 @@ use serde_json::{Map as Object, Value, json};
 use super::figure::{Axis, Curve, Figure, Label, Map, Name, Panel, Point, WHITE, distinct};
 use super::findings::with_keys;
 use super::spectra::{amplitude_column, phase_column};
-use super::terminal::{
-    Lines, MICRO, PER_MINUTE, PER_SECOND, decimals, listed, shown_unit, significant,
-};
+use super::terminal::{Lines, MICRO, PER_MINUTE, PER_SECOND, listed, shown_unit, significant};
 use crate::analysis::{Channel, OrderTracks, Slice, Track, Waterfall};
 use crate::simulate::{Extreme, Maps, RunUp};
 use crate::study::campbell::{Campbell, CriticalSpeed};
@@ -60,11 +58,8 @@ pub(super) fn add_run_up(out: &mut Lines, run_up: &RunUp, campbell: Option<&Camp
     let Some(campbell) = campbell else { return };
     let passed = campbell.passed(run_up);
     let text = |critical: &CriticalSpeed| {
-        let (rpm, damping) = (
-            PER_MINUTE * critical.speed,
-            decimals(critical.damping_ratio, 3),
-        );
-        format!("{rpm:.1} rpm ({}, ζ {damping})", critical.whirl)
+        let (rpm, damping) = (PER_MINUTE * critical.speed, critical.damping_ratio);
+        format!("{rpm:.1} rpm ({}, ζ {damping:.3})", critical.whirl)
     };
     match passed[..] {
         [] => out.line("critical", "no critical speed of 1× was passed"),

@@ -5,7 +5,7 @@
 //! scenario; thickness and width of the rings, of which it says nothing, are those of common bearings.
 
 use super::figure::{Axis, Colour, Curve, Figure, GREY, Name, Panel, Point, distinct, ends};
-use super::terminal::{MICRO, MILLI};
+use super::terminal::{MICRO, MILLI, to_digits};
 use crate::bearing::{Housing, MountedBearing};
 use crate::rotor::{Disc, FlexibleShaft, Load, LoadKind, RotorDefinition};
 
@@ -207,11 +207,11 @@ impl Drawing {
             let at = MILLI * disc.position;
             let across = [at - 0.5 * width, at + 0.5 * width];
             self.rectangle(GREY, across, [-radius, radius]);
-            let text = format!("{} kg", rounded(disc.mass));
+            let text = format!("{} kg", to_digits(disc.mass, 4));
             self.label((across[1], -radius), text, GREY);
         }
         for own in &shaft.unbalances {
-            let size = format!("{} g mm", rounded(1e6 * own.amount));
+            let size = format!("{} g mm", to_digits(1e6 * own.amount, 4));
             let at = MILLI * own.position;
             self.unbalance(at, own.angle, &size, 0.9 * scale.outer, scale);
         }
@@ -231,7 +231,7 @@ impl Drawing {
         if cos.abs() > ACROSS {
             self.circle(colour, (at, 0.0), 0.15 * scale.shaft);
         }
-        let text = format!("{size} at {}°", rounded(angle.to_degrees()));
+        let text = format!("{size} at {}°", to_digits(angle.to_degrees(), 4));
         self.label((at, 1.05 * length), text, colour);
     }
 
@@ -296,7 +296,7 @@ impl Drawing {
     /// The name of a housing.
     fn housing(&mut self, at: f64, housing: Option<&Housing>, scale: &Scale) {
         if let Some(housing) = housing {
-            let text = format!("housing, {} kg", rounded(housing.mass));
+            let text = format!("housing, {} kg", to_digits(housing.mass, 4));
             self.label((at, 1.35 * scale.outer), text, distinct(HOUSINGS));
         }
     }
@@ -316,11 +316,11 @@ impl Drawing {
         let radius = 0.35 * scale.shaft;
         self.circle(GREY, (0.0, 0.0), radius);
         self.fine(GREY, vec![(0.0, -radius), (0.0, radius)]);
-        let text = format!("m {} kg", rounded(shaft.mass));
+        let text = format!("m {} kg", to_digits(shaft.mass, 4));
         self.label((radius, -0.55 * scale.shaft), text, GREY);
         if shaft.is_unbalanced() {
             let [eccentricity, angle] = shaft.mass_eccentricity();
-            let size = format!("e {} µm", rounded(MICRO * eccentricity));
+            let size = format!("e {} µm", to_digits(MICRO * eccentricity, 4));
             self.unbalance(0.0, angle, &size, 0.9 * scale.shaft, scale);
         }
     }
@@ -357,12 +357,6 @@ impl Drawing {
     }
 }
 
-/// Four significant digits without zeros at their end.
-fn rounded(value: f64) -> String {
-    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
-    rounded.to_string()
-}
-
 /// What a load is called; of a constant one its components that are not zero.
 fn name_of(load: &Load) -> String {
     let name = match &load.kind {
@@ -377,7 +371,7 @@ fn name_of(load: &Load) -> String {
             let given = axes.into_iter().zip(parts);
             let texts: Vec<_> = given
                 .filter(|(_, part)| **part != 0.0)
-                .map(|((axis, unit), part)| format!("{axis} {} {unit}", rounded(*part)))
+                .map(|((axis, unit), part)| format!("{axis} {} {unit}", to_digits(*part, 4)))
                 .collect();
             return texts.join(", ");
         }

@@ -3,7 +3,7 @@
 use nalgebra::Complex;
 
 use super::figure::{Axis, Curve, Figure, GREY, Name, Panel, distinct};
-use super::terminal::{MICRO, MILLI, decimals};
+use super::terminal::{MICRO, MILLI};
 use crate::quasi_static::StaticQuestion;
 use crate::rotor::{Mode, Rotor, RotorDefinition, ShaftShape, Whirl};
 
@@ -65,10 +65,7 @@ fn mode_shapes(title: &str, modes: &[(Mode, ShaftShape<Complex<f64>>)]) -> Figur
         let (frequency, whirl) = (mode.damped_frequency(), mode.whirl());
         let damping = mode.damping_ratio();
         Panel {
-            title: format!(
-                "{frequency:.2} Hz, {whirl}, damping ratio {}",
-                decimals(damping, 4)
-            ),
+            title: format!("{frequency:.2} Hz, {whirl}, damping ratio {damping:.4}"),
             ..Panel::of(positions(shape), "shape", HEIGHT, curves)
         }
     });

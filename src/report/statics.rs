@@ -4,7 +4,7 @@ use super::figure::{Axis, Curve, Figure, Name, Panel, all_around, distinct, turn
 use super::shaft_shapes::deflection;
 use super::terminal::{
     Lines, MICRO, MILLI, NAMES, clearance_text, decimal, digits, displacement_text, listed,
-    mark_estimated, of_bearing, or_dash,
+    mark_estimated, of_bearing,
 };
 use super::{FileSet, Findings};
 use crate::bearing::{BallLine, BearingState, FilmState, Matrix5, RaceContact};
@@ -24,7 +24,7 @@ pub fn answer_findings(
     let bearings: Vec<_> = answer.bearings.iter().collect();
     let figures = balls_figure(title, &bearings).into_iter();
     Findings {
-        tables: vec![("balls", balls_table(answer))],
+        tables: vec![("balls", balls_table((1..).zip(&answer.bearings)))],
         figures: figures.chain(deflection(title, question)).collect(),
         ..Findings::new(FileSet::BEARING, scenario, answer, text(title, answer))
     }
@@ -149,7 +149,7 @@ fn add_bearing(out: &mut Lines, number: usize, state: &BearingState) {
         out.line("of films", diagonal(&shares.films));
     }
     if !state.balls.is_empty() {
-        add_balls(out, &state.balls);
+        out.show(&balls_table([(number, state)]), &SHOWN, 4);
     }
 }
 
@@ -223,80 +223,23 @@ fn add_lives(out: &mut Lines, state: &BearingState) {
     out.more(listed(factors));
 }
 
-/// A column of the ball table: its title and its cells.
-type Column = (&'static str, fn(&BallLine) -> String);
-
-const PLACE: [Column; 7] = [
-    ("φ\ndeg", |line| {
-        format!("{:.1}", line.azimuth.to_degrees())
-    }),
-    ("Qi\nN", |line| format!("{:.1}", line.inner.load)),
-    ("Qo\nN", |line| format!("{:.1}", line.outer.load)),
-    ("αi\ndeg", |line| angle(&line.inner)),
-    ("αo\ndeg", |line| angle(&line.outer)),
-    ("δ\nµm", |line| format!("{:.3}", MICRO * line.deformation)),
-    ("pmax\nMPa", |line| {
-        format!("{:.0}", worst(line, |c| c.peak_pressure) / 1e6)
-    }),
+/// What is told of the balls, of pressure, film and spin at the inner race; films and inertia where the bearing has them.
+const SHOWN: [(&str, &str); 14] = [
+    ("ball", "ball"),
+    ("φ", "azimuth"),
+    ("Qi", "inner_load"),
+    ("Qo", "outer_load"),
+    ("αi", "inner_angle"),
+    ("αo", "outer_angle"),
+    ("δ", "deformation"),
+    ("pi", "inner_peak_pressure"),
+    ("hi", "inner_film_minimum"),
+    ("λi", "inner_film_lambda"),
+    ("Fc", "centrifugal_force"),
+    ("Mg", "gyroscopic_moment"),
+    ("race", "controlling_race"),
+    ("spin", "inner_spin_to_roll"),
 ];
-
-const FILM: [Column; 2] = [
-    ("hmin\nµm", |line| {
-        thinnest(line, |film| Some(MICRO * film.minimum))
-    }),
-    ("λ\n", |line| thinnest(line, |film| film.lambda)),
-];
-
-const INERTIA: [Column; 3] = [
-    ("Fc\nN", |line| format!("{:.2}", line.centrifugal_force)),
-    ("Mg\nN mm", |line| {
-        format!("{:.3}", MILLI * line.gyroscopic_moment)
-    }),
-    ("control\n", |line| {
-        or_dash(line.controlling_race.map(|race| race_name(race).to_owned()))
-    }),
-];
-
-const SPIN: [Column; 1] = [("spin/\nroll", |line| {
-    format!("{:.3}", worst(line, |contact| contact.spin_to_roll.abs()))
-})];
-
-/// Ball by ball; films and inertia where the bearing has them.
-fn add_balls(out: &mut Lines, balls: &[BallLine]) {
-    let has = |what: fn(&BallLine) -> bool| balls.iter().any(what);
-    let films = has(|line| line.inner.film.or(line.outer.film).is_some());
-    let inertia = has(|line| line.centrifugal_force != 0.0);
-    let mut columns: Vec<&Column> = PLACE.iter().collect();
-    columns.extend(FILM.iter().filter(|_| films));
-    columns.extend(INERTIA.iter().filter(|_| inertia));
-    columns.extend(&SPIN);
-    let header = std::iter::once("ball").chain(columns.iter().map(|(title, _)| *title));
-    let rows = balls.iter().enumerate().map(|(index, line)| {
-        let cells = columns.iter().map(|(_, cell)| cell(line));
-        std::iter::once((index + 1).to_string())
-            .chain(cells)
-            .collect()
-    });
-    out.table(header, rows);
-}
-
-/// The larger value of both contacts.
-fn worst(line: &BallLine, value: fn(&RaceContact) -> f64) -> f64 {
-    value(&line.inner).max(value(&line.outer))
-}
-
-/// The smaller value of both films.
-fn thinnest(line: &BallLine, value: impl Fn(&FilmState) -> Option<f64>) -> String {
-    let films = [line.inner.film, line.outer.film].into_iter().flatten();
-    let smallest = films.filter_map(|film| value(&film)).reduce(f64::min);
-    or_dash(smallest.map(|value| format!("{value:.3}")))
-}
-
-/// The contact angle; an unloaded contact has none.
-fn angle(contact: &RaceContact) -> String {
-    let angle = || format!("{:.3}", contact.angle.to_degrees());
-    or_dash((contact.load > 0.0).then(angle))
-}
 
 /// Columns of one contact, after `inner_` or `outer_`.
 const CONTACT: [Named<RaceContact>; 13] = [
@@ -337,18 +280,19 @@ const INERTIAS: [Named<BallLine>; 2] = [
     ("gyroscopic_moment", "N m", |line| line.gyroscopic_moment),
 ];
 
-/// The balls of all bearings, both numbered from 1 on.
-fn balls_table(answer: &QuasiStatic) -> Table<'static> {
-    let bearings = answer.bearings.iter().enumerate();
-    let balls = bearings.flat_map(|(bearing, state)| {
-        let balls = state.balls.iter().enumerate();
-        balls.map(move |(ball, line)| (bearing + 1, ball + 1, line))
+/// The balls of bearings with their numbers; balls count from 1.
+fn balls_table<'a>(
+    bearings: impl IntoIterator<Item = (usize, &'a BearingState)>,
+) -> Table<'static> {
+    let balls = bearings.into_iter().flat_map(|(bearing, state)| {
+        let balls = (1..).zip(&state.balls);
+        balls.map(move |(ball, line)| (bearing, ball, line))
     });
     let balls: Vec<_> = balls.collect();
     let lines = || balls.iter().map(|(.., line)| *line);
     let mut table = Table::default();
     table.counts("bearing", balls.iter().map(|(bearing, ..)| *bearing as f64));
-    table.counts("ball", balls.iter().map(|(_, ball, _)| *ball as f64));
+    table.counts("ball", balls.iter().map(|(_, ball, _)| f64::from(*ball)));
     table.numbers("azimuth", "rad", lines().map(|line| line.azimuth));
     table.numbers("deformation", "m", lines().map(|line| line.deformation));
     table.named("inner_", &CONTACT, lines().map(|line| Some(&line.inner)));

@@ -9,7 +9,7 @@ use serde::{Serialize, Serializer};
 use crate::bearing::Clearance;
 use crate::keys::AXES;
 use crate::rotor::FREEDOMS;
-use crate::table::{Column, ColumnKind};
+use crate::table::{Column, ColumnKind, Table as NumberTable};
 
 /// Most characters of a line.
 const WIDTH: usize = 100;
@@ -121,6 +121,32 @@ impl Lines {
         let header = header.into_iter().map(str::to_owned).collect();
         let rows = rows.into_iter().map(positive).collect();
         self.parts.push(LinePart::Table(header, rows));
+    }
+
+    /// Some columns of a table by their quantities, each below a head, in the units that they are shown in, with so many digits;
+    /// those that say nothing but zero are left out.
+    pub fn show(&mut self, table: &NumberTable<'_>, shown: &[(&str, &str)], count: usize) {
+        let columns = shown.iter().filter_map(|(head, quantity)| {
+            let (column, values) = table.column(quantity)?;
+            let ((_, unit), factor) = shown_column(column);
+            let cell = |value: &f64| match &column.kind {
+                ColumnKind::Word(_) => column.kind.word(*value).to_owned(),
+                _ if value.is_nan() => String::new(),
+                ColumnKind::Count => value.to_string(),
+                _ => in_digits(factor * value, count),
+            };
+            let cells: Vec<_> = values.iter().map(cell).collect();
+            let has_value = cells.iter().any(|cell| !matches!(cell.as_str(), "" | "0"));
+            has_value.then(|| (format!("{head}\n{unit}"), cells))
+        });
+        let (heads, columns): (Vec<_>, Vec<_>) = columns.unzip();
+        let length = columns.first().map_or(0, Vec::len);
+        let told = |cell: &String| match cell.as_str() {
+            "" => "–".to_owned(),
+            cell => cell.to_owned(),
+        };
+        let rows = (0..length).map(|row| columns.iter().map(|cells| told(&cells[row])).collect());
+        self.table(heads.iter().map(String::as_str), rows);
     }
 
     /// All as one text, with or without the details.
@@ -246,15 +272,15 @@ pub(super) fn measured_text(
     format!(
         "{:.2e} µm, {relative:.1e} of the motion (tolerance {}, measured against {})",
         MICRO * displacement,
-        shortest(tolerance),
-        shortest(reference)
+        digits(tolerance),
+        digits(reference)
     )
 }
 
-/// A power of ten with at most five significant digits, without zeros at their end: `1e-8`, `2.5e-9`.
-fn shortest(value: f64) -> String {
-    let rounded: f64 = format!("{value:.4e}").parse().unwrap_or(value);
-    format!("{rounded:e}")
+/// A value with at most so many significant digits.
+pub(super) fn to_digits(value: f64, count: usize) -> f64 {
+    let decimals = count - 1;
+    format!("{value:.decimals$e}").parse().unwrap_or(value)
 }
 
 /// A text whose numbers that are rounded to zero have no minus sign: `-0.0000` → `0.0000`.
@@ -275,19 +301,9 @@ fn without_negative_zeros(text: &str) -> String {
     out
 }
 
-/// Decimals without a minus sign before zeros.
-pub(super) fn decimals(value: f64, count: usize) -> String {
-    let text = format!("{value:.count$}");
-    let is_zero = text.bytes().all(|byte| matches!(byte, b'-' | b'0' | b'.'));
-    match text.strip_prefix('-') {
-        Some(zero) if is_zero => zero.to_owned(),
-        _ => text,
-    }
-}
-
-/// Four decimals, without a minus sign before zeros.
+/// Four decimals.
 pub(super) fn decimal(value: f64) -> String {
-    decimals(value, 4)
+    format!("{value:.4}")
 }
 
 /// Four decimals, or powers of ten where they would not show the value.
@@ -301,14 +317,19 @@ pub(super) fn significant(value: f64) -> String {
 
 /// Five significant digits; powers of ten where they would be many.
 pub(super) fn digits(value: f64) -> String {
+    in_digits(value, 5)
+}
+
+/// So many significant digits; powers of ten where they would be many.
+fn in_digits(value: f64, count: usize) -> String {
     let size = value.abs();
     if value == 0.0 {
         "0".to_owned()
     } else if (1e-3..1e5).contains(&size) {
-        let decimals = (4.0 - size.log10().floor()).max(0.0) as usize;
+        let decimals = (count as f64 - 1.0 - size.log10().floor()).max(0.0) as usize;
         format!("{value:.decimals$}")
     } else {
-        format!("{value:.3e}")
+        format!("{:e}", to_digits(value, count.min(4)))
     }
 }
 
@@ -317,9 +338,15 @@ pub(super) fn shown_unit(unit: &str) -> (String, f64) {
     match unit {
         "m" => ("µm".to_owned(), MICRO),
         "rad" => ("µrad".to_owned(), MICRO),
+        "Pa" => ("MPa".to_owned(), 1.0 / MICRO),
+        "N/m" => ("N/µm".to_owned(), 1.0 / MICRO),
+        "N m/rad" => ("N m/mrad".to_owned(), 1.0 / MILLI),
         _ => (unit.replace("^2", "²"), 1.0),
     }
 }
+
+/// Words of quantities that are shown in degrees.
+const ANGLES: [&str; 2] = ["angle", "azimuth"];
 
 /// What a column is called in figures, with the unit that it is drawn in, and how many of that make one of its own:
 /// `θx`, `force x`, `amplitude of x`, `x, order 1`.
@@ -329,7 +356,11 @@ pub(super) fn shown_column(column: &Column) -> ((String, String), f64) {
         || column.quantity.replace('_', " "),
         |freedom| NAMES[freedom].to_owned(),
     );
-    let (unit, factor) = shown_unit(&column.unit);
+    let mut words = column.quantity.split('_');
+    let (unit, factor) = match words.any(|word| ANGLES.contains(&word)) {
+        true => ("deg".to_owned(), 1f64.to_degrees()),
+        false => shown_unit(&column.unit),
+    };
     let name = match column.kind {
         ColumnKind::Phase => format!("phase of {quantity}"),
         ColumnKind::Measure("amplitude") => format!("amplitude of {quantity}"),

@@ -6,8 +6,8 @@ use super::motion::{add_motion, add_severity};
 use super::run_up::add_run_up;
 use super::statics::ball_pass_text;
 use super::terminal::{
-    Lines, MICRO, clearance_text, decimals, displacement_text, listed, mark_estimated,
-    measured_text, of_bearing, significant,
+    Lines, MICRO, clearance_text, displacement_text, listed, mark_estimated, measured_text,
+    of_bearing, significant,
 };
 use crate::analysis::{Peak, Spectrum};
 use crate::integrate::{ChangeReason, Method, MethodUse};
@@ -115,8 +115,8 @@ fn natural(state: &StaticState) -> String {
     let more = state.natural_frequencies.len().saturating_sub(FREQUENCIES);
     let modes = state.natural_frequencies.iter().take(FREQUENCIES);
     let text = |mode: &NaturalFrequency| {
-        let damping = decimals(mode.damping_ratio, 3);
-        format!("{:.2} Hz (ζ {damping})", mode.frequency)
+        let (frequency, damping) = (mode.frequency, mode.damping_ratio);
+        format!("{frequency:.2} Hz (ζ {damping:.3})")
     };
     let rest = (more > 0).then(|| format!("and {more} higher ones"));
     listed(modes.map(text).chain(rest))

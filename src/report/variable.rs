@@ -1,6 +1,7 @@
 //! The number that varies, as the name of a column and of an axis.
 
 use super::figure::Label;
+use super::terminal::to_digits;
 use crate::study::Variable;
 use crate::table::Column;
 
@@ -42,11 +43,9 @@ fn in_words(key: &str) -> String {
 
 /// A value of the variable in the unit that it was written in: `200 N`.
 pub(super) fn shown(variable: &Variable, value: f64) -> String {
-    let number = variable.shown(value);
-    let rounded: f64 = format!("{number:.5e}").parse().unwrap_or(number);
-    format!("{rounded} {}", variable.shown_unit)
-        .trim_end()
-        .to_owned()
+    let number = to_digits(variable.shown(value), 6);
+    let text = format!("{number} {}", variable.shown_unit);
+    text.trim_end().to_owned()
 }
 
 #[cfg(test)]

@@ -171,17 +171,13 @@ fn not_settled(motion: &Motion) -> Option<String> {
     let drift = motion
         .drift
         .filter(|_| motion.has_settled() == Some(false))?;
-    // the size of a drift that rounds to nothing has no sign
-    let percent = |part: f64| match (1e3 * part).round() {
-        0.0 => 0.0,
-        thousandths => 0.1 * thousandths,
-    };
+    let turns = if drift.rms < 0.0 { "falls" } else { "rises" };
     Some(format!(
-        "the motion has not settled: over the last {:.4} s the mean of {} moves by {:.1} % of the vibration and its RMS by \
-         {:.1} %; make `settle` and `duration` longer",
+        "the motion has not settled: over the last {:.4} s the mean of {} moves by {:.3} times the RMS of the whole record, and its \
+         RMS {turns} by {:.3} times that; make `settle` and `duration` longer",
         drift.apart + drift.window,
         Channel::Displacement(drift.freedom),
-        percent(drift.mean),
-        percent(drift.rms)
+        drift.mean.abs(),
+        drift.rms.abs()
     ))
 }

@@ -33,8 +33,8 @@ const UNITS: [&str; 25] = [
     "rad^2/s^4",
 ];
 
-/// Words of the quantities whose names end with `N_m` for N/m; elsewhere that is N m.
-const STIFFNESSES: [&str; 2] = ["stiffness", "K"];
+/// Word of the quantities whose names end with `N_m` for N/m; elsewhere that is N m.
+const STIFFNESS: &str = "stiffness";
 
 /// What densities are divided by.
 const PER: [&str; 2] = ["Hz", "order"];
@@ -70,6 +70,16 @@ pub enum ColumnKind {
     Count,
     /// The word at this index.
     Word(Vec<String>),
+}
+
+impl ColumnKind {
+    /// The word that a number stands for; empty where there is none.
+    pub fn word(&self, number: f64) -> &str {
+        match self {
+            Self::Word(words) => words.get(number as usize).map_or("", String::as_str),
+            _ => "",
+        }
+    }
 }
 
 /// A column of a table.
@@ -180,7 +190,7 @@ impl Column {
         let units = UNITS.iter().map(|unit| (*unit).to_owned());
         let read = units.chain(densities).filter_map(|unit| {
             let quantity = before(name, &suffix(&unit))?;
-            let is_stiffness = quantity.split('_').any(|word| STIFFNESSES.contains(&word));
+            let is_stiffness = quantity.split('_').any(|word| word == STIFFNESS);
             let other = if is_stiffness { "N m" } else { "N/m" };
             (unit != other).then(|| (quantity.to_owned(), unit))
         });
@@ -240,7 +250,7 @@ mod tests {
             Column::number("tilt_x_acceleration", "rad/s^2"),
             Column::number("moment_x", "N m"),
             Column::number("stiffness_x", "N/m"),
-            Column::number("K_tilt_x", "N m/rad"),
+            Column::number("stiffness_tilt_x", "N m/rad"),
             Column::number("order", ""),
             Column::measure("x", "amplitude", "m"),
             Column::measure("force_x", "density", "N^2/Hz"),

@@ -41,6 +41,11 @@ impl<'a> Table<'a> {
         columns.map(|(column, values)| (column, &values[..]))
     }
 
+    /// A column by its quantity, with its values.
+    pub fn column(&self, quantity: &str) -> Option<(&Column, &[f64])> {
+        self.iter().find(|(column, _)| column.quantity == quantity)
+    }
+
     /// Adds a column of numbers, some of which may be missing.
     pub fn numbers<T: Into<Option<f64>>>(
         &mut self,

@@ -65,7 +65,7 @@ fn table_csv_json_and_figures_tell_the_same() {
         assert!(!svg.contains("NaN"));
     }
     let svg = fs::read_to_string(results.join("accuracy.svg")).unwrap();
-    for name in ["dop853", "dopri5", "error in force"] {
+    for name in ["dop853", "dopri5", "error force relative"] {
         assert!(svg.contains(name), "{name}");
     }
 }

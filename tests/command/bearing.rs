@@ -41,7 +41,7 @@ fn the_answer_fits_the_terminal_and_names_what_is_asked() {
         "ball pass",
         "of films",
         "twist",
-        "hmin",
+        "λi",
         "N mm",
         "bearing 2",
     ] {
@@ -75,7 +75,7 @@ fn the_json_is_the_file_and_balances_the_load() {
     assert!((number("/force/force_z_N") - 1000.0).abs() < 1e-6);
     assert!((number("/force/force_y_N") + 300.0).abs() < 1e-6);
     assert_eq!(
-        number("/stiffness/named/K_x_N_m"),
+        number("/stiffness/named/stiffness_x_N_m"),
         number("/stiffness/matrix/0/0")
     );
     assert_eq!(printed["free"], serde_json::json!(["x", "y", "z"]));

@@ -158,7 +158,12 @@ impl Study {
     }
 }
 
-const STIFFNESSES: [&str; 4] = ["K_x_N_m", "K_y_N_m", "K_tilt_x_N_m_rad", "K_tilt_y_N_m_rad"];
+const STIFFNESSES: [&str; 4] = [
+    "stiffness_x_N_m",
+    "stiffness_y_N_m",
+    "stiffness_tilt_x_N_m_rad",
+    "stiffness_tilt_y_N_m_rad",
+];
 
 /// A study with the tilts held and with the tilts free.
 struct Pair {

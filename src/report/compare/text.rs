@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::{ColumnComparison, Comparison, Difference, TableComparison, Worst};
-use crate::report::terminal::{Lines, table, wrapped};
+use crate::report::terminal::{Lines, table, to_digits, wrapped};
 use crate::table::Column;
 
 impl fmt::Display for Comparison {
@@ -98,13 +98,11 @@ fn rounded_up(number: f64) -> f64 {
     if !(number > 0.0 && number.is_finite()) {
         return number;
     }
-    let text = format!("{:.1e}", number);
-    let rounded: f64 = text.parse().unwrap_or(number);
+    let rounded = to_digits(number, 2);
     if rounded >= number {
         return rounded;
     }
-    let text = format!("{:.1e}", rounded + 0.1 * 10f64.powf(number.log10().floor()));
-    text.parse().unwrap_or(number)
+    to_digits(rounded + 0.1 * 10f64.powf(number.log10().floor()), 2)
 }
 
 fn write_table(f: &mut fmt::Formatter<'_>, found: &TableComparison) -> fmt::Result {

@@ -294,7 +294,8 @@ impl Place<'_> {
         placed
     }
 
-    /// The peaks that the plot shows, each with its point; one is left out where it would cover a label or one before it.
+    /// The peaks that the plot shows, each with its point; a name that would cover a label or one before it stands higher, or
+    /// is left out where there is no room either.
     pub fn peaks(&self) -> Vec<(Point, Placed)> {
         let mut taken = self.labels();
         let mut peaks = Vec::new();
@@ -302,16 +303,19 @@ impl Place<'_> {
         for (at, text) in &self.panel.peaks {
             let (x, y) = self.at(*at);
             let half = 0.5 * width(text, SIZE);
-            let peak = Placed {
-                text: text.clone(),
-                x: inside(x, half, ends),
-                y: (y - 6.0).max(self.top + 11.0),
-                colour: None,
-                half,
-            };
             let is_inside =
                 (ends[0]..=ends[1]).contains(&x) && y >= self.top && y <= self.top + self.height;
-            if is_inside && peaks.len() < MOST_PEAKS && !peak.covers(&taken) {
+            if !is_inside || peaks.len() == MOST_PEAKS {
+                continue;
+            }
+            let tried = [6.0, 21.0, 36.0].map(|above| Placed {
+                text: text.clone(),
+                x: inside(x, half, ends),
+                y: (y - above).max(self.top + 11.0),
+                colour: None,
+                half,
+            });
+            if let Some(peak) = tried.into_iter().find(|peak| !peak.covers(&taken)) {
                 taken.push(peak.clone());
                 peaks.push(((x, y), peak));
             }

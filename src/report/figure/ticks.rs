@@ -2,6 +2,7 @@
 
 use super::Axis;
 use super::axis::round_step;
+use crate::report::terminal::to_digits;
 
 /// A place on an axis, of a logarithmic one the logarithm, and its text.
 #[derive(Debug, Clone, PartialEq)]
@@ -95,7 +96,7 @@ fn decimal(value: f64, step: f64, largest: f64) -> String {
 
 /// `0.5`, `2e-5`.
 fn number(value: f64) -> String {
-    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+    let rounded = to_digits(value, 4);
     match (1e-2..1e4).contains(&rounded) {
         true => rounded.to_string(),
         false => format!("{rounded:e}"),

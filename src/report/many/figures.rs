@@ -41,7 +41,7 @@ const MOST_PLACES: usize = 200_000;
 const BAR: u32 = 26;
 
 /// What the figures show where a study names nothing.
-const SHOWN: [&str; 9] = [
+const SHOWN: [&str; 8] = [
     "x_rms_m",
     "y_rms_m",
     "z_rms_m",
@@ -50,7 +50,6 @@ const SHOWN: [&str; 9] = [
     "bearing_1_life_h",
     "natural_frequency_1_Hz",
     "stiffness_y_N_m",
-    "K_y_N_m",
 ];
 
 /// A number that the figures show.

@@ -8,7 +8,7 @@ use crate::report::ReportError;
 use crate::report::figure::{
     Axis, Curve, Figure, Name, Panel, all_around, distinct, graded, turned,
 };
-use crate::report::terminal::{MICRO, MILLI, of_bearing};
+use crate::report::terminal::{MICRO, of_bearing, shown_column};
 use crate::report::variable::{axis_label, shown};
 use crate::study::Variable;
 use crate::study::many::{Ask, Place, RunRecord};
@@ -42,32 +42,27 @@ impl Digest {
         Ok(self.stiffness(variable).into_iter().chain(around).collect())
     }
 
-    /// K_x, K_y, K_z and both tilts against the variable, in four panels.
+    /// The diagonal of the stiffness against the variable, a panel each.
     fn stiffness(&self, variable: &Variable) -> Option<Figure> {
         let columns = keys::diagonal_columns().map(|column| self.column(&column.name()));
         let columns: Vec<usize> = columns.into_iter().collect::<Option<_>>()?;
         let values = self.rows.iter().map(|row| self.at(row, 0));
         let axis = Axis::spanning(axis_label(variable), values);
-        let panel = |name: &str, axes: &[usize]| {
-            let curves = axes.iter().map(|axis| {
-                let scale = if *axis < 3 { MICRO } else { MILLI };
-                let rows = self.rows.iter();
-                let points = rows.map(|row| (self.at(row, 0), number(row, columns[*axis]) / scale));
-                let mut points: Vec<_> = points.collect();
-                points.sort_by(|a, b| a.0.total_cmp(&b.0));
-                Curve::marked(distinct(*axis), points, MOST_MARKS)
-            });
-            Panel::of(axis.clone(), name, HEIGHT, curves.collect())
-        };
-        let panels = vec![
-            panel("K_x in N/µm", &[0]),
-            panel("K_y in N/µm", &[1]),
-            panel("K_z in N/µm", &[2]),
-            panel("K_θx, K_θy in N m/mrad", &[3, 4]),
-        ];
-        let names = Name::each(["K_x", "K_y", "K_z", "K_θx", "K_θy"]);
-        let figure = Figure::new("stiffness", &self.head.title, 2, panels);
-        Some(figure.with_names(names))
+        let panels = columns.iter().enumerate().map(|(index, column)| {
+            let (label, factor) = shown_column(&self.columns[*column].column);
+            let rows = self.rows.iter();
+            let points = rows.map(|row| (self.at(row, 0), factor * number(row, *column)));
+            let mut points: Vec<_> = points.collect();
+            points.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let curve = Curve::marked(distinct(index), points, MOST_MARKS);
+            Panel::of(axis.clone(), label, HEIGHT, vec![curve])
+        });
+        Some(Figure::new(
+            "stiffness",
+            &self.head.title,
+            2,
+            panels.collect(),
+        ))
     }
 }
 

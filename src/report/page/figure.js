@@ -268,7 +268,7 @@ const drawing = (() => {
     return placed;
   }
 
-  /** The peaks that a plot shows; one is left out where it would cover a label or one before it. */
+  /** The peaks that a plot shows; a name that would cover a label or one before it stands higher, or is left out where there is no room either. */
   function peaks(box) {
     const { panel, plot } = box;
     const ends = [plot.left, plot.left + plot.width];
@@ -276,9 +276,11 @@ const drawing = (() => {
     const found = [];
     for (const [[px, py], text] of panel.peaks) {
       const [left, top, half] = [across(box, px), upwards(box, py), widthOf(text, SIZE) / 2];
-      const peak = { left, top, text, x: inside(left, half, ends), y: Math.max(top - 6, plot.top + 11), half };
       const isInside = left >= ends[0] && left <= ends[1] && top >= plot.top && top <= plot.top + plot.height;
-      if (!isInside || found.length === MOST_PEAKS || covers(peak, taken)) continue;
+      if (!isInside || found.length === MOST_PEAKS) continue;
+      const tried = [6, 21, 36].map((above) => ({ left, top, text, x: inside(left, half, ends), y: Math.max(top - above, plot.top + 11), half }));
+      const peak = tried.find((place) => !covers(place, taken));
+      if (!peak) continue;
       taken.push(peak);
       found.push(peak);
     }

@@ -88,7 +88,7 @@ fn rows(name: &str, table: &Table<'_>) -> Value {
     let columns = table.iter().map(|(column, values)| {
         let shown = values.iter().take(MOST_ROWS);
         let cell = |value: &f64| match &column.kind {
-            ColumnKind::Word(words) => json!(words.get(*value as usize)),
+            ColumnKind::Word(_) => json!(column.kind.word(*value)),
             _ => json!(value),
         };
         json!({ "name": column, "cells": shown.map(cell).collect::<Value>() })

@@ -197,10 +197,7 @@ impl<W: Write> CsvTable<W> {
 
 fn write_cell(value: f64, kind: &ColumnKind, line: &mut Vec<u8>) {
     match kind {
-        ColumnKind::Word(words) => {
-            let word = words.get(value as usize).map_or("", String::as_str);
-            push_word(word, line);
-        }
+        ColumnKind::Word(_) => push_word(kind.word(value), line),
         _ if value.is_nan() => {}
         ColumnKind::Count => {
             // writing to a vector cannot fail

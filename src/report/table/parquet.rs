@@ -121,9 +121,9 @@ fn write_column(
                 .typed::<Int32Type>()
                 .write_batch(&whole, Some(&there), None)?;
         }
-        ColumnKind::Word(words) => {
-            let word = |value: &f64| words.get(*value as usize).map_or("", String::as_str);
-            let words: Vec<ByteArray> = values.iter().map(|value| word(value).into()).collect();
+        ColumnKind::Word(_) => {
+            let words = values.iter().map(|value| kind.word(*value).into());
+            let words: Vec<ByteArray> = words.collect();
             writer
                 .typed::<ByteArrayType>()
                 .write_batch(&words, None, None)?;

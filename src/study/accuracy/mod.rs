@@ -22,7 +22,7 @@ use reference::Reference;
 
 pub use levels::FidelityLevels;
 pub use reference::Agreement;
-pub use rows::{Measured, Row};
+pub use rows::Row;
 pub use trial::Cost;
 pub use truth::Errors;
 

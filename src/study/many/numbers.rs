@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::analysis::{Channel, Kind, Moments, Motion, Spectrum};
+use crate::keys::diagonal_columns;
 use crate::quasi_static::QuasiStatic;
 use crate::rotor::RotorDefinition;
 use crate::simulate::{Analyses, EventKind, MotionAnalysis, Run};
@@ -207,9 +208,7 @@ pub fn number_columns(rotor: &RotorDefinition) -> Vec<NumberColumn> {
         }));
     }
     for &freedom in freedoms.axes() {
-        let (channel, force) = (Channel::Displacement(freedom), Channel::Force(freedom));
-        let unit = format!("{}/{}", force.unit(), channel.unit());
-        let column = Column::number(format!("stiffness_{channel}"), unit);
+        let column = diagonal_columns()[freedom].clone();
         columns.push(number(column, NO_ANALYSIS, move |run| {
             Some(run.equilibrium.stiffness[freedom][freedom])
         }));

@@ -42,7 +42,7 @@ fn each_row_is_the_answer_to_the_scenario_with_its_value() {
         };
         let alone = quasi_static(&read(thrust).question).unwrap();
         assert_eq!(number("z_m"), alone.displacement[2]);
-        assert_eq!(number("K_tilt_y_N_m_rad"), alone.stiffness[(4, 4)]);
+        assert_eq!(number("stiffness_tilt_y_N_m_rad"), alone.stiffness[(4, 4)]);
         assert_eq!(number("force_y_N"), alone.force[1]);
         let state = &alone.bearings[0];
         assert_eq!(number("bearing_1_balls_loaded"), state.balls_loaded as f64);
