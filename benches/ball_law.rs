@@ -25,7 +25,7 @@ fn ball_laws(criterion: &mut Criterion) {
             (axial, radial)
         })
         .collect();
-    let hertz_film = HertzFilmLaw::new(&bearing, oil, SPEED).unwrap();
+    let hertz_film = HertzFilmLaw::with_film(&bearing, oil, SPEED).unwrap();
     let jones = JonesLaw::new(&bearing, RaceControl::Outer).unwrap();
     let jones_film = JonesFilmLaw::with_film(&bearing, RaceControl::Outer, oil, SPEED).unwrap();
     bench(criterion, "hertz film", &hertz_film, &positions);

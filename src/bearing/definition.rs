@@ -214,7 +214,7 @@ impl Bearing {
     }
 
     /// Contacts of ball and races at the free contact angle.
-    pub(super) fn contacts(&self) -> Result<RaceContacts, BearingError> {
+    pub(crate) fn contacts(&self) -> Result<RaceContacts, BearingError> {
         RaceContacts::new(self, self.geometry.gamma())
     }
 

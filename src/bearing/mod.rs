@@ -46,7 +46,7 @@ pub(crate) use law::{
 };
 #[cfg(test)]
 pub(crate) use law::{
-    BallRegion, BallState, BallTable, FilmLaw, HertzFilmLaw, HertzLaw, JonesFilmLaw, JonesLaw,
+    BallRegion, BallState, BallTable, HertzFilmLaw, HertzLaw, JonesFilmLaw, JonesLaw,
 };
 pub(crate) use life::RatingLife;
 pub use life::{ModifiedLife, RatingLives, reference_rating_life};

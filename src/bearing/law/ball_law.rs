@@ -1,8 +1,6 @@
 //! What a ball law is: the seam between the contacts of one ball and the ring.
 
-use super::{
-    Ball, BallContact, BallForce, BallResponse, BallState, BallTangent, ContactSpring, RaceFilms,
-};
+use super::{Ball, BallContact, BallForce, BallResponse, BallState, BallTangent, ContactSpring};
 use crate::bearing::number::{Number, Plain};
 
 /// What holds the inner groove centre of one ball: a law or the table of one.
@@ -75,9 +73,6 @@ pub trait BallLaw: ForceLaw {
 
 /// A law whose contacts bear through oil films: its force is smooth where a ball leaves the inner race.
 pub trait FilmLaw: BallLaw {
-    /// Films of both races.
-    fn films(&self) -> &RaceFilms;
-
     /// Derivative of the force with rigid films.
     fn contact_tangent(&self, ball: &Ball, speed: f64) -> BallTangent;
 }

@@ -1,7 +1,7 @@
 //! Hertz contact behind an oil film, as a spring.
 
-use super::{ContactSpring, HertzSpring};
-use crate::bearing::number::Function;
+use super::{ContactSpring, HertzSpring, PreparedContact};
+use crate::bearing::number::{Function, Number};
 use crate::physics::FilmContact;
 
 /// Exponent of the load in Hertz's approach.
@@ -11,9 +11,8 @@ const FILM: f64 = FilmContact::LOAD_EXPONENT;
 
 /// A contact with film, prepared for one speed and right at every speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct LubricatedContact {
-    /// The contact without its film.
-    pub(super) elastic: HertzSpring,
+pub struct LubricatedContact {
+    elastic: HertzSpring,
     load_scale: f64,
     /// Speed for which it is prepared, rad/s, and the spring there.
     prepared: (f64, FilmSpring),
@@ -31,14 +30,22 @@ impl LubricatedContact {
             prepared: (speed, FilmSpring::new(elastic, load_scale, speed)),
         }
     }
+}
 
-    /// The spring at a shaft speed in rad/s.
+impl PreparedContact for LubricatedContact {
+    type Spring = FilmSpring;
+
     #[inline]
-    pub(super) fn at_speed(&self, speed: f64) -> FilmSpring {
+    fn at_speed(&self, speed: f64) -> FilmSpring {
         match self.prepared {
             (prepared, spring) if speed == prepared => spring,
             _ => FilmSpring::new(self.elastic, self.load_scale, speed),
         }
+    }
+
+    #[inline]
+    fn elastic(&self) -> HertzSpring {
+        self.elastic
     }
 }
 
@@ -77,6 +84,12 @@ impl FilmSpring {
 
 impl ContactSpring for FilmSpring {
     const IS_SMOOTH: bool = true;
+
+    #[inline(always)]
+    fn load<T: Number>(&self, approach: T) -> T {
+        let [load] = T::apply(self, [approach]);
+        load
+    }
 
     #[inline]
     fn load_and_stiffness(&self, approach: f64) -> (f64, f64) {

@@ -7,24 +7,22 @@
 mod ball;
 mod ball_law;
 mod film_spring;
+mod films;
 mod hertz;
-mod hertz_film;
 mod jones;
 mod race_contacts;
-mod races;
 mod shares;
 mod spring;
 mod table;
 
 pub use ball::{Ball, BallContact, BallForce, BallResponse, BallState, BallTangent};
 pub use ball_law::{BallLaw, FilmLaw, ForceLaw};
-pub use hertz::HertzLaw;
-pub use hertz_film::HertzFilmLaw;
+pub use films::{FilmThickness, RaceFilms};
+pub use hertz::{HertzFilmLaw, HertzLaw};
 pub use jones::{JonesFilmLaw, JonesLaw};
 pub use race_contacts::RaceContacts;
-pub use races::{DryRaces, FilmThickness, LubricatedRaces, RaceFilms, Races};
 pub(super) use shares::Share;
-pub use spring::{ContactSpring, HertzSpring};
+pub use spring::{ContactSpring, HertzSpring, PreparedContact};
 pub use table::{BallRegion, BallTable, TableError, TableReport};
 
 use super::{BearingError, MountedBearing};
@@ -46,8 +44,8 @@ pub enum ContactLaw {
 pub(in crate::bearing) enum Law {
     Hertz(HertzLaw),
     HertzFilm(HertzFilmLaw),
-    Jones(JonesLaw<DryRaces>),
-    JonesFilm(JonesLaw<LubricatedRaces>),
+    Jones(JonesLaw),
+    JonesFilm(JonesFilmLaw),
 }
 
 /// Evaluates an expression for the law inside.
@@ -81,7 +79,7 @@ impl Law {
                 Self::Hertz(HertzLaw::from_contacts(&bearing.geometry, contacts))
             }
             (ContactLaw::Linear | ContactLaw::Hertz, Some(oil)) => {
-                Self::HertzFilm(HertzFilmLaw::new(bearing, oil, speed)?)
+                Self::HertzFilm(HertzFilmLaw::with_film(bearing, oil, speed)?)
             }
             (ContactLaw::Jones(control), None) => Self::Jones(JonesLaw::new(bearing, control)?),
             (ContactLaw::Jones(control), Some(oil)) => {
@@ -90,18 +88,14 @@ impl Law {
         })
     }
 
-    /// Films that part its surfaces: the force of its balls is then smooth where they lift off.
-    pub fn films(&self) -> Option<&RaceFilms> {
-        match self {
-            Self::HertzFilm(law) => Some(law.films()),
-            Self::JonesFilm(law) => Some(law.films()),
-            Self::Hertz(_) | Self::Jones(_) => None,
-        }
+    /// Whether the force of its balls is smooth where they lift off, as behind films.
+    pub fn is_smooth(&self) -> bool {
+        matches!(self, Self::HertzFilm(_) | Self::JonesFilm(_))
     }
 
     /// Whether the force of its balls has a potential, at a steady speed or one that changes.
     pub fn has_potential(&self, steady: bool) -> bool {
-        !self.has_inertia() && (steady || self.films().is_none())
+        !self.has_inertia() && (steady || !self.is_smooth())
     }
 
     /// Whether its balls have inertia: where they lift off then depends on the speed.

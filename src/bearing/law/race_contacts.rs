@@ -36,12 +36,11 @@ impl RaceContacts {
 
     /// Each contact by itself. Where one stiffness is given for both together each has half of the approach.
     pub fn springs(&self) -> [HertzSpring; 2] {
-        let stiffness = match self.given {
-            // K_n = [2 K^(−2/3)]^(−3/2)
-            Some(series) => [series * 2f64.powf(1.5); 2],
-            None => self.hertz.each_ref().map(HertzContact::stiffness),
+        let own = |contact: &HertzContact| HertzSpring {
+            stiffness: contact.stiffness(),
         };
-        stiffness.map(|stiffness| HertzSpring { stiffness })
+        self.given
+            .map_or_else(|| self.hertz.each_ref().map(own), HertzSpring::halves)
     }
 
     /// Both contacts in series under one load.

@@ -16,30 +16,24 @@ use crate::bearing::number::{Function, Number};
 /// Along the normal the compliances of both add up to that of the law exactly without inertia.
 pub(in crate::bearing) struct Share<'a, L> {
     law: &'a L,
-    part: Part,
+    /// The films, where they are the part that is asked for.
+    films: Option<&'a RaceFilms>,
     speed: f64,
-}
-
-/// Which of the springs.
-#[derive(Clone, Copy)]
-enum Part {
-    Contacts,
-    Films,
 }
 
 impl<'a, L: FilmLaw> Share<'a, L> {
     /// The contacts and the films of a law at a speed in rad/s.
-    pub fn both(law: &'a L, speed: f64) -> [Self; 2] {
-        [Part::Contacts, Part::Films].map(|part| Self { law, part, speed })
+    pub fn both(law: &'a L, films: &'a RaceFilms, speed: f64) -> [Self; 2] {
+        [None, Some(films)].map(|films| Self { law, films, speed })
     }
 }
 
 impl<L: FilmLaw> Function<2, 3> for Share<'_, L> {
     fn with_slopes(&self, [axial, radial]: [f64; 2]) -> ([f64; 3], BallTangent) {
         let (ball, speed) = (Ball::at(axial, radial), self.speed);
-        let tangent = match self.part {
-            Part::Contacts => self.law.contact_tangent(&ball, speed),
-            Part::Films => film_tangent(self.law.films(), &self.law.contact(&ball, speed), speed),
+        let tangent = match self.films {
+            None => self.law.contact_tangent(&ball, speed),
+            Some(films) => film_tangent(films, &self.law.contact(&ball, speed), speed),
         };
         ([0.0; 3], tangent)
     }

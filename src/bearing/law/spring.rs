@@ -9,6 +9,9 @@ pub trait ContactSpring {
     /// Whether the load is smooth where the surfaces part, as behind an oil film.
     const IS_SMOOTH: bool;
 
+    /// Load Q in N at an approach `s` in m, negative when apart, in the innermost loop.
+    fn load<T: Number>(&self, approach: T) -> T;
+
     /// Load Q in N and stiffness dQ/ds in N/m at an approach `s` in m, negative when apart.
     fn load_and_stiffness(&self, approach: f64) -> (f64, f64);
 
@@ -19,6 +22,18 @@ pub trait ContactSpring {
     fn lift(&self) -> f64;
 }
 
+/// A contact whose spring depends on the shaft speed where it has a film.
+pub trait PreparedContact: Copy {
+    /// What the contact is at one speed.
+    type Spring: ContactSpring;
+
+    /// Spring at a shaft speed in rad/s.
+    fn at_speed(&self, speed: f64) -> Self::Spring;
+
+    /// The elastic bodies without film.
+    fn elastic(&self) -> HertzSpring;
+}
+
 /// Dry contact: `Q = K s^(3/2)` for s > 0, nothing otherwise.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HertzSpring {
@@ -27,6 +42,12 @@ pub struct HertzSpring {
 }
 
 impl HertzSpring {
+    /// Two alike in series that make one of this stiffness constant: `K_n = [2 K^(−2/3)]^(−3/2)`.
+    pub fn halves(series: f64) -> [Self; 2] {
+        let stiffness = series * 2f64.powf(1.5);
+        [Self { stiffness }; 2]
+    }
+
     /// Stiffness under a load in N, N/m.
     ///
     /// `dQ/ds = 3/2 K^(2/3) Q^(1/3)`
@@ -38,6 +59,13 @@ impl HertzSpring {
 
 impl ContactSpring for HertzSpring {
     const IS_SMOOTH: bool = false;
+
+    #[inline(always)]
+    fn load<T: Number>(&self, approach: T) -> T {
+        let pressed = approach.positive();
+        // Q = K s √s
+        pressed * self.stiffness * pressed.sqrt()
+    }
 
     #[inline]
     fn load_and_stiffness(&self, approach: f64) -> (f64, f64) {
@@ -57,6 +85,20 @@ impl ContactSpring for HertzSpring {
     #[inline]
     fn lift(&self) -> f64 {
         0.0
+    }
+}
+
+impl PreparedContact for HertzSpring {
+    type Spring = Self;
+
+    #[inline(always)]
+    fn at_speed(&self, _speed: f64) -> Self {
+        *self
+    }
+
+    #[inline(always)]
+    fn elastic(&self) -> Self {
+        *self
     }
 }
 

@@ -8,7 +8,7 @@ use crate::bearing::law::{BallLaw, FilmLaw, FilmThickness, Law, Share, with_law}
 use crate::bearing::static_rating::{fatigue_load_limit, static_rating};
 use crate::bearing::{
     Around, BallLine, Bearing, BearingRotation, BearingState, CageMotion, FilmState, GeometryState,
-    InternalGeometry, RaceContact, StiffnessShares, warnings,
+    InternalGeometry, RaceContact, RaceFilms, StiffnessShares, warnings,
 };
 use crate::physics::{BallMotion, RaceControl, dynamic_rating};
 
@@ -211,7 +211,7 @@ impl Assessment<'_> {
     /// Films at both races under their loads in N, where a loaded ball rolls on oil.
     fn films(&self, loads: [f64; 2]) -> [Option<FilmState>; 2] {
         let speed = self.rotation.speed;
-        let Some(films) = self.support.law.films().filter(|_| speed != 0.0) else {
+        let Some(films) = self.support.films.filter(|_| speed != 0.0) else {
             return [None; 2];
         };
         let (thickness, stiffness) = (films.thickness(loads, speed), films.stiffness(loads, speed));
@@ -230,17 +230,17 @@ impl Assessment<'_> {
 
     /// Stiffness of contacts and films, each alone, where the bearing turns and has films.
     fn shares(&self) -> Option<StiffnessShares> {
+        let films = self.support.films.filter(|_| self.rotation.speed != 0.0)?;
         match &self.support.law {
-            _ if self.rotation.speed == 0.0 => None,
-            Law::HertzFilm(law) => Some(self.shares_under(law)),
-            Law::JonesFilm(law) => Some(self.shares_under(law)),
+            Law::HertzFilm(law) => Some(self.shares_under(law, &films)),
+            Law::JonesFilm(law) => Some(self.shares_under(law, &films)),
             Law::Hertz(_) | Law::Jones(_) => None,
         }
     }
 
-    fn shares_under(&self, law: &impl FilmLaw) -> StiffnessShares {
+    fn shares_under(&self, law: &impl FilmLaw, films: &RaceFilms) -> StiffnessShares {
         let Support { ring, seat, .. } = self.support;
-        let [contacts, films] = Share::both(law, self.rotation.speed).map(|share| {
+        let [contacts, films] = Share::both(law, films, self.rotation.speed).map(|share| {
             let (_, stiffness) = ring.force_and_stiffness(&share, &self.place, &self.rotation);
             seat.condense(stiffness)
         });

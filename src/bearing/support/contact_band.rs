@@ -65,7 +65,7 @@ mod tests {
         };
         let support = Support::new(&mounted, 0.0).expect("a support");
         let band = support.contact_band(700.0);
-        let law = HertzFilmLaw::new(&bearing, oil, 0.0).expect("a law");
+        let law = HertzFilmLaw::with_film(&bearing, oil, 0.0).expect("a law");
         let distance = bearing.geometry.groove_centre_distance() + band.regained;
         let contact = law.contact(&Ball::at(0.0, distance), 700.0);
         assert!((contact.load_inner / band.load - 1.0).abs() < 1e-9);

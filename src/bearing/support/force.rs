@@ -116,7 +116,7 @@ impl Support {
         if let Some(linear) = &self.frozen {
             return linear.energy(&imposed);
         }
-        let (place, films) = (self.settled(&imposed, rotation), self.law.films());
+        let (place, films) = (self.settled(&imposed, rotation), self.films.as_ref());
         let contacts =
             with_law!(&self.law, law => self.ring.stored_energy(law, films, &place, rotation));
         contacts + self.seat.stored_energy(&imposed, &place)

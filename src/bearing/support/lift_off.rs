@@ -17,7 +17,7 @@ impl Support {
     /// none behind films.
     pub(crate) fn balls_that_lift_off(&self) -> usize {
         match self.frozen {
-            None if self.law.films().is_none() => self.ring.balls(),
+            None if !self.law.is_smooth() => self.ring.balls(),
             _ => 0,
         }
     }
@@ -96,10 +96,10 @@ impl Support {
 
     /// Largest load of a ball so far past its lift-off in m, N; zero where the force is smooth there.
     pub(crate) fn load_past_lift_off(&self, distance: f64, speed: f64) -> f64 {
-        match self.law.films() {
-            Some(_) => 0.0,
-            None => with_law!(&self.law, law => law.spring(speed).load_and_stiffness(distance).0),
+        if self.law.is_smooth() {
+            return 0.0;
         }
+        with_law!(&self.law, law => law.spring(speed).load_and_stiffness(distance).0)
     }
 
     /// Power of the distance past lift-off that the load of a ball sets in with.

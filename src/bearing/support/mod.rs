@@ -23,7 +23,7 @@ use super::number::Number;
 use super::seat::Seat;
 use super::{
     BearingError, CageJitter, ContactLaw, FrictionMoment, Geometry, Matrix5, MountedBearing,
-    Preload, RaceContacts, Ring, Vector5,
+    Preload, RaceContacts, RaceFilms, Ring, Vector5,
 };
 use linear_force::LinearForce;
 
@@ -40,6 +40,8 @@ use linear_force::LinearForce;
 pub struct Support {
     pub(super) ring: Ring,
     law: Law,
+    /// Oil films of both races, where there are any.
+    films: Option<RaceFilms>,
     /// Answers in place of the law where a motion asks for forces, once compiled.
     table: Option<Box<BallTable>>,
     pub(super) seat: Seat,
@@ -71,6 +73,8 @@ impl Support {
         let (geometry, imperfections) = (&definition.bearing.geometry, &definition.imperfections);
         imperfections.check(geometry)?;
         let law = Law::new(definition, &contacts, speed)?;
+        let films = definition.oil.as_ref();
+        let films = films.map(|oil| RaceFilms::new(&definition.bearing, &contacts, oil));
         let cage = Cage::new(
             &definition.bearing,
             geometry.gamma(),
@@ -84,6 +88,7 @@ impl Support {
             rated_contacts,
             seat: Seat::new(definition, &law)?,
             law,
+            films: films.transpose()?,
             table: None,
             cage,
             cage_jitter: CageJitter::new(&imperfections.cage_steps, geometry.balls()),

@@ -51,7 +51,7 @@ impl Vibration {
         };
         let rotor = assemble(&definition);
         let mut vibration = Self {
-            stiffness: law(&bearing("7205C")).load_deflection_constant,
+            stiffness: law(&bearing("7205C")).contact.stiffness,
             frequency: rotor.natural_frequencies()[0].frequency,
             definition,
             rotor,

@@ -1,6 +1,6 @@
 //! The equations of a ball hold at every state that a law returns, computed anew from the state.
 
-use crate::bearing::{Ball, BallLaw, BallState, FilmLaw, ForceLaw, JonesFilmLaw, JonesLaw};
+use crate::bearing::{Ball, BallLaw, BallState, ForceLaw, JonesFilmLaw, JonesLaw, RaceFilms};
 use crate::physics::{
     BallMotion, RaceControl, ball_inertia, ball_mass, centrifugal_force, gyroscopic_moment,
 };
@@ -40,7 +40,9 @@ fn forces_on_a_lubricated_ball_balance_everywhere() {
         let couple = law.force(&ball, case.speed).couple;
         assert!(state.trials <= 60, "{} trials, {control:?}", state.trials);
         let loads = [state.contact.load_inner, state.contact.load_outer];
-        let films = law.films().thickness(loads, case.speed);
+        let contacts = case.bearing.contacts().unwrap();
+        let films = RaceFilms::new(&case.bearing, &contacts, &OIL).unwrap();
+        let films = films.thickness(loads, case.speed);
         Check::new(&case, &state, couple, films.map(|film| film.central)).run(control);
     }
 }

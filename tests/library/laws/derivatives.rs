@@ -11,7 +11,7 @@ fn tangent_of_hertz_with_film() {
     let mut random = Random::new(3);
     for _ in 0..500 {
         let case = random.case();
-        let law = HertzFilmLaw::new(&case.bearing, OIL, case.speed).unwrap();
+        let law = HertzFilmLaw::with_film(&case.bearing, OIL, case.speed).unwrap();
         check(&law, &case);
     }
 }

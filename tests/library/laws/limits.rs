@@ -50,7 +50,7 @@ fn at_rest_a_film_law_is_its_dry_law() {
             dry.force_and_tangent(place.0, place.1, place.2),
             film.force_and_tangent(place.0, place.1, place.2)
         );
-        let hertz_film = HertzFilmLaw::new(&case.bearing, OIL, 100.0).unwrap();
+        let hertz_film = HertzFilmLaw::with_film(&case.bearing, OIL, 100.0).unwrap();
         let (load, _) = hertz(&case.bearing, case.axial, case.radial);
         let contact = hertz_film.contact(&Ball::at(place.0, place.1), place.2);
         assert!((contact.load_inner - load).abs() <= 1e-12 * load + 1e-9);
@@ -114,7 +114,7 @@ fn a_ball_without_inner_contact_rests_on_the_outer_race() {
 fn the_film_law_is_monotone_through_lift_off() {
     let bearing = bearing_7205c();
     let geometry = &bearing.geometry;
-    let law = HertzFilmLaw::new(&bearing, OIL, 1000.0).unwrap();
+    let law = HertzFilmLaw::with_film(&bearing, OIL, 1000.0).unwrap();
     let mut last = f64::INFINITY;
     for step in 0..4_000 {
         let radial = geometry.free_radial() + 20e-6 - f64::from(step) * 5e-8;
@@ -135,8 +135,8 @@ fn a_law_prepared_for_another_speed_is_the_same_law() {
     let bearing = bearing_7205c();
     let geometry = &bearing.geometry;
     let (axial, radial) = (geometry.free_axial() + 10e-6, geometry.free_radial());
-    let here = HertzFilmLaw::new(&bearing, OIL, 700.0).unwrap();
-    let there = HertzFilmLaw::new(&bearing, OIL, 50.0).unwrap();
+    let here = HertzFilmLaw::with_film(&bearing, OIL, 700.0).unwrap();
+    let there = HertzFilmLaw::with_film(&bearing, OIL, 50.0).unwrap();
     assert_eq!(
         here.force(&Ball::at(axial, radial), 700.0),
         there.force(&Ball::at(axial, radial), 700.0)

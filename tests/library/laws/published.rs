@@ -3,8 +3,7 @@
 //! nominal contact angle. Tolerances are half a unit of the last digit.
 
 use crate::bearing::{
-    Ball, BallLaw, Bearing, FilmLaw, ForceLaw, FreePosition, Geometry, HertzFilmLaw, JonesFilmLaw,
-    JonesLaw,
+    Ball, BallLaw, Bearing, ForceLaw, FreePosition, Geometry, HertzFilmLaw, JonesLaw, RaceFilms,
 };
 use crate::physics::{Material, RaceControl};
 
@@ -139,7 +138,7 @@ fn high_speed_case_of_a_public_program() {
 #[test]
 fn thrust_on_an_oil_film() {
     let bearing = bearing_7205c();
-    let law = HertzFilmLaw::new(&bearing, OIL, 1000.0).unwrap();
+    let law = HertzFilmLaw::with_film(&bearing, OIL, 1000.0).unwrap();
     let z = displacement_under_thrust(&law, &bearing, 1000.0, 1000.0);
     let geometry = &bearing.geometry;
     let (axial, radial) = (geometry.free_axial() + z, geometry.free_radial());
@@ -159,7 +158,7 @@ fn film_thickness() {
         [500.0, 0.5381, 0.4370, 0.6434, 0.5176],
     ];
     let bearing = bearing_7205c();
-    let law = JonesFilmLaw::with_film(&bearing, RaceControl::Outer, OIL, 1000.0).unwrap();
+    let films = RaceFilms::new(&bearing, &bearing.contacts().unwrap(), &OIL).unwrap();
     for [
         speed,
         inner_central,
@@ -168,7 +167,7 @@ fn film_thickness() {
         outer_minimum,
     ] in rows
     {
-        let [inner, outer] = law.films().thickness([251.39, 251.39], speed);
+        let [inner, outer] = films.thickness([251.39, 251.39], speed);
         assert_printed("inner h_c µm", inner.central * 1e6, inner_central, 4);
         assert_printed("inner h_min µm", inner.minimum * 1e6, inner_minimum, 4);
         assert_printed("outer h_c µm", outer.central * 1e6, outer_central, 4);

@@ -25,7 +25,7 @@ proptest! {
         angle in -3.2..3.2f64, reach in 0.5..1.4f64,
     ) {
         let law = law(&bearing("7205C"));
-        let (stiffness, distance) = (law.load_deflection_constant, law.distance);
+        let (stiffness, distance) = (law.contact.stiffness, law.distance);
         let (axial, radial) = (reach * distance * angle.sin(), reach * distance * angle.cos());
         let (force, tangent) = law.force_and_tangent(axial, radial, 0.0);
         let by = |axis: usize| {

@@ -31,7 +31,7 @@ impl OneBall {
     }
 
     fn stiffness(&self) -> f64 {
-        self.law.load_deflection_constant
+        self.law.contact.stiffness
     }
 
     /// ½ m v² + (2/5) K δ^(5/2) − W x, J.
@@ -199,7 +199,7 @@ fn integral(samples: &[Sample], interval: f64, value: impl Fn(&Sample) -> f64) -
 fn stored(sample: &Sample, definition: &RotorDefinition, supports: &Rotor) -> f64 {
     let kinetic = (0..3).map(|axis| 0.5 * definition.shaft.mass * sample.velocity[axis].powi(2));
     let support = &supports.supports()[0];
-    let stiffness = law(&bearing("7205C")).load_deflection_constant;
+    let stiffness = law(&bearing("7205C")).contact.stiffness;
     let contact = crate::tests::support::contacts(support, &sample.displacement, 0.0)
         .into_iter()
         .map(|ball| 0.4 * ball.load_inner * (ball.load_inner / stiffness).cbrt().powi(2));

@@ -67,7 +67,7 @@ fn energy(displacement: &Vector5) -> f64 {
         let axial = geometry.free_axial() + z + arm * (tilt_x * sin - tilt_y * cos);
         let radial = geometry.free_radial() + x * cos + y * sin;
         let approach = (axial.hypot(radial) - law.distance).max(0.0);
-        0.4 * law.load_deflection_constant * approach.powf(2.5)
+        0.4 * law.contact.stiffness * approach.powf(2.5)
     };
     (0..geometry.balls()).map(ball).sum()
 }

@@ -91,7 +91,7 @@ fn check_values<L: BallLaw>(law: &L, regions: &[BallRegion]) {
 fn every_costly_law_has_a_table_within_the_tolerance() {
     let bearing = bearing("7205C");
     let all = regions(&bearing);
-    let film = HertzFilmLaw::new(&bearing, OIL, SPEED).expect("a law");
+    let film = HertzFilmLaw::with_film(&bearing, OIL, SPEED).expect("a law");
     check_values(&film, &all);
     let jones = JonesLaw::new(&bearing, RaceControl::Outer).expect("a law");
     check_values(&jones, &all);

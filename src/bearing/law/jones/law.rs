@@ -3,10 +3,11 @@
 use super::balance::{self, Balance, Contact, Positions, Response};
 use super::inertia::InertiaLaw;
 use super::solve::{Rest, StartConstants};
+use crate::bearing::law::film_spring::LubricatedContact;
 use crate::bearing::law::spring::approaches_under;
 use crate::bearing::law::{
     Ball, BallContact, BallForce, BallLaw, BallResponse, BallState, BallTangent, ContactSpring,
-    DryRaces, FilmLaw, ForceLaw, LubricatedRaces, RaceContacts, RaceFilms, Races,
+    FilmLaw, ForceLaw, HertzSpring, PreparedContact, RaceContacts, RaceFilms,
 };
 use crate::bearing::number::{Function, Number, Plain};
 use crate::bearing::{Bearing, BearingError, Oil};
@@ -53,31 +54,30 @@ use crate::physics::{
 /// Bearing Analysis*, 5th ed. (2007), vol. 2, ch. 3. The gyroscopic terms' signs are opposite to
 /// the books', whose ω_R is negative here.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct JonesLaw<R = DryRaces> {
+pub struct JonesLaw<C = HertzSpring> {
     ball: balance::Ball,
     start: StartConstants,
     /// To spinning at a load of 1 N, inner and outer race, N m.
     resistance: [f64; 2],
-    races: R,
+    /// With the inner and the outer race.
+    contacts: [C; 2],
 }
 
 /// Jones's law with oil films.
-pub type JonesFilmLaw = JonesLaw<LubricatedRaces>;
+pub type JonesFilmLaw = JonesLaw<LubricatedContact>;
 
-impl JonesLaw<DryRaces> {
+impl JonesLaw {
     /// Law of one ball of a bearing without oil films.
     ///
     /// # Errors
     /// [`BearingError`] where ball and races form no contacts, where one stiffness is given for
     /// both of them together, or where the ball has no mass.
     pub fn new(bearing: &Bearing, control: RaceControl) -> Result<Self, BearingError> {
-        Self::with_races(bearing, control, |contacts| {
-            Ok(DryRaces(contacts.springs()))
-        })
+        Self::with_contacts(bearing, control, |contacts| Ok(contacts.springs()))
     }
 }
 
-impl JonesLaw<LubricatedRaces> {
+impl JonesFilmLaw {
     /// Law of one ball of a bearing with oil films; fastest at `prepared_speed` in rad/s, right
     /// at every speed.
     ///
@@ -89,26 +89,27 @@ impl JonesLaw<LubricatedRaces> {
         oil: Oil,
         prepared_speed: f64,
     ) -> Result<Self, BearingError> {
-        Self::with_races(bearing, control, |contacts| {
-            let films = RaceFilms::new(bearing, contacts, &oil)?;
+        Self::with_contacts(bearing, control, |contacts| {
+            let films = RaceFilms::new(bearing, contacts, &oil)?.central_constants();
             let springs = contacts.springs();
-            Ok(LubricatedRaces::new(springs, films, prepared_speed))
+            Ok([0, 1]
+                .map(|race| LubricatedContact::new(springs[race], films[race], prepared_speed)))
         })
     }
 }
 
-impl<R: Races> JonesLaw<R> {
-    /// A law with races from the contacts of the bearing.
-    fn with_races(
+impl<C: PreparedContact> JonesLaw<C> {
+    /// A law with contacts prepared from those of the bearing.
+    fn with_contacts(
         bearing: &Bearing,
         control: RaceControl,
-        races: impl FnOnce(&RaceContacts) -> Result<R, BearingError>,
+        prepare: impl FnOnce(&RaceContacts) -> Result<[C; 2], BearingError>,
     ) -> Result<Self, BearingError> {
         if let Some(stiffness) = bearing.contact_stiffness {
             return Err(BearingError::SeriesStiffness { stiffness });
         }
         let contacts = bearing.contacts()?;
-        let races = races(&contacts)?;
+        let prepared = prepare(&contacts)?;
         let geometry = &bearing.geometry;
         let density = bearing.ball_material.density;
         if !(density > 0.0 && density.is_finite()) {
@@ -129,8 +130,15 @@ impl<R: Races> JonesLaw<R> {
             },
             start: StartConstants::new(contacts.springs()),
             resistance: contacts.hertz.each_ref().map(spin_resistance),
-            races,
+            contacts: prepared,
         })
+    }
+
+    /// Contacts with the inner and the outer race at a speed in rad/s.
+    #[inline(always)]
+    fn at_speed(&self, speed: f64) -> [C::Spring; 2] {
+        let [inner, outer] = &self.contacts;
+        [inner.at_speed(speed), outer.at_speed(speed)]
     }
 
     /// F_0 = ½ m_b d_m ω², N.
@@ -142,7 +150,7 @@ impl<R: Races> JonesLaw<R> {
     #[inline]
     fn solve(&self, ball: &Ball, speed: f64) -> Rest {
         let groove = [ball.axial, ball.radial];
-        let (springs, force_scale) = (self.races.at_speed(speed), self.force_scale(speed));
+        let (springs, force_scale) = (self.at_speed(speed), self.force_scale(speed));
         // with the surfaces lower by their drops
         let free = [0, 1].map(|race| self.ball.free[race] + ball.drop[race]);
         let over = balance::Ball { free, ..self.ball };
@@ -156,12 +164,12 @@ impl<R: Races> JonesLaw<R> {
 }
 
 /// A ball's balance at a speed as a function of the position of the inner groove centre and the drops.
-struct InBalance<'a, R> {
-    law: &'a JonesLaw<R>,
+struct InBalance<'a, C> {
+    law: &'a JonesLaw<C>,
     speed: f64,
 }
 
-impl<R: Races> InBalance<'_, R> {
+impl<C: PreparedContact> InBalance<'_, C> {
     #[inline(always)]
     fn rest(&self, [axial, radial, inner, outer]: [f64; 4]) -> Rest {
         let ball = Ball {
@@ -172,10 +180,10 @@ impl<R: Races> InBalance<'_, R> {
     }
 }
 
-impl<R: Races> Function<4, 6> for InBalance<'_, R> {
+impl<C: PreparedContact> Function<4, 6> for InBalance<'_, C> {
     fn with_slopes(&self, at: [f64; 4]) -> (Response<f64>, [[f64; 4]; 6]) {
         let (law, rest) = (self.law, self.rest(at));
-        let springs = law.races.at_speed(self.speed);
+        let springs = law.at_speed(self.speed);
         let force_scale = law.force_scale(self.speed);
         let load = |race: usize, approach| springs[race].load_and_stiffness(approach);
         let slopes = law.ball.slopes(&rest.positions, load, force_scale);
@@ -187,7 +195,7 @@ impl<R: Races> Function<4, 6> for InBalance<'_, R> {
     }
 }
 
-impl<R: Races> ForceLaw for JonesLaw<R> {
+impl<C: PreparedContact> ForceLaw for JonesLaw<C> {
     const HAS_COUPLE: bool = true;
 
     #[inline(always)]
@@ -197,18 +205,18 @@ impl<R: Races> ForceLaw for JonesLaw<R> {
 
     #[inline(always)]
     fn distance_past_lift_off<T: Plain>(&self, ball: &Ball<T>, speed: f64) -> T {
-        if R::Spring::IS_SMOOTH {
+        if C::Spring::IS_SMOOTH {
             return ball.axial.constant(f64::INFINITY);
         }
-        let [_, outer] = self.races.elastic();
+        let outer = self.contacts[1].elastic();
         let groove = [ball.axial, ball.radial];
         self.ball
             .overlap_when_thrown(groove, ball.drop, &outer, self.force_scale(speed))
     }
 }
 
-impl<R: Races> BallLaw for JonesLaw<R> {
-    type Spring = R::Spring;
+impl<C: PreparedContact> BallLaw for JonesLaw<C> {
+    type Spring = C::Spring;
 
     #[inline(always)]
     fn response<T: Number>(&self, ball: &Ball<T>, speed: f64) -> BallResponse<T> {
@@ -223,8 +231,8 @@ impl<R: Races> BallLaw for JonesLaw<R> {
         }
     }
 
-    fn spring(&self, speed: f64) -> R::Spring {
-        let [inner, _] = self.races.at_speed(speed);
+    fn spring(&self, speed: f64) -> C::Spring {
+        let [inner, _] = self.at_speed(speed);
         inner
     }
 
@@ -233,7 +241,10 @@ impl<R: Races> BallLaw for JonesLaw<R> {
     }
 
     fn elastic_approaches<T: Number>(&self, response: &BallResponse<T>) -> [T; 2] {
-        approaches_under(&self.races.elastic(), response.load)
+        approaches_under(
+            &self.contacts.map(|contact| contact.elastic()),
+            response.load,
+        )
     }
 
     fn state(&self, ball: &Ball, speed: f64) -> Option<BallState> {
@@ -265,19 +276,18 @@ impl<R: Races> BallLaw for JonesLaw<R> {
     }
 }
 
-impl FilmLaw for JonesLaw<LubricatedRaces> {
-    fn films(&self) -> &RaceFilms {
-        &self.races.films
-    }
-
+impl FilmLaw for JonesFilmLaw {
     fn contact_tangent(&self, ball: &Ball, speed: f64) -> BallTangent {
         let rest = self.solve(ball, speed);
-        let (springs, elastic) = (self.races.at_speed(speed), self.races.elastic());
+        let springs = self.at_speed(speed);
         // the films rigid
         let load = |race: usize, approach| {
             let load = rest.balance.contacts[race].load;
             let (behind_film, _) = springs[race].load_and_stiffness(approach);
-            (behind_film, elastic[race].stiffness_under(load))
+            (
+                behind_film,
+                self.contacts[race].elastic().stiffness_under(load),
+            )
         };
         let force_scale = self.force_scale(speed);
         let [axial, radial, couple, ..] = self.ball.slopes(&rest.positions, load, force_scale);

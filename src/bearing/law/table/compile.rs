@@ -357,7 +357,7 @@ mod tests {
             viscosity: 0.04,
             pressure_viscosity: 2.2e-8,
         };
-        let film = HertzFilmLaw::new(&bearing(), oil, SPEED).unwrap();
+        let film = HertzFilmLaw::with_film(&bearing(), oil, SPEED).unwrap();
         let dry = JonesLaw::new(&bearing(), RaceControl::Outer).unwrap();
         for step in [largest_step(&film), largest_step(&dry)] {
             assert!(step < 1e-11 * LOAD, "{step:e}");

@@ -1,71 +1,8 @@
-//! The two contacts of a ball, dry or behind oil films, ready for a speed.
+//! The oil films between a ball and both races.
 
-use super::film_spring::{FilmSpring, LubricatedContact};
-use super::{ContactSpring, HertzSpring, RaceContacts};
+use super::RaceContacts;
 use crate::bearing::{Bearing, BearingError, Oil};
 use crate::physics::{FilmContact, FilmInputs, contact_modulus, entrainment_speed};
-
-/// The contacts of a ball with both races.
-pub trait Races {
-    /// What a contact is at one speed.
-    type Spring: ContactSpring;
-
-    /// Springs of the inner and the outer race at a shaft speed in rad/s.
-    fn at_speed(&self, speed: f64) -> [Self::Spring; 2];
-
-    /// Elastic contacts of both races by themselves.
-    fn elastic(&self) -> [HertzSpring; 2];
-}
-
-/// Hertz contacts without oil.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct DryRaces(pub(super) [HertzSpring; 2]);
-
-impl Races for DryRaces {
-    type Spring = HertzSpring;
-
-    #[inline]
-    fn at_speed(&self, _speed: f64) -> [HertzSpring; 2] {
-        self.0
-    }
-
-    fn elastic(&self) -> [HertzSpring; 2] {
-        self.0
-    }
-}
-
-/// Hertz contacts behind oil films.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LubricatedRaces {
-    contacts: [LubricatedContact; 2],
-    pub(super) films: RaceFilms,
-}
-
-impl LubricatedRaces {
-    /// Fastest at a shaft speed in rad/s, right at every speed.
-    pub(super) fn new(springs: [HertzSpring; 2], films: RaceFilms, speed: f64) -> Self {
-        let constants = films.central_constants();
-        let contact = |race: usize| LubricatedContact::new(springs[race], constants[race], speed);
-        Self {
-            contacts: [0, 1].map(contact),
-            films,
-        }
-    }
-}
-
-impl Races for LubricatedRaces {
-    type Spring = FilmSpring;
-
-    #[inline]
-    fn at_speed(&self, speed: f64) -> [FilmSpring; 2] {
-        let [inner, outer] = &self.contacts;
-        [inner.at_speed(speed), outer.at_speed(speed)]
-    }
-
-    fn elastic(&self) -> [HertzSpring; 2] {
-        self.contacts.each_ref().map(|contact| contact.elastic)
-    }
-}
 
 /// Oil films of both races, inner first.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -75,7 +12,11 @@ pub struct RaceFilms {
 }
 
 impl RaceFilms {
-    pub(super) fn new(
+    /// Films of a bearing with an oil.
+    ///
+    /// # Errors
+    /// [`BearingError::Oil`] where the oil is none.
+    pub fn new(
         bearing: &Bearing,
         contacts: &RaceContacts,
         oil: &Oil,
