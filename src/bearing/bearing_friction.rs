@@ -16,14 +16,14 @@ pub(super) struct BearingFriction {
 }
 
 impl BearingFriction {
-    /// Of a bearing with `contacts` at its nominal contact angle, inner race first.
+    /// Friction of a bearing with `contacts` at its nominal contact angle.
     pub fn new(definition: &MountedBearing, contacts: &RaceContacts) -> Self {
         let bearing = &definition.bearing;
         let lubricant = bearing.lubrication.map(|lubricant| lubricant.viscosity);
         // ν = η0/ρ
         let kinematic = |oil: Oil| oil.viscosity / MINERAL_OIL_DENSITY;
         Self {
-            factors: FrictionFactors::of_contact_angle(bearing.geometry.nominal_angle()),
+            factors: FrictionFactors::from_contact_angle(bearing.geometry.nominal_angle()),
             pitch_diameter: bearing.geometry.pitch_diameter(),
             static_rating: static_rating(&bearing.geometry, contacts),
             viscosity: lubricant.or(definition.oil.map(kinematic)),

@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::surface::{ImperfectSurfaces, rolling_ratio};
-use super::{Bearing, CageJitter, MountedBearing, Support, Vector5};
+use super::surface::ImperfectSurfaces;
+use super::{Bearing, CageJitter, Geometry, MountedBearing, Support, Vector5};
 use crate::physics::{BallPass, Race, nominal_cage_speed};
 
 /// How the balls go round.
@@ -19,7 +19,7 @@ pub enum CageMotion {
     Operating,
     /// The cage rolls at the free contact angle.
     Rolling,
-    /// The cage stands: no ball-pass lines.
+    /// The cage does not turn: no ball-pass lines.
     Frozen,
 }
 
@@ -40,7 +40,7 @@ pub(super) struct Cage {
 }
 
 impl Cage {
-    /// Of a bearing whose cage slips by a part, with one ring that turns:
+    /// Cage of a bearing that slips by a part, with one ring that turns:
     ///
     /// `ω_c/ω = (1 − γ)/2 (1 − slip)`, and (1 + γ)/2 (1 − slip) where it is the outer one
     pub fn new(bearing: &Bearing, gamma: f64, slip: f64) -> Self {
@@ -60,7 +60,7 @@ impl Cage {
             Race::Outer => [0.0, turning],
         };
         let rolling = rolling_ratio(geometry, self.gamma);
-        BallPass::of_rings(rings, self.ratio * turning, geometry.balls(), rolling)
+        BallPass::from_rings(rings, self.ratio * turning, geometry.balls(), rolling)
     }
 
     /// Angle that a ball turns by over that of the cage, rolling on the outer race.
@@ -163,15 +163,19 @@ impl Support {
         self.cage.ball_pass(&self.definition.bearing, speed)
     }
 
-    /// The same at the nominal contact angle, without slip.
+    /// Ball-pass frequencies at the nominal contact angle, without slip, at a speed of the shaft in rad/s.
     pub(crate) fn nominal_ball_pass(&self, speed: f64) -> BallPass {
         let bearing = &self.definition.bearing;
-        let cosine = bearing.geometry.nominal_angle().cos();
-        Cage::new(bearing, bearing.geometry.gamma_at(cosine), 0.0).ball_pass(bearing, speed)
+        Cage::new(bearing, bearing.geometry.nominal_gamma(), 0.0).ball_pass(bearing, speed)
     }
 
-    /// Balls that pass a point that stands, a revolution.
+    /// Balls that pass a point at rest, a revolution.
     pub(crate) fn passes(&self) -> f64 {
         self.ring.balls() as f64 * self.cage.ratio
     }
+}
+
+/// Angle that a ball turns by over that of the cage: (1 + γ) d_m/D.
+fn rolling_ratio(geometry: &Geometry, gamma: f64) -> f64 {
+    (1.0 + gamma) * geometry.pitch_diameter() / geometry.ball_diameter()
 }

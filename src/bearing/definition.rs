@@ -3,82 +3,9 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::surface::{ImperfectionError, Imperfections};
-use super::{
-    Clearance, ClearanceClass, ContactDamping, ContactLaw, EstimateError, FitState, Geometry,
-    GeometryError, Lubrication, Oil, RaceContacts,
-};
-use crate::physics::{
-    HertzContact, HertzError, Material, Race, SkfFriction, contact_modulus, inner_race_curvature,
-    outer_race_curvature,
-};
-
-/// Why a bearing cannot be built or mounted.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum BearingError {
-    /// The dimensions do not make a bearing.
-    #[error(transparent)]
-    Geometry(#[from] GeometryError),
-    /// No internal geometry follows from the catalogue line.
-    #[error(transparent)]
-    Estimate(#[from] Box<EstimateError>),
-    /// Ball and race do not form a Hertz contact.
-    #[error("the contact of ball and {race} race: {source}")]
-    Contact {
-        /// Which race.
-        race: &'static str,
-        /// What is wrong with it.
-        source: HertzError,
-    },
-    /// A property of the oil is no positive number.
-    #[error("the oil's {name} is {value} in SI units; it must be positive and finite")]
-    Oil {
-        /// Which property.
-        name: &'static str,
-        /// Value as given.
-        value: f64,
-    },
-    /// The balls have no mass.
-    #[error("the density of the balls is {density} kg/m³; it must be positive and finite")]
-    Density {
-        /// Density as given, kg/m³.
-        density: f64,
-    },
-    /// A stiffness given for both races together cannot be told apart.
-    #[error(
-        "a contact stiffness of {stiffness} N/m^1.5 is given for both races together; ball inertia \
-         loads them differently, so give the geometry's own contacts instead"
-    )]
-    SeriesStiffness {
-        /// Stiffness constant K_n as given, N/m^1.5.
-        stiffness: f64,
-    },
-    /// The inertia of balls under an outer ring that turns.
-    #[error(
-        "contact = \"jones\" knows the inertia of balls under a turning inner ring only: with rotating_ring = \"outer\" \
-         set contact = \"hertz\""
-    )]
-    RotatingRing,
-    /// A coefficient of the contact damping is no number that damps.
-    #[error("the contact damping is {value} s/m; it must be zero or positive, finite")]
-    ContactDamping {
-        /// Coefficient as given, s/m.
-        value: f64,
-    },
-    /// A defect, a wave or a ball does not fit the bearing.
-    #[error(transparent)]
-    Imperfection(#[from] ImperfectionError),
-    /// A bearing's preload has no axial position that gives it.
-    #[error(
-        "no axial position of the inner ring gives a preload of {preload} N; give a smaller \
-         preload or an axial_offset"
-    )]
-    Preload {
-        /// Preload as given, N.
-        preload: f64,
-    },
-}
+use super::surface::Imperfections;
+use super::{BearingError, Clearance, ClearanceClass, ContactLaw, FitState, Geometry};
+use crate::physics::{Contamination, Material, Race, SkfFriction};
 
 /// A bearing by itself: dimensions, materials, contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -100,7 +27,7 @@ pub struct Bearing {
     /// not given, `n d_m` = 10⁶ mm/min is taken.
     pub limiting_speed: Option<f64>,
     /// Angle at which the shoulders of the races end, from the radial plane, rad; where it is given,
-    /// contacts that reach it are told.
+    /// contacts that reach it are warned of.
     pub shoulder_angle: Option<f64>,
     /// The class whose middle the clearance of a deep-groove bearing is, where it was taken from there.
     pub clearance_class: Option<ClearanceClass>,
@@ -112,7 +39,7 @@ pub struct Bearing {
     pub skf_friction: Option<SkfFriction>,
     /// Lubricant; the modified life and SKF's friction model need it.
     pub(crate) lubrication: Option<Lubrication>,
-    /// The ring that turns; the other one stands, as the load does.
+    /// The ring that turns; the other one is at rest, as the load is.
     pub rotating_ring: Race,
     /// Reliability of the modified life, per cent; 90 where it is not given.
     pub reliability: Option<f64>,
@@ -159,69 +86,6 @@ impl Bearing {
         let diametral = self.geometry.diametral_clearance()?;
         Some(Clearance { diametral, class })
     }
-
-    /// Hertz contact of ball and inner race, curvature at the free contact angle.
-    ///
-    /// # Errors
-    /// [`BearingError::Contact`] where the curvatures do not meet in an ellipse.
-    pub fn inner_contact(&self) -> Result<HertzContact, BearingError> {
-        self.contact("inner", self.geometry.gamma())
-    }
-
-    /// Hertz contact of ball and outer race, curvature at the free contact angle.
-    ///
-    /// # Errors
-    /// [`BearingError::Contact`] where the curvatures do not meet in an ellipse.
-    pub fn outer_contact(&self) -> Result<HertzContact, BearingError> {
-        self.contact("outer", self.geometry.gamma())
-    }
-
-    pub(super) fn contact(
-        &self,
-        race: &'static str,
-        gamma: f64,
-    ) -> Result<HertzContact, BearingError> {
-        let (ball, [inner, outer]) = (
-            self.geometry.ball_diameter(),
-            self.geometry.groove_factors(),
-        );
-        let curvature = match race {
-            "inner" => inner_race_curvature(ball, inner, gamma),
-            _ => outer_race_curvature(ball, outer, gamma),
-        };
-        let modulus = contact_modulus(&self.ball_material, &self.ring_material);
-        HertzContact::new(curvature, modulus)
-            .map_err(|source| BearingError::Contact { race, source })
-    }
-
-    /// Load–deflection constant K_n of a ball between both races, N/m^1.5.
-    ///
-    /// ```
-    /// use jeffcott::bearing::Bearing;
-    /// // 7205C, E = 207 GPa, ν = 0.3: K_n = 273 580.37 N/mm^1.5 (independent implementations).
-    /// let bearing = Bearing::catalogue("7205C")?;
-    /// assert!((bearing.load_deflection_constant()? / 10f64.powf(4.5) - 273_580.37).abs() < 0.01);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`BearingError::Contact`] where the curvatures do not meet in an ellipse.
-    pub fn load_deflection_constant(&self) -> Result<f64, BearingError> {
-        match self.contact_stiffness {
-            Some(given) => Ok(given),
-            None => Ok(self.contacts()?.in_series().stiffness),
-        }
-    }
-
-    /// Contacts of ball and races at the free contact angle.
-    pub(crate) fn contacts(&self) -> Result<RaceContacts, BearingError> {
-        RaceContacts::new(self, self.geometry.gamma())
-    }
-
-    /// Contacts of ball and races at the nominal contact angle, which the ratings belong to, whatever the clearance.
-    pub(super) fn rated_contacts(&self) -> Result<RaceContacts, BearingError> {
-        RaceContacts::new(self, self.geometry.nominal_gamma())
-    }
 }
 
 /// Which way along Z the inner ring must move to load the bearing.
@@ -258,6 +122,92 @@ pub enum Preload {
     Spring(f64),
 }
 
+/// Lubricating oil at the bearing's temperature.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Oil {
+    /// Viscosity at ambient pressure η0, Pa s.
+    pub viscosity: f64,
+    /// Pressure–viscosity coefficient α_p, 1/Pa.
+    pub pressure_viscosity: f64,
+}
+
+impl Oil {
+    /// # Errors
+    /// [`BearingError::Oil`] where a property is not positive and finite.
+    pub(super) fn check(&self) -> Result<(), BearingError> {
+        for (name, value) in [
+            ("viscosity", self.viscosity),
+            ("pressure–viscosity coefficient", self.pressure_viscosity),
+        ] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(BearingError::Oil { name, value });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The lubricant at the temperature of the bearing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Lubrication {
+    /// Kinematic viscosity of the oil, or of the base oil of a grease, m²/s.
+    pub viscosity: f64,
+    /// Whether it is a grease.
+    pub grease: bool,
+    /// How clean it is; the modified life needs it.
+    pub contamination: Option<Contamination>,
+}
+
+/// Hunt–Crossley damping of the contacts with both races.
+///
+/// ```text
+/// Q_damped = Q (1 + c δ̇)   c = 3/2 α   never less than zero
+/// ```
+///
+/// Q is the load of the ball law at a race in N, δ the elastic approach there in m, which follows
+/// the motion of the ring (and the ball its balance) at once. As the force along a freedom of the
+/// ring is
+///
+/// ```text
+/// F_d = Σ_balls Σ_races Q max(c δ̇, −1) ∂δ/∂q
+/// ```
+///
+/// the power that it takes, `Σ Q max(c δ̇, −1) δ̇`, is never negative: the damping dissipates only. A
+/// ball that has left its race is not damped, and no race pulls at a ball. A sphere that meets a
+/// wall at a small speed v leaves it at (1 − α v) v.
+///
+/// Source: K. H. Hunt & F. R. E. Crossley, *J. Applied Mechanics* 42 (1975) 440–445, who give
+/// α = 0.08 … 0.32 s/m for steel, bronze and ivory.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ContactDamping {
+    /// α at the inner race, s/m; zero for none.
+    pub inner: f64,
+    /// α at the outer race, s/m; zero for none.
+    pub outer: f64,
+}
+
+impl ContactDamping {
+    /// Whether neither contact is damped.
+    pub fn is_none(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// Coefficients c of both races, inner first, s/m; none without damping.
+    ///
+    /// # Errors
+    /// [`BearingError::ContactDamping`] where a coefficient is negative or not finite.
+    pub(super) fn coefficients(&self) -> Result<Option<[f64; 2]>, BearingError> {
+        for value in [self.inner, self.outer] {
+            if !(value >= 0.0 && value.is_finite()) {
+                return Err(BearingError::ContactDamping { value });
+            }
+        }
+        // c = 3/2 α
+        let coefficients = [1.5 * self.inner, 1.5 * self.outer];
+        Ok((!self.is_none()).then_some(coefficients))
+    }
+}
+
 /// What the outer ring of a bearing sits in: a mass on springs and dampers to the ground, which does not tilt.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Housing {
@@ -274,7 +224,7 @@ pub struct Housing {
 pub struct MountedBearing {
     /// The bearing.
     pub bearing: Bearing,
-    /// Force law that stands for it.
+    /// Force law between its rings.
     pub law: ContactLaw,
     /// Oil whose films part the surfaces; `None` leaves films out.
     pub oil: Option<Oil>,
@@ -290,7 +240,7 @@ pub struct MountedBearing {
     pub first_ball: f64,
     /// What makes its surfaces differ from perfect ones.
     pub imperfections: Imperfections,
-    /// The housing that it stands in; none on the ground.
+    /// The housing around it; none on the ground.
     pub housing: Option<Housing>,
 }
 

@@ -51,7 +51,7 @@ pub enum GeometryError {
         /// Largest clearance that the grooves allow, m.
         largest: f64,
     },
-    /// The same after a change of clearance.
+    /// A change of clearance leads to a contact angle above 60°, or squeezes the balls too much.
     #[error(
         "a change of the diametral clearance by {change} m does not fit: it must be in {smallest} … \
          {largest} m, where the balls are squeezed by a tenth of the distance of the groove centres and where the free \
@@ -94,8 +94,8 @@ pub struct Geometry {
     squeeze: f64,
     /// As made, before any change of clearance.
     free_position: FreePosition,
-    groove_factor_inner: f64,
-    groove_factor_outer: f64,
+    /// f = r/D of the inner and the outer race.
+    groove_factors: [f64; 2],
 }
 
 /// How the free position of the races is given.
@@ -104,9 +104,9 @@ pub enum FreePosition {
     /// Free contact angle α0 in rad (angular contact bearing).
     ContactAngle(f64),
     /// Diametral clearance P_d in m (deep-groove bearing): α0 = acos(1 − P_d/(2A)) at either end of the axial play. A
-    /// negative one squeezes the balls between the races: α0 = 0, and the groove centres stand A − P_d/2 apart.
+    /// negative one squeezes the balls between the races: α0 = 0, and the groove centres are A − P_d/2 apart.
     DiametralClearance(f64),
-    /// Radial clearance in m of a literature model that knows no contact angle: the races stand
+    /// Radial clearance in m of a literature model that knows no contact angle: the races are
     /// as with `DiametralClearance` of twice the value, the balls roll as at 0°.
     RadialClearance(f64),
 }
@@ -185,8 +185,7 @@ impl Geometry {
             contact_angle,
             squeeze,
             free_position,
-            groove_factor_inner,
-            groove_factor_outer,
+            groove_factors: [groove_factor_inner, groove_factor_outer],
         })
     }
 
@@ -273,7 +272,7 @@ impl Geometry {
     }
 
     /// Whether the bearing is alike in both directions along its axis, as a deep-groove bearing is: the groove
-    /// centres stand opposite each other at zero displacement, in the middle of the axial play.
+    /// centres are opposite each other at zero displacement, in the middle of the axial play.
     pub fn is_symmetric(&self) -> bool {
         !matches!(self.free_position, FreePosition::ContactAngle(_))
     }
@@ -294,24 +293,14 @@ impl Geometry {
         self.squeeze
     }
 
-    /// Groove factor of the inner race f_i = r_i/D.
-    pub fn groove_factor_inner(&self) -> f64 {
-        self.groove_factor_inner
-    }
-
-    /// Groove factor of the outer race f_o = r_o/D.
-    pub fn groove_factor_outer(&self) -> f64 {
-        self.groove_factor_outer
-    }
-
-    /// Groove factors of the inner and the outer race.
-    pub(super) fn groove_factors(&self) -> [f64; 2] {
-        [self.groove_factor_inner, self.groove_factor_outer]
+    /// Groove factors f = r/D of the inner and the outer race.
+    pub fn groove_factors(&self) -> [f64; 2] {
+        self.groove_factors
     }
 
     /// γ = D cos α/d_m with the nominal contact angle.
     pub(super) fn nominal_gamma(&self) -> f64 {
-        self.ball_diameter * self.nominal_angle().cos() / self.pitch_diameter
+        self.gamma_at(self.nominal_angle().cos())
     }
 
     /// γ = D cos α/d_m, the ratio that governs rolling and curvature.
@@ -335,19 +324,20 @@ impl Geometry {
             self.balls,
             self.ball_diameter,
             self.pitch_diameter,
-            self.gamma_at(self.nominal_angle().cos()),
+            self.nominal_gamma(),
         )
     }
 
     /// Distance of the groove centres in the unloaded bearing, A = (f_i + f_o − 1)D, m.
     pub fn groove_centre_distance(&self) -> f64 {
-        (self.groove_factor_inner + self.groove_factor_outer - 1.0) * self.ball_diameter
+        let [inner, outer] = self.groove_factors;
+        (inner + outer - 1.0) * self.ball_diameter
     }
 
     /// Radius of the circle of inner groove centres, R_i = d_m/2 + (f_i − 1/2)D cos α0, m.
     pub fn inner_groove_radius(&self) -> f64 {
         0.5 * self.pitch_diameter
-            + (self.groove_factor_inner - 0.5) * self.ball_diameter * self.contact_angle.cos()
+            + (self.groove_factors[0] - 0.5) * self.ball_diameter * self.contact_angle.cos()
     }
 
     /// Axial distance of the groove centres at zero displacement, m: A sin α0 of an angular contact bearing, whose

@@ -32,7 +32,7 @@ const HOURS_PER_MREV: f64 = 1e6 * std::f64::consts::TAU / 3600.0;
 /// | γ | D cos α/d_m with that nominal angle | – |
 /// | f_i, f_o | groove factors | – |
 ///
-/// The load stands still and the inner ring turns past it. Lubrication, contamination and fatigue
+/// The load is at rest and the inner ring turns past it. Lubrication, contamination and fatigue
 /// limit are left out. Balls thrown outwards load the outer race alone, and wear it.
 ///
 /// Source: ISO/TS 16281:2008, eqs. for radial ball bearings; ISO 281.
@@ -121,7 +121,7 @@ fn race_ratings(geometry: &Geometry, dynamic_rating: f64) -> [f64; 2] {
     ]
 }
 
-/// Rating lives of a bearing under a load that stands still.
+/// Rating lives of a bearing under a load at rest.
 ///
 /// ```text
 /// L10  = (C/P)³                ISO 281, P by [`equivalent_load`] of V F_r, V = 1.2 where the outer ring turns

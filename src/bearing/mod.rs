@@ -8,15 +8,14 @@ mod bearing_friction;
 mod cage;
 pub(crate) mod catalogue;
 mod clearance;
-mod contact_damping;
 pub(crate) mod definition;
+mod error;
 mod estimate;
 mod fit;
 mod geometry;
 pub(crate) mod law;
 mod life;
 pub(crate) mod number;
-mod oil;
 pub(crate) mod ring;
 mod ring_contacts;
 mod ring_forces;
@@ -31,27 +30,27 @@ mod warnings;
 pub(crate) use cage::CageMotion;
 pub use catalogue::{CATALOGUE, CatalogueEntry, UnknownBearing};
 pub use clearance::{Clearance, ClearanceClass};
-pub(crate) use contact_damping::ContactDamping;
-pub use definition::{Bearing, BearingError};
-pub(crate) use definition::{Facing, Housing, MountedBearing, Preload};
+pub use definition::{Bearing, Oil};
+pub(crate) use definition::{
+    ContactDamping, Facing, Housing, Lubrication, MountedBearing, Preload,
+};
+pub use error::BearingError;
 pub(crate) use estimate::REFERENCE_GROOVES;
 pub use estimate::{Candidate, CatalogueLine, Estimate, EstimateError};
 pub use fit::Fit;
 pub(crate) use fit::FitState;
 pub use geometry::{FreePosition, Geometry, GeometryError};
-pub use law::BallContact;
 pub(crate) use law::{
     Ball, BallForce, BallLaw, ContactLaw, ForceLaw, RaceContacts, RaceFilms, TableError,
     TableReport,
 };
+pub use law::{BallContact, PERMISSIBLE_PRESSURE, permissible_static_load};
 #[cfg(test)]
 pub(crate) use law::{
     BallRegion, BallState, BallTable, HertzFilmLaw, HertzLaw, JonesFilmLaw, JonesLaw,
 };
 pub(crate) use life::RatingLife;
 pub use life::{ModifiedLife, RatingLives, reference_rating_life};
-pub(crate) use oil::Lubrication;
-pub use oil::Oil;
 pub use ring::{Matrix5, Vector5};
 pub(crate) use ring::{Ring, quarter_turn};
 pub use ring_contacts::BallLoads;
@@ -60,7 +59,6 @@ pub(crate) use state::{Around, GeometryState, StiffnessShares};
 pub use state::{
     BallLine, BearingState, FilmState, FrictionMoment, InternalGeometry, RaceContact, SkfMoment,
 };
-pub use static_rating::{PERMISSIBLE_PRESSURE, permissible_static_load};
 pub(crate) use support::{ContactBand, LOADED_SHARE, Support};
 pub use surface::Surface;
 pub(crate) use surface::{CageJitter, Defect, Imperfections, Passing, RaceSpall, SideView, Wave};

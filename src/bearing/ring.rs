@@ -13,7 +13,7 @@ pub type Vector5 = [f64; 5];
 /// Derivative of a force by a displacement, both of five components.
 pub type Matrix5 = SMatrix<f64, 5, 5>;
 
-/// A displacement or velocity of a ring, the same for balls side by side.
+/// A displacement or velocity of a ring for balls side by side.
 pub(super) type LaneVector<S> = [Lanes<S>; 5];
 
 /// The balls of a bearing at their azimuths.
@@ -34,7 +34,7 @@ pub struct Ring {
     /// What the processor has.
     pub(super) level: Level,
     groups: Vec<Azimuths>,
-    /// Of the balls with the cage where it starts, rad.
+    /// Azimuths of the balls with the cage where it starts, rad.
     pub(super) azimuths: Vec<f64>,
     free_axial: f64,
     free_radial: f64,
@@ -154,7 +154,7 @@ impl Ring {
         );
     }
 
-    /// The same with drops, m, at the inner and the outer race of balls in directions (cos φ, sin φ), the first of which
+    /// Visits with drops, m, at the inner and the outer race of balls in directions (cos φ, sin φ), the first of which
     /// has a number: chosen outside the loop, so that perfect surfaces cost nothing.
     #[inline(always)]
     fn visit_on<S: Simd>(
@@ -221,8 +221,8 @@ impl Ring {
         }
     }
 
-    /// Middles of A1 and A2 of all balls, wherever the cage stands, each with the square of how far they swing, in m
-    /// and m².
+    /// Middles of A1 and A2 of all balls at any angle of the cage, each with the square of their amplitude, in m and
+    /// m².
     #[inline(always)]
     pub(super) fn amplitudes(&self, displacement: &Vector5) -> [[f64; 2]; 2] {
         let [x, y, z, tilt_x, tilt_y] = *displacement;
@@ -235,7 +235,7 @@ impl Ring {
 }
 
 impl Azimuths {
-    /// Of at most `LANES` azimuths in rad.
+    /// Cosines and sines of at most `LANES` azimuths in rad.
     fn new(azimuths: &[f64]) -> Self {
         let [mut cos, mut sin, mut weight] = [[0.0; LANES]; 3];
         for (lane, azimuth) in azimuths.iter().enumerate() {
@@ -258,7 +258,7 @@ impl Azimuths {
     }
 }
 
-/// The same vector for balls side by side. Number by number: what was just written in parts is then not
+/// A vector for balls side by side. Number by number: what was just written in parts is then not
 /// read as a whole.
 #[inline(always)]
 pub(super) fn side_by_side<S: Simd>(simd: S, [x, y, z, tilt_x, tilt_y]: &Vector5) -> LaneVector<S> {
@@ -271,7 +271,7 @@ pub(super) fn side_by_side<S: Simd>(simd: S, [x, y, z, tilt_x, tilt_y]: &Vector5
     ]
 }
 
-/// The same components. Keeps what a function out of line is given, or returns, from sharing its memory
+/// A vector in components of its own. Keeps what a function out of line is given, or returns, from sharing its memory
 /// with what is worked out in place: reading that as a whole right after writing it in parts waits for the
 /// parts.
 #[inline(always)]

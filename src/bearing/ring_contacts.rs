@@ -145,7 +145,7 @@ impl Ring {
     }
 }
 
-/// Copies the lanes that stand for balls to their places among all.
+/// Copies the lanes that have a ball to their places among all.
 #[inline(always)]
 fn store<S: Simd>(lanes: Lanes<S>, first: usize, all: &mut [f64]) {
     let Some(places) = all.get_mut(first..) else {

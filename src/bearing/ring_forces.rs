@@ -25,7 +25,7 @@ impl Ring {
         })
     }
 
-    /// As [`Ring::force`], for the processor's level `S`.
+    /// Force as by [`Ring::force`], for the processor's level `S`.
     #[inline(always)]
     pub(super) fn force_by<S: Simd>(
         &self,
@@ -155,7 +155,7 @@ pub(super) struct ForceSums<S: Simd> {
 }
 
 impl<S: Simd> ForceSums<S> {
-    /// Of a ring whose inner groove centres lie on a circle of a radius in m.
+    /// Empty sums of a ring whose inner groove centres lie on a circle of a radius in m.
     #[inline(always)]
     pub fn new(simd: S, arm: f64) -> Self {
         let sums = [Lanes::splat(simd, 0.0); 5];

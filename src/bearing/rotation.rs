@@ -21,7 +21,7 @@ impl Angle {
     }
 }
 
-/// Where shaft and cage of a bearing stand at an instant, and how fast they turn.
+/// Where shaft and cage of a bearing point at an instant, and how fast they turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BearingRotation {
     /// Angle ψ_c of the cage from its start.
@@ -48,7 +48,7 @@ impl BearingRotation {
         }
     }
 
-    /// The same with the cage at another angle in rad.
+    /// The rotation with the cage at another angle in rad.
     pub fn with_cage_at(self, angle: f64) -> Self {
         Self {
             cage: Angle::new(angle),

@@ -193,7 +193,7 @@ pub struct BearingState {
     pub friction_moment: FrictionMoment,
     /// Ball-pass frequencies with the cage as the scene lets it turn, `model.cage`, Hz.
     pub ball_pass: BallPass,
-    /// The same at the nominal contact angle without slip, as handbooks print them.
+    /// Ball-pass frequencies at the nominal contact angle without slip, as handbooks print them, Hz.
     pub nominal_ball_pass: BallPass,
     /// What the reader should know, each with its numbers.
     pub warnings: Vec<String>,

@@ -1,37 +1,13 @@
 //! Loads that the contact pressure permits: static load rating and safety of ISO 76, fatigue load limit of ISO 281.
 
 use super::{Bearing, BearingError, Geometry, RaceContacts};
-use crate::physics::HertzContact;
-
-/// Contact pressure of ISO 76 at which balls and races keep a dent of about 1e-4 of the ball
-/// diameter, Pa.
-pub const PERMISSIBLE_PRESSURE: f64 = 4.2e9;
-
-/// Permissible static load of one contact, N: the one whose largest pressure is 4200 MPa.
-///
-/// `Q = (p/p_1)³`, with p_1 the largest pressure in Pa under 1 N, for `p = 3Q/(2πab)` grows as
-/// Q^(1/3).
-///
-/// Source: ISO 76:2006, definition of the basic static load rating of ball bearings.
-///
-/// ```
-/// use jeffcott::bearing::{Bearing, permissible_static_load};
-/// let contact = Bearing::catalogue("7205C")?.inner_contact()?;
-/// let load = permissible_static_load(&contact);
-/// assert!((contact.ellipse(load).peak_pressure / 4.2e9 - 1.0).abs() < 1e-14);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn permissible_static_load(contact: &HertzContact) -> f64 {
-    // Q = (p/p_1)³
-    (PERMISSIBLE_PRESSURE / contact.ellipse(1.0).peak_pressure).powi(3)
-}
 
 impl Bearing {
     /// Basic static radial load rating C_0 from the bearing's own contacts at the nominal contact angle, N.
     ///
     /// `C_0 = Z Q cos α/5`
     ///
-    /// Q is the permissible load of the weaker contact, [`permissible_static_load`], in N, α the
+    /// Q is the permissible load of the weaker contact, [`super::permissible_static_load`], in N, α the
     /// nominal contact angle; 5 is Stribeck's ratio of the largest ball load to the mean under
     /// radial load.
     ///
@@ -75,7 +51,7 @@ impl Bearing {
     }
 }
 
-/// As [`Bearing::static_rating`], for [`Bearing::rated_contacts`] that are known already.
+/// C_0 by [`Bearing::static_rating`] from [`Bearing::rated_contacts`], which take long to find.
 pub(super) fn static_rating(geometry: &Geometry, contacts: &RaceContacts) -> f64 {
     let loads = contacts.permissible_loads();
     static_rating_of_loads(geometry.balls(), loads, geometry.nominal_angle().cos())
@@ -86,7 +62,7 @@ pub(super) fn static_rating_of_loads(balls: usize, [inner, outer]: [f64; 2], cos
     balls as f64 * inner.min(outer) * cosine / 5.0
 }
 
-/// As [`Bearing::fatigue_load_limit`], for [`Bearing::rated_contacts`] that are known already.
+/// C_u by [`Bearing::fatigue_load_limit`] from [`Bearing::rated_contacts`].
 pub(super) fn fatigue_load_limit(geometry: &Geometry, contacts: &RaceContacts) -> f64 {
     // Q_u = Q(4200 MPa) (1500/4200)³
     let share = (1500.0_f64 / 4200.0).powi(3);

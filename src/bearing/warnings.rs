@@ -21,7 +21,7 @@ impl Place<'_> {
 
 /// Warnings of a bearing at a shaft speed in rad/s; `loaded` are the balls that bear at the inner race,
 /// with their numbers.
-pub(super) fn of(
+pub(super) fn bearing_warnings(
     bearing: &Bearing,
     speed: f64,
     balls: &[BallLine],
@@ -69,7 +69,7 @@ fn too_fast(bearing: &Bearing, speed: f64) -> Option<String> {
     })
 }
 
-/// Least contact angle, rad, that is an axial load: a ball without any stands at zero but for round-off.
+/// Least contact angle, rad, that is an axial load: that of a ball without any is zero but for round-off.
 const LEANING: f64 = 1e-5;
 
 /// Loaded balls of an angular contact bearing that lean against the wrong shoulders.

@@ -70,11 +70,11 @@ impl FrictionFactors {
     /// ```
     /// use jeffcott::physics::FrictionFactors;
     /// // ISO 76: Y_s = 0.26 at 40°.
-    /// let factors = FrictionFactors::of_contact_angle(40f64.to_radians());
+    /// let factors = FrictionFactors::from_contact_angle(40f64.to_radians());
     /// assert!((factors.static_axial - 0.26).abs() < 1e-12);
-    /// assert_eq!(FrictionFactors::of_contact_angle(0.0), FrictionFactors::DEEP_GROOVE);
+    /// assert_eq!(FrictionFactors::from_contact_angle(0.0), FrictionFactors::DEEP_GROOVE);
     /// ```
-    pub fn of_contact_angle(angle: f64) -> Self {
+    pub fn from_contact_angle(angle: f64) -> Self {
         if angle < SMALLEST_ANGULAR_CONTACT {
             return Self::DEEP_GROOVE;
         }
@@ -161,7 +161,7 @@ mod tests {
 
     #[test]
     fn pure_thrust_at_45_degrees_counts_nine_tenths() {
-        let factors = FrictionFactors::of_contact_angle(PI / 4.0);
+        let factors = FrictionFactors::from_contact_angle(PI / 4.0);
         assert!((factors.axial_factor - 0.9).abs() < 1e-15);
         assert!((factors.static_axial - 0.22).abs() < 1e-15);
         // P_0 = 0.22 C_0, P_1 = 0.9 C_0

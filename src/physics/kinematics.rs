@@ -40,7 +40,7 @@ pub struct BallPass {
 }
 
 impl BallPass {
-    /// Of Z balls between an inner and an outer ring that turn at frequencies in Hz, as their cage does; a ball that rolls
+    /// Frequencies of Z balls between an inner and an outer ring that turn at frequencies in Hz, as their cage does; a ball that rolls
     /// on the outer race turns by `rolling_ratio`, (1 + γ) d_m/D, of what its cage does past that race.
     ///
     /// `BPFO = Z |f_o − f_c|`, `BPFI = Z |f_i − f_c|`
@@ -48,10 +48,15 @@ impl BallPass {
     /// ```
     /// use jeffcott::physics::BallPass;
     /// // a cage that slips by 1 % of 40 Hz
-    /// let slipping = BallPass::of_rings([100.0, 0.0], 39.6, 9, 6.0);
+    /// let slipping = BallPass::from_rings([100.0, 0.0], 39.6, 9, 6.0);
     /// assert!((slipping.outer - 356.4).abs() < 1e-9 && (slipping.inner - 543.6).abs() < 1e-9);
     /// ```
-    pub fn of_rings([inner, outer]: [f64; 2], cage: f64, balls: usize, rolling_ratio: f64) -> Self {
+    pub fn from_rings(
+        [inner, outer]: [f64; 2],
+        cage: f64,
+        balls: usize,
+        rolling_ratio: f64,
+    ) -> Self {
         let past = [inner, outer].map(|ring| (ring - cage).abs());
         Self {
             outer: balls as f64 * past[1],

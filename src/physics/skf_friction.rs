@@ -55,8 +55,8 @@ const SERIES: [Series; 6] = [
 ];
 
 impl SkfFriction {
-    /// Of the series that a designation begins with: four or five digits, `60`, `62`, `63`, `618`, `619`, `628` and two more.
-    pub fn of_designation(designation: &str) -> Option<Self> {
+    /// Constants of the series that a designation begins with: four or five digits, `60`, `62`, `63`, `618`, `619`, `628` and two more.
+    pub fn from_designation(designation: &str) -> Option<Self> {
         let digits = designation.chars().take_while(char::is_ascii_digit).count();
         let rest = |series: &str| digits.checked_sub(series.len());
         let known = SERIES
@@ -71,7 +71,7 @@ impl SkfFriction {
     /// use jeffcott::physics::{SkfFriction, SkfOperation};
     /// use std::f64::consts::PI;
     /// // 6205, 1000 N radial, ν = 20 mm²/s, 3000 rpm, oil bath: 20.631 N mm
-    /// let [rolling, sliding] = SkfFriction::of_designation("6205").unwrap().moment(&SkfOperation {
+    /// let [rolling, sliding] = SkfFriction::from_designation("6205").unwrap().moment(&SkfOperation {
     ///     boundary: [0.025, 0.052],
     ///     pitch_diameter: 0.0385,
     ///     static_rating: 7850.0,

@@ -80,11 +80,11 @@ impl VibrationZone {
     ///
     /// ```
     /// use jeffcott::physics::{MachineGroup, MachineSupport, VibrationZone, zone_boundaries};
-    /// let zone = |support| VibrationZone::of(3e-3, &zone_boundaries(MachineGroup::Medium, support));
+    /// let zone = |support| VibrationZone::from_velocity(3e-3, &zone_boundaries(MachineGroup::Medium, support));
     /// assert_eq!(zone(MachineSupport::Rigid), VibrationZone::C);
     /// assert_eq!(zone(MachineSupport::Flexible), VibrationZone::B);
     /// ```
-    pub fn of(velocity: f64, boundaries: &[f64; 3]) -> Self {
+    pub fn from_velocity(velocity: f64, boundaries: &[f64; 3]) -> Self {
         let zones = [Self::A, Self::B, Self::C, Self::D];
         let below = boundaries.iter().filter(|boundary| velocity > **boundary);
         zones[below.count()]

@@ -42,19 +42,19 @@ impl ViscosityLaw {
         }
     }
 
-    /// Of an oil by its kinematic viscosity at 40 °C in m²/s, the number of its ISO VG class in mm²/s (ISO 3448), and its
+    /// Law of an oil by its kinematic viscosity at 40 °C in m²/s, the number of its ISO VG class in mm²/s (ISO 3448), and its
     /// viscosity index (ASTM D2270, ISO 2909): the viscosity at 100 °C is the one with that index.
     ///
     /// ```
     /// use jeffcott::physics::ViscosityLaw;
     /// // ASTM D2270: 73.30 mm²/s at 40 °C and 8.86 at 100 °C have the index 92, which is rounded to a whole number
-    /// let law = ViscosityLaw::of_grade(73.30e-6, 92.0);
+    /// let law = ViscosityLaw::from_grade(73.30e-6, 92.0);
     /// assert!((law.at(100.0) - 8.86e-6).abs() < 0.02e-6, "{}", law.at(100.0));
     /// // 22.83 and 5.05 mm²/s have the index 156
-    /// let law = ViscosityLaw::of_grade(22.83e-6, 156.0);
+    /// let law = ViscosityLaw::from_grade(22.83e-6, 156.0);
     /// assert!((law.at(100.0) - 5.05e-6).abs() < 0.02e-6, "{}", law.at(100.0));
     /// ```
-    pub fn of_grade(at_40: f64, index: f64) -> Self {
+    pub fn from_grade(at_40: f64, index: f64) -> Self {
         let grade = 1e6 * at_40;
         // thicker at 100 °C: a higher index
         let reaches = |at_100| viscosity_index(grade, at_100) >= index;
@@ -145,7 +145,7 @@ mod tests {
     #[test]
     fn every_grade_thins_with_the_temperature() {
         for grade in [2.5, 10.0, 32.0, 100.0, 460.0, 1500.0] {
-            let law = ViscosityLaw::of_grade(1e-6 * grade, ViscosityLaw::USUAL_INDEX);
+            let law = ViscosityLaw::from_grade(1e-6 * grade, ViscosityLaw::USUAL_INDEX);
             assert!((law.at(40.0) / (1e-6 * grade) - 1.0).abs() < 1e-9);
             assert!(law.at(60.0) < law.at(40.0) && law.at(100.0) > 0.0);
         }

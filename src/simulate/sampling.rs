@@ -170,7 +170,7 @@ fn sources(model: &Model, rotor: &Rotor) -> Sources {
         .map(|support| match support.follows_cage() {
             true => support.ball_pass(speed),
             // a stiffness matrix knows no balls
-            false => BallPass::of_rings([0.0; 2], 0.0, 0, 0.0),
+            false => BallPass::from_rings([0.0; 2], 0.0, 0, 0.0),
         });
     Sources {
         shaft: speed / TAU,

@@ -73,7 +73,7 @@ impl VibrationSeverity {
         let largest = largest.max_by(|(_, a), (_, b)| a.rms.total_cmp(&b.rms));
         let (channel, level) = largest.ok_or_else(|| refused(TOO_FEW.to_owned()))?;
         let boundaries = zone_boundaries(machine.group, machine.support);
-        let zone = VibrationZone::of(level.rms, &boundaries);
+        let zone = VibrationZone::from_velocity(level.rms, &boundaries);
         Ok(Self {
             standard: STANDARD,
             group: match machine.group {

@@ -57,8 +57,8 @@ fn bearing(dice: &mut Dice) -> Bearing {
         old.ball_diameter(),
         old.pitch_diameter(),
         clearance,
-        old.groove_factor_inner(),
-        old.groove_factor_outer(),
+        old.groove_factors()[0],
+        old.groove_factors()[1],
     );
     Bearing {
         geometry: geometry.expect("a small clearance"),

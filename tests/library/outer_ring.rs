@@ -85,10 +85,7 @@ fn lives_are_those_of_a_turning_outer_ring() {
     // the same balls under a turning inner ring
     let rating = own.dynamic_rating.expect("a rating");
     let ratio = geometry.ball_diameter() / geometry.pitch_diameter();
-    let [f_i, f_o] = [
-        geometry.groove_factor_inner(),
-        geometry.groove_factor_outer(),
-    ];
+    let [f_i, f_o] = [geometry.groove_factors()[0], geometry.groove_factors()[1]];
     let g = 1.044
         * ((1.0 - ratio) / (1.0 + ratio)).powf(1.72)
         * (f_i * (2.0 * f_o - 1.0) / (f_o * (2.0 * f_i - 1.0))).powf(0.41);

@@ -26,7 +26,7 @@ const OPTIONAL: [&str; 10] = [
     "source",
 ];
 
-/// Most problems of a catalogue file that are told.
+/// Most problems of a catalogue file that are named.
 const MOST_PROBLEMS: usize = 20;
 
 /// Reads the bearings of a catalogue file: CSV with a header, one bearing a row.

@@ -60,7 +60,7 @@ pub(crate) struct Found<'a> {
 const SUFFIXES: &str = "2RS1 2RS2 2RSR 2RSH 2RSL 2RSD 2RS 2HRS 2BRS 2RZ 2RU 2RD 2RK 2ZR 2Z RS1 RS2 RSR RSH RSL RS HRS RZ RU RD ZZ ZR ZNR Z DDU DDW DD DU VV \
     LLU LLB LLH LLC LU LB EE TN9 TNH TVH TVP TYN TN JEM JN J MA M EM QE6 NR N P6 P5 P4 P2 P0 GJN WT HT MT33 MT47 LHT23 5K 2AS";
 
-/// Makers whose names stand before or behind designations.
+/// Makers whose names come before or after designations.
 const MAKERS: &str =
     "SKF FAG INA NSK NTN SNR KOYO JTEKT NACHI TIMKEN MRC RHP NKE ZVL ZKL FKL FYH ORS GMN KBC URB";
 
@@ -232,7 +232,7 @@ impl Bearing {
 }
 
 impl CatalogueLine {
-    /// Where the races stand without load: by the contact angle, or by the middle of a class of clearance of a
+    /// Where the races are without load: by the contact angle, or by the middle of a class of clearance of a
     /// deep-groove bearing; none where the class has no clearance for the bore.
     pub(crate) fn free_position(&self, class: ClearanceClass) -> Option<FreePosition> {
         if self.contact_angle > 0.0 {
@@ -263,7 +263,7 @@ impl CatalogueEntry {
             clearance_class: (!angular).then_some(class),
             boundary: Some([self.line.bore, self.line.outside_diameter]),
             estimated: estimate.is_estimated(),
-            skf_friction: SkfFriction::of_designation(&self.designation),
+            skf_friction: SkfFriction::from_designation(&self.designation),
             ..Bearing::of_steel(estimate.geometry(free)?)
         })
     }

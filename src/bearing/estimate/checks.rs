@@ -4,11 +4,11 @@ use super::search::{BY_ISO, FACTOR_TOLERANCE, is_rare_size};
 use super::{Candidate, CatalogueLine, Estimate, EstimateError};
 use crate::bearing::{Geometry, GeometryError};
 
-/// Balls whose deviation is larger by less than this are named beside those that are taken: makers' C_0 lie up to 3 %
+/// Balls whose deviation is larger by less than this are named as well as those that are taken: makers' C_0 lie up to 3 %
 /// from that of their balls.
 const CLOSE: f64 = 0.03;
 
-/// The same where a C of ISO 281, and an f0 that is met to [`MET`], speak for the balls as well.
+/// [`CLOSE`] where a C of ISO 281, and an f0 that is met to [`MET`], speak for the balls as well.
 const CLOSE_TO_SETTLED: f64 = 0.01;
 
 /// Difference of f0 from its print by the rounding of both ratings.

@@ -26,7 +26,7 @@ pub struct CatalogueLine {
     pub dynamic_rating: f64,
     /// Basic static load rating C_0, N.
     pub static_rating: Option<f64>,
-    /// Factor f0 of C_0 = f0 Z D² cos α (N, mm), as catalogues print it beside the ratings.
+    /// Factor f0 of C_0 = f0 Z D² cos α (N, mm), as catalogues print it with the ratings.
     pub static_factor: Option<f64>,
     /// Number of balls.
     pub balls: Option<usize>,

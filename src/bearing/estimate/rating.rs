@@ -1,11 +1,10 @@
 //! Static ratings of balls in grooves, and the grooves that a rating asks for.
 
 use super::{Candidate, CatalogueLine, EstimateError};
-use crate::bearing::static_rating::{permissible_static_load, static_rating_of_loads};
+use crate::bearing::law::{hertz_contacts, permissible_static_load};
+use crate::bearing::static_rating::static_rating_of_loads;
 use crate::numerics::root::bisection;
-use crate::physics::{
-    HertzContact, Material, contact_modulus, inner_race_curvature, outer_race_curvature,
-};
+use crate::physics::{Material, contact_modulus};
 
 /// Reference grooves of ISO/TS 16281, inner race first: taken where the groove is not known.
 pub(crate) const REFERENCE_GROOVES: [f64; 2] = [0.52, 0.53];
@@ -20,20 +19,16 @@ impl CatalogueLine {
         balls: usize,
         ball_diameter: f64,
         pitch: f64,
-        [inner, outer]: [f64; 2],
+        grooves: [f64; 2],
     ) -> f64 {
         let steel = Material::BEARING_STEEL;
         let cosine = self.contact_angle.cos();
         let gamma = ball_diameter * cosine / pitch;
-        let curvatures = [
-            inner_race_curvature(ball_diameter, inner, gamma),
-            outer_race_curvature(ball_diameter, outer, gamma),
-        ];
-        let load = curvatures.map(|curvature| {
-            let contact = HertzContact::new(curvature, contact_modulus(&steel, &steel));
-            contact.map_or(0.0, |contact| permissible_static_load(&contact))
-        });
-        static_rating_of_loads(balls, load, cosine)
+        let modulus = contact_modulus(&steel, &steel);
+        let contacts = hertz_contacts(ball_diameter, grooves, gamma, modulus);
+        let loads = contacts
+            .map(|contact| contact.map_or(0.0, |contact| permissible_static_load(&contact)));
+        static_rating_of_loads(balls, loads, cosine)
     }
 
     /// f0 = C_0/(Z D² cos α), N/mm².

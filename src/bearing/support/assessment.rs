@@ -6,9 +6,10 @@ use super::{Cage, Support, Vector5};
 use crate::bearing::bearing_friction::skf_moment;
 use crate::bearing::law::{BallLaw, FilmLaw, FilmThickness, Law, Share, with_law};
 use crate::bearing::static_rating::{fatigue_load_limit, static_rating};
+use crate::bearing::warnings::bearing_warnings;
 use crate::bearing::{
     Around, BallLine, Bearing, BearingRotation, BearingState, CageMotion, FilmState, GeometryState,
-    InternalGeometry, RaceContact, RaceFilms, StiffnessShares, warnings,
+    InternalGeometry, RaceContact, RaceFilms, StiffnessShares,
 };
 use crate::physics::{BallMotion, RaceControl, dynamic_rating};
 
@@ -106,7 +107,7 @@ impl Assessment<'_> {
             friction_moment: support.friction_moment(&force, speed),
             ball_pass: self.cage.ball_pass(bearing, speed),
             nominal_ball_pass: support.nominal_ball_pass(speed),
-            warnings: warnings::of(bearing, speed, &balls, &loaded),
+            warnings: bearing_warnings(bearing, speed, &balls, &loaded),
             balls,
         }
     }
@@ -125,14 +126,15 @@ impl Assessment<'_> {
         let (balls, ball_diameter) = (geometry.balls(), geometry.ball_diameter());
         let pitch_diameter = geometry.pitch_diameter();
         let angle = geometry.nominal_angle();
+        let [groove_factor_inner, groove_factor_outer] = geometry.groove_factors();
         GeometryState {
             internal: InternalGeometry {
                 balls,
                 ball_diameter,
                 pitch_diameter,
                 contact_angle: geometry.contact_angle(),
-                groove_factor_inner: geometry.groove_factor_inner(),
-                groove_factor_outer: geometry.groove_factor_outer(),
+                groove_factor_inner,
+                groove_factor_outer,
                 dynamic_rating: dynamic_rating(balls, ball_diameter, pitch_diameter, angle),
                 static_rating: static_rating(geometry, contacts),
             },
@@ -234,7 +236,7 @@ impl Assessment<'_> {
         match &self.support.law {
             Law::HertzFilm(law) => Some(self.shares_under(law, &films)),
             Law::JonesFilm(law) => Some(self.shares_under(law, &films)),
-            Law::Hertz(_) | Law::Jones(_) => None,
+            _ => None,
         }
     }
 

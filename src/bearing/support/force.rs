@@ -28,7 +28,7 @@ impl Support {
         in_wide_registers!(self.ring.level, simd => self.force_by(simd, displacement, rotation))
     }
 
-    /// As [`Support::force`], for the processor's level `S`.
+    /// Force as by [`Support::force`], for the processor's level `S`.
     #[inline(always)]
     pub(crate) fn force_by<S: Simd>(
         &self,

@@ -1,4 +1,4 @@
-//! Where the balls of a mounted bearing stand about their lift-off.
+//! How near the balls of a mounted bearing are to their lift-off, and with what force it sets in.
 
 use std::f64::consts::TAU;
 
@@ -74,14 +74,14 @@ impl Support {
         })
     }
 
-    /// Largest approach that any ball has without inertia and film with the shaft at `displacement`, wherever the cage
-    /// stands, m. A bound, which a ball comes to where the ring tilts towards the side to which it is shifted.
+    /// Largest approach that any ball has without inertia and film with the shaft at `displacement`, at any angle of the
+    /// cage, m. A bound, which a ball comes to where the ring tilts towards the side to which it is shifted.
     ///
     /// `δ = hypot(|A1|, A2) − A` with the largest A1 and A2 around the ring.
     pub(crate) fn hertz_approach(&self, displacement: &Vector5, rotation: &BearingRotation) -> f64 {
         let place = self.ring_displacement(displacement, rotation);
         let [axial, radial] = self.ring.amplitudes(&place);
-        let [along, across] = [axial, radial].map(|[middle, swing]| middle.abs() + swing.sqrt());
+        let [along, across] = [axial, radial].map(|[middle, square]| middle.abs() + square.sqrt());
         let apart = self.definition.bearing.geometry.groove_centre_distance();
         along.hypot(across) - apart
     }

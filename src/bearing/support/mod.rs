@@ -145,7 +145,7 @@ impl Support {
         }
     }
 
-    /// Axial shaft displacement at which the races of this bearing stand axially centred, m.
+    /// Axial shaft displacement at which the races of this bearing are axially centred, m.
     pub(crate) fn centred_axial(&self) -> f64 {
         self.sign * (-self.definition.bearing.geometry.free_axial() - self.seat.offset())
     }
@@ -155,7 +155,7 @@ impl Support {
         self.frozen.is_none()
     }
 
-    /// Number of balls that [`Support::force_and_loads`] tells of; none where the bearing is frozen: a linear law
+    /// Number of balls whose loads [`Support::force_and_loads`] gives; none where the bearing is frozen: a linear law
     /// knows no balls.
     pub(crate) fn known_balls(&self) -> usize {
         match self.frozen {

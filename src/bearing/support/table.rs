@@ -59,7 +59,7 @@ impl Support {
     }
 
     /// The table where it covers every ball with the shaft at `displacement` and the inner ring preset axially by an
-    /// offset in m, wherever the cage stands.
+    /// offset in m, at any angle of the cage.
     #[inline(always)]
     pub(super) fn table_over(
         &self,
@@ -73,7 +73,7 @@ impl Support {
         self.table_at(&[x, y, z + offset, tilt_x, tilt_y], rotation.speed)
     }
 
-    /// The same with the inner ring at `place`.
+    /// The table where it covers every ball with the inner ring at `place`.
     #[inline(always)]
     pub(super) fn table_at(&self, place: &Vector5, speed: f64) -> Option<&BallTable> {
         let table = self.table.as_deref()?;

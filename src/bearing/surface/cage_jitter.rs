@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 /// A cage that gains or loses some angle with every ball pass.
 ///
-/// At the nominal cage angle χ, n = ⌊χ/s⌋ spacings s of the balls on from the start, the cage stands at
+/// At the nominal cage angle χ, n = ⌊χ/s⌋ spacings s of the balls on from the start, the cage is at
 ///
 /// ```text
 /// χ + Σ_(k<n) Δ_k + Δ_n S(χ/s − n)        S(u) = u³ (10 − 15 u + 6 u²)
@@ -21,7 +21,7 @@ pub struct CageJitter {
 }
 
 impl CageJitter {
-    /// Of a cage with so many balls that gains these angles Δ, rad, one with every ball pass, and then again; none where there
+    /// Jitter of a cage with so many balls that gains these angles Δ, rad, one with every ball pass, and then again; none where there
     /// are no steps.
     pub fn new(steps: &[f64], balls: usize) -> Option<Self> {
         if steps.is_empty() {

@@ -9,8 +9,8 @@ mod waves;
 pub use cage_jitter::CageJitter;
 pub use passing::{Passing, RaceSpall, SideView};
 pub use slot::DefectProfile;
+pub(super) use surfaces::ImperfectSurfaces;
 pub use surfaces::TurningSurfaces;
-pub(super) use surfaces::{ImperfectSurfaces, rolling_ratio};
 pub use waves::Wave;
 
 use std::fmt;
@@ -166,6 +166,24 @@ impl Imperfections {
         }
         let mut oversizes = self.oversizes.iter();
         oversizes.try_for_each(|size| finite("the deviation of a ball's diameter in m", *size))
+    }
+
+    /// Imperfections with the turning race and the balls turned by angles in rad, the balls past the place where they meet
+    /// the outer race.
+    pub(in crate::bearing) fn turned(&self, turning: Race, race: f64, balls: f64) -> Self {
+        let mut turned = self.clone();
+        let by = |on: Surface| match on {
+            Surface::Outer | Surface::Inner => -on.by_shaft(turning) * race,
+            Surface::Ball(_) => -balls,
+        };
+        for defect in &mut turned.defects {
+            defect.angle += by(defect.on);
+        }
+        for (on, wave) in &mut turned.waves {
+            // A cos(n (θ − ψ) + φ)
+            wave.phase -= f64::from(wave.order) * by(*on);
+        }
+        turned
     }
 }
 

@@ -1,5 +1,8 @@
 //! When balls pass a place of a surface, what they meet of a defect, and what it looks like from the side.
 
+use std::f64::consts::{PI, TAU};
+
+use super::slot::Slot;
 use super::{Defect, DefectProfile, Surface};
 use crate::bearing::{Bearing, Geometry};
 
@@ -46,7 +49,7 @@ impl Passing {
     /// each passage.
     pub fn distance(&self, cage: f64, shaft: f64) -> f64 {
         let angle = self.offset + self.by_cage * cage + self.by_shaft * shaft;
-        let scale = std::f64::consts::PI / self.period;
+        let scale = PI / self.period;
         (scale * angle).sin() * self.radius / scale
     }
 }
@@ -56,7 +59,7 @@ impl Passing {
 pub struct RaceSpall {
     /// The race.
     pub on: Surface,
-    /// Of its middle, rad.
+    /// Angle of its middle, rad.
     pub angle: f64,
     /// Length along the race, m.
     pub length: f64,
@@ -104,12 +107,59 @@ impl Defect {
             ball_radius: 0.5 * geometry.ball_diameter(),
             race_radius: match self.on {
                 Surface::Ball(_) => 0.5 * geometry.ball_diameter(),
-                _ => super::surfaces::rolling_radius(geometry, inner),
+                _ => rolling_radius(geometry, inner),
             },
             convex: inner,
             drop: self.slot(geometry, inner).deepest(),
         }
     }
+
+    /// The slot that it is between a ball and the inner or the outer race.
+    pub(super) fn slot(&self, geometry: &Geometry, inner: bool) -> Slot {
+        let ball_radius = 0.5 * geometry.ball_diameter();
+        Slot::new(self, [ball_radius, rolling_radius(geometry, inner)], inner)
+    }
+
+    /// When balls pass its kinks.
+    pub(super) fn passings(
+        &self,
+        bearing: &Bearing,
+        first_ball: f64,
+        rolling_ratio: f64,
+    ) -> Vec<Passing> {
+        let geometry = &bearing.geometry;
+        let radius = self.on.radius(geometry);
+        let spacing = TAU / geometry.balls() as f64;
+        let past = |start: f64, [by_cage, by_shaft]: [f64; 2], period: f64, inner: bool| {
+            let kinks = self.slot(geometry, inner).kinks().into_iter();
+            let passing = move |place: f64| Passing {
+                offset: start - place / radius,
+                by_cage,
+                by_shaft,
+                period,
+                radius,
+            };
+            kinks.map(passing).collect::<Vec<_>>()
+        };
+        match self.on {
+            Surface::Outer | Surface::Inner => {
+                let by_shaft = self.on.by_shaft(bearing.rotating_ring);
+                let inner = self.on == Surface::Inner;
+                past(first_ball - self.angle, [1.0, by_shaft], spacing, inner)
+            }
+            Surface::Ball(_) => {
+                let under =
+                    |middle, inner| past(middle - self.angle, [rolling_ratio, 0.0], TAU, inner);
+                [under(PI, true), under(0.0, false)].concat()
+            }
+        }
+    }
+}
+
+/// Radius of a race in the rolling plane, m: (d_m ± D cos α)/(2 cos α).
+fn rolling_radius(geometry: &Geometry, inner: bool) -> f64 {
+    let (side, gamma) = (if inner { -1.0 } else { 1.0 }, geometry.gamma());
+    0.5 * geometry.ball_diameter() * (1.0 + side * gamma) / gamma
 }
 
 #[cfg(test)]

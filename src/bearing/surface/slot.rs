@@ -54,7 +54,7 @@ pub(super) struct Slot {
 }
 
 impl Slot {
-    /// Of a defect between a ball and the inner or the outer race, with the radii R and ρ in m, ρ infinite of a flat
+    /// Slot of a defect between a ball and the inner or the outer race, with the radii R and ρ in m, ρ infinite of a flat
     /// washer.
     pub fn new(defect: &Defect, [ball_radius, race_radius]: [f64; 2], inner: bool) -> Self {
         let depth = defect.depth;

@@ -20,13 +20,13 @@ type Drops = [[f64; LANES]; 2];
 ///
 /// in m, with φ_j − ψ at the outer race where that one turns: what belongs to the race, to the ball, and to its excess of
 /// diameter Δ. The ball is taken to roll on the outer
-/// race, to which its own weight presses it, about an axis that keeps its direction to the races; with a cage that stands
+/// race, to which its own weight presses it, about an axis that keeps its direction to the races; with a cage at rest
 /// it does not turn.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::bearing) struct ImperfectSurfaces {
     /// Inner and outer race.
     races: [RaceSurface; 2],
-    /// Those that are not perfect.
+    /// Surfaces of balls that are not perfect.
     balls: Vec<BallSurface>,
     /// Angle that a ball turns by over that of the cage.
     rolling_ratio: f64,
@@ -67,7 +67,7 @@ struct BallSurface {
 }
 
 impl ImperfectSurfaces {
-    /// Of a bearing whose ball 0 starts at an azimuth in rad and whose balls turn by a ratio of the angle of the cage; none
+    /// Surfaces of a bearing whose ball 0 starts at an azimuth in rad and whose balls turn by a ratio of the angle of the cage; none
     /// where they are perfect. What does not fit has been
     /// refused.
     pub fn new(
@@ -316,74 +316,5 @@ impl Imperfections {
     fn waves_on(&self, surface: Surface) -> Waves {
         let waves = self.waves.iter().filter(|(on, _)| *on == surface);
         Waves::new(waves.map(|(_, wave)| *wave))
-    }
-}
-
-/// Angle that a ball turns by over that of the cage: (1 + γ) d_m/D.
-pub(in crate::bearing) fn rolling_ratio(geometry: &Geometry, gamma: f64) -> f64 {
-    (1.0 + gamma) * geometry.pitch_diameter() / geometry.ball_diameter()
-}
-
-/// Radius of a race in the rolling plane, m: (d_m ± D cos α)/(2 cos α).
-pub(super) fn rolling_radius(geometry: &Geometry, inner: bool) -> f64 {
-    let (side, gamma) = (if inner { -1.0 } else { 1.0 }, geometry.gamma());
-    0.5 * geometry.ball_diameter() * (1.0 + side * gamma) / gamma
-}
-
-impl Defect {
-    /// The slot that it is between a ball and the inner or the outer race.
-    pub(super) fn slot(&self, geometry: &Geometry, inner: bool) -> Slot {
-        let ball_radius = 0.5 * geometry.ball_diameter();
-        Slot::new(self, [ball_radius, rolling_radius(geometry, inner)], inner)
-    }
-
-    /// When balls pass its kinks.
-    fn passings(&self, bearing: &Bearing, first_ball: f64, rolling_ratio: f64) -> Vec<Passing> {
-        let geometry = &bearing.geometry;
-        let radius = self.on.radius(geometry);
-        let spacing = TAU / geometry.balls() as f64;
-        let past = |start: f64, [by_cage, by_shaft]: [f64; 2], period: f64, inner: bool| {
-            let kinks = self.slot(geometry, inner).kinks().into_iter();
-            let passing = move |place: f64| Passing {
-                offset: start - place / radius,
-                by_cage,
-                by_shaft,
-                period,
-                radius,
-            };
-            kinks.map(passing).collect::<Vec<_>>()
-        };
-        match self.on {
-            Surface::Outer | Surface::Inner => {
-                let by_shaft = self.on.by_shaft(bearing.rotating_ring);
-                let inner = self.on == Surface::Inner;
-                past(first_ball - self.angle, [1.0, by_shaft], spacing, inner)
-            }
-            Surface::Ball(_) => {
-                let under =
-                    |middle, inner| past(middle - self.angle, [rolling_ratio, 0.0], TAU, inner);
-                [under(PI, true), under(0.0, false)].concat()
-            }
-        }
-    }
-}
-
-impl Imperfections {
-    /// The same with the turning race and the balls turned by angles in rad, the balls past the place where they meet the outer
-    /// race.
-    pub(in crate::bearing) fn turned(&self, turning: Race, race: f64, balls: f64) -> Self {
-        let mut turned = self.clone();
-        let by = |on: Surface| match on {
-            Surface::Outer | Surface::Inner => -on.by_shaft(turning) * race,
-            Surface::Ball(_) => -balls,
-        };
-        for defect in &mut turned.defects {
-            defect.angle += by(defect.on);
-        }
-        for (on, wave) in &mut turned.waves {
-            // A cos(n (θ − ψ) + φ)
-            wave.phase -= f64::from(wave.order) * by(*on);
-        }
-        turned
     }
 }

@@ -224,7 +224,7 @@ impl BearingInput {
         let printed = self.printed(catalogue, problems)?;
         let known = printed.as_ref();
         let line = known.map(|printed| printed.line);
-        let skf_friction = known.and_then(|printed| SkfFriction::of_designation(&printed.name));
+        let skf_friction = known.and_then(|printed| SkfFriction::from_designation(&printed.name));
         let class = known.and_then(|printed| printed.class);
         let input = self.geometry.clone().unwrap_or_default();
         let sources = Sources {

@@ -113,7 +113,7 @@ impl OilInput {
             (Some(viscosity), _) => viscosity.si() / self.density(),
             (None, Some(grade)) => {
                 let index = self.viscosity_index.unwrap_or(ViscosityLaw::USUAL_INDEX);
-                ViscosityLaw::of_grade(1e-6 * grade, index).at(temperature)
+                ViscosityLaw::from_grade(1e-6 * grade, index).at(temperature)
             }
             (None, None) => {
                 let points = si(&self.viscosity_40).zip(si(&self.viscosity_100));

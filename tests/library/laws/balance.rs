@@ -67,7 +67,7 @@ impl<'a> Check<'a> {
         let diameter = geometry.ball_diameter();
         let contact = &state.contact;
         // couple = −f_i D T_i, T_i + T_o = 2 M_g/D
-        let inner = -couple / (geometry.groove_factor_inner() * diameter);
+        let inner = -couple / (geometry.groove_factors()[0] * diameter);
         let outer = 2.0 * state.gyroscopic_moment / diameter - inner;
         // dQ/ds = 3/2 K^(2/3) Q^(1/3)
         let stiffness = 1.5
@@ -125,13 +125,13 @@ impl<'a> Check<'a> {
                 - film
         };
         let outer = distance(
-            geometry.groove_factor_outer(),
+            geometry.groove_factors()[1],
             contact.load_outer,
             bearing.outer_contact().unwrap().stiffness(),
             self.films[1],
         );
         let inner = distance(
-            geometry.groove_factor_inner(),
+            geometry.groove_factors()[0],
             contact.load_inner,
             bearing.inner_contact().unwrap().stiffness(),
             self.films[0],
@@ -189,7 +189,7 @@ impl<'a> Check<'a> {
         let stiffness = self.case.bearing.inner_contact().unwrap().stiffness();
         let load = self.state.contact.load_inner;
         let approach = (load / stiffness).cbrt().powi(2) - self.films[0];
-        let first_touch = (geometry.groove_factor_inner() - 0.5) * geometry.ball_diameter();
+        let first_touch = (geometry.groove_factors()[0] - 0.5) * geometry.ball_diameter();
         approach > -0.1 * first_touch
     }
 }

@@ -83,7 +83,7 @@ impl Random {
                 speed: speed_factor / (geometry.pitch_diameter() * 1e3) * TAU / 60.0,
             };
             // the contact angle stays below 90°: the inner groove centre beyond the ball's
-            if case.radial > 1.3 * (geometry.groove_factor_outer() - 0.5) * diameter {
+            if case.radial > 1.3 * (geometry.groove_factors()[1] - 0.5) * diameter {
                 return case;
             }
         }

@@ -124,18 +124,18 @@ fn friction_of_a_6205_after_skf() {
         speed: 3000.0 * PER_MINUTE,
         grease: false,
     };
-    let series = SkfFriction::of_designation("6205").expect("a series");
+    let series = SkfFriction::from_designation("6205").expect("a series");
     let [rolling, sliding] = series.moment(&operation);
     assert_near("N mm", 1e3 * (rolling + sliding), 20.631, 5.1e-4);
-    assert_eq!(SkfFriction::of_designation("7205C"), None);
+    assert_eq!(SkfFriction::from_designation("7205C"), None);
 }
 
 #[test]
 fn viscosities_of_iso_vg_grades() {
     // ASTM D2270: 73.30 and 8.86 mm²/s have the index 92, 22.83 and 5.05 mm²/s 156
-    let law = ViscosityLaw::of_grade(73.30e-6, 92.0);
+    let law = ViscosityLaw::from_grade(73.30e-6, 92.0);
     assert_near("index 92", 1e6 * law.at(100.0), 8.86, 0.02);
-    let law = ViscosityLaw::of_grade(22.83e-6, 156.0);
+    let law = ViscosityLaw::from_grade(22.83e-6, 156.0);
     assert_near("index 156", 1e6 * law.at(100.0), 5.05, 0.02);
 }
 

@@ -402,8 +402,8 @@ fn four_numbers_are_a_geometry() {
     };
     let scenario = scene(&format!("{four}{angle}"));
     let geometry = &scenario.question.rotor.bearings[0].bearing.geometry;
-    assert_eq!(geometry.groove_factor_inner(), 0.52);
-    assert_eq!(geometry.groove_factor_outer(), 0.53);
+    assert_eq!(geometry.groove_factors()[0], 0.52);
+    assert_eq!(geometry.groove_factors()[1], 0.53);
     let pass = geometry.ball_pass(29.0 * 2.0 * PI);
     for (found, known) in [
         (pass.outer, 103.594),

@@ -31,8 +31,8 @@ pub fn without_clearance(designation: &str) -> Bearing {
         bearing.geometry.ball_diameter(),
         bearing.geometry.pitch_diameter(),
         FreePosition::DiametralClearance(0.0),
-        bearing.geometry.groove_factor_inner(),
-        bearing.geometry.groove_factor_outer(),
+        bearing.geometry.groove_factors()[0],
+        bearing.geometry.groove_factors()[1],
     );
     Bearing {
         geometry: geometry.expect("a geometry"),

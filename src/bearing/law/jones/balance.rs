@@ -18,9 +18,9 @@ pub(super) struct Ball {
 /// Positions in a ball's plane, from the outer groove centre, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Positions<T = f64> {
-    /// Of the ball's centre.
+    /// The ball's centre.
     pub(super) centre: Plane<T>,
-    /// Of the inner groove centre.
+    /// The inner groove centre.
     pub(super) groove: Plane<T>,
     /// Drops of the surfaces of both races under the ball.
     pub(super) drop: [T; 2],
@@ -39,7 +39,7 @@ pub(super) struct Balance<T> {
 }
 
 impl<T: Copy> Balance<T> {
-    /// The same with another kind of number.
+    /// The balance with another kind of number.
     #[inline(always)]
     pub(super) fn map<U>(&self, to: impl Fn(T) -> U + Copy) -> Balance<U> {
         Balance {
@@ -187,7 +187,7 @@ pub(super) struct Contact<T> {
 }
 
 impl<T: Copy> Contact<T> {
-    /// The same with another kind of number.
+    /// The contact with another kind of number.
     #[inline(always)]
     pub(super) fn map<U>(&self, to: impl Fn(T) -> U) -> Contact<U> {
         Contact {

@@ -1,4 +1,4 @@
-//! A table of polynomials that stands for a ball law.
+//! A table of polynomials in place of a ball law.
 
 use fearless_simd::{Level, Simd, SimdBase, SimdFloat, dispatch};
 
@@ -25,15 +25,15 @@ pub struct BallTable {
     pub(super) region: BallRegion,
     pub(super) chart: Chart,
     pub(super) grid: Grid,
-    /// Of axial and radial force over u.
+    /// Polynomials of axial and radial force over u.
     pub(super) forces: Vec<Cell>,
-    /// Of the couple over u, the second polynomials zero; empty for a law without couple.
+    /// Polynomials of the couple over u, the second polynomials zero; empty for a law without couple.
     pub(super) couples: Vec<Cell>,
 }
 
 impl BallTable {
-    /// Whether the table stands for the law at a speed and all positions whose A1 and A2 are within their amplitudes of the middle; each is the middle and the
-    /// square of the amplitude, in m and m².
+    /// Whether the table holds at a speed and all positions whose A1 and A2 are within their amplitudes of the middle;
+    /// each is the middle and the square of the amplitude, in m and m².
     #[inline(always)]
     pub(crate) fn covers_around(&self, axial: [f64; 2], radial: [f64; 2], speed: f64) -> bool {
         // squares in place of a root, which takes long

@@ -107,7 +107,7 @@ fn columns<S: Simd>(simd: S, [a, b, c, d]: [f64x2<S>; LANES]) -> [Lanes<S>; 2] {
     ]
 }
 
-/// Adding and taking it away rounds to a whole number, which then stands in the lowest bits.
+/// Adding and taking it away rounds to a whole number, which is then in the lowest bits.
 const ROUNDING: f64 = 6_755_399_441_055_744.0;
 
 /// Equal parts of a range of one coordinate.

@@ -137,14 +137,16 @@ impl Chart {
     pub(super) fn roots(&self, region: &BallRegion) -> [f64; 2] {
         let nodes = nodes_along(region);
         let distance = region.axial[1].hypot(region.radial[1]);
-        let of = |radial: f64| {
+        let past_lift = |radial: f64| {
             nodes
                 .into_iter()
                 .map(move |axial| self.past_lift(axial, radial))
         };
-        let least = of(region.radial[0]).fold(f64::INFINITY, f64::min).max(0.0);
+        let least = past_lift(region.radial[0])
+            .fold(f64::INFINITY, f64::min)
+            .max(0.0);
         let range = LEAST_RANGE * distance * distance;
-        let most = of(region.radial[1]).fold(least + range, f64::max);
+        let most = past_lift(region.radial[1]).fold(least + range, f64::max);
         [least.sqrt(), most.sqrt()]
     }
 
@@ -205,7 +207,7 @@ pub struct BallRegion {
 }
 
 impl BallRegion {
-    /// The same with |A1| in place of A1: every law is the same on both sides of A1 = 0.
+    /// The region with |A1| in place of A1: every law is the same on both sides of A1 = 0.
     pub(super) fn folded(&self) -> Self {
         let [low, high] = self.axial;
         let far = low.abs().max(high.abs());

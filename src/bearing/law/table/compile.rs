@@ -22,7 +22,7 @@ pub struct TableReport {
     /// Largest difference from the exact force at offset places of the whole region, N.
     #[serde(rename = "error_N")]
     pub error: f64,
-    /// The same relative to the load that the tolerance refers to.
+    /// That difference relative to the load that the tolerance refers to.
     pub relative_error: f64,
     /// Number of cells.
     pub cells: usize,
