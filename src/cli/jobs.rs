@@ -206,7 +206,7 @@ impl Job {
     pub fn write(&self, findings: &Findings) -> Result<Answer, Failure> {
         let found = findings.write(&self.folder)?;
         self.warn_besides(found.warnings());
-        Ok(Answer::new(&found))
+        Ok(Answer::new(found))
     }
 
     /// Tells of something about the file.
@@ -244,9 +244,9 @@ impl Job {
 
 impl Answer {
     /// An answer with the paths of its files.
-    pub fn new(found: &WrittenFindings) -> Self {
+    pub fn new(found: WrittenFindings) -> Self {
         let text = found.text(terminal::details()) + &report::wrote(&found.files);
-        let mut json = found.document.clone();
+        let mut json = found.document;
         let files = found.files.iter();
         json["files"] = files.map(|file| file.display().to_string()).collect();
         Self {

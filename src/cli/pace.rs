@@ -15,10 +15,7 @@ const LOOKS: usize = 40;
 const PATIENCE: Duration = Duration::from_secs(5);
 /// Time left, s, from which on a run is slow.
 const SLOW: f64 = 60.0;
-/// Work of the passes, of the run, of its error and of that with more modes of a shaft that bends, as long as one of them
-/// has not begun.
-const WORK: [f64; 3] = [0.44, 0.56, 0.6];
-/// What they are called.
+/// What the passes are called: the run, that of its error, and that with more modes of a shaft that bends.
 const PASSES: [&str; 3] = ["", " (second pass)", " (pass with more modes)"];
 /// Times the end that was last announced from which on a later one is announced, too.
 const LATER: f64 = 2.0;
@@ -149,25 +146,20 @@ impl<'a> PaceWatch<'a> {
         }
     }
 
-    /// The part of each pass of all work, as far as it can be known from what is done.
+    /// The part of each pass of all work; one that has not begun is taken to work as the first does.
     fn weights(&self, look: &Look) -> [f64; 3] {
-        let are_made = [
-            true,
-            self.model.verify,
-            self.model.verify && self.model.rotor.flexible.is_some(),
-        ];
-        let [first, ..] = look.passes;
-        let work = |pass: usize| {
+        let has_finer = self.model.verify && self.model.rotor.flexible.is_some();
+        let are_made = [true, self.model.verify, has_finer];
+        // evaluations in a second of the motion
+        let rate = |pass: usize| {
             let (time, work) = look.passes[pass];
-            let expected = WORK[pass] / WORK[0];
-            match (are_made[pass], first.0 > 0.0, time > 0.0) {
-                (false, ..) => 0.0,
-                (true, false, _) => expected,
-                (true, true, false) => expected * first.1.evaluations.max(1) as f64 / first.0,
-                (true, true, true) => work.evaluations.max(1) as f64 / time,
-            }
+            (time > 0.0).then(|| work.evaluations.max(1) as f64 / time)
         };
-        let work = [0, 1, 2].map(work);
+        let first = rate(0).unwrap_or(1.0);
+        let work = [0, 1, 2].map(|pass| match are_made[pass] {
+            true => rate(pass).unwrap_or(first),
+            false => 0.0,
+        });
         let all: f64 = work.iter().sum();
         work.map(|work| work / all)
     }

@@ -101,7 +101,7 @@ pub fn run_motion(job: &Job, model: &Model, opens: bool) -> Result<Answer, Failu
             if opens {
                 terminal::open_page(&found.files);
             }
-            Ok(Answer::new(&found).timed(started))
+            Ok(Answer::new(found).timed(started))
         }
         Err(SimulateError::Integrate(error @ IntegrateError::Interrupted { .. })) => {
             Err(format!("{error}; nothing was written").into())

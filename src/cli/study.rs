@@ -67,7 +67,7 @@ struct Make {
     /// Threads. Default: one for each processor
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
-    /// Make one run alone, with all its files, in the folder run-I of the study
+    /// Make one run alone, with the files of `jeffcott run` or `bearing`, in the folder run-I of the study
     #[arg(long, value_name = "I", conflicts_with_all = ["shard", "restart"])]
     only: Option<u64>,
     /// Make part I of N; `jeffcott study merge` puts them together
@@ -102,11 +102,7 @@ fn shard(text: &str) -> Result<Shard, String> {
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     if let Some(Then::Merge(parts)) = &arguments.then {
         let merged = merge(&parts.folder).map_err(Failure::from);
-        return show(
-            &parts.folder,
-            parts.json,
-            merged.map(|found| answered(&found)),
-        );
+        return show(&parts.folder, parts.json, merged.map(answered));
     }
     let make = &arguments.make;
     let file = make.file.as_deref().unwrap_or(Path::new(""));
@@ -122,7 +118,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
 }
 
 /// What was found, with its files, after telling its warnings.
-fn answered(found: &WrittenFindings) -> Answer {
+fn answered(found: WrittenFindings) -> Answer {
     let title = found.document["title"].as_str().unwrap_or_default();
     for warning in found.warnings() {
         terminal::tell(&format!("warning: {title}: {warning}\n"));
@@ -215,7 +211,7 @@ impl Make {
         let rate = count as f64 / seconds;
         Ok(Answer {
             remark: format!("{count} runs in {seconds:.3} s, {rate:.4} a second\n"),
-            ..answered(&findings)
+            ..answered(findings)
         })
     }
 }

@@ -254,6 +254,10 @@ fn failed_runs_are_recorded_and_made_alone() {
     let alone = study(&file, folder.path(), &["--only", "2"]);
     assert_eq!(alone.status.code(), Some(1));
     assert!(told(&alone).contains(&error), "{}", told(&alone));
+    let alone = study(&file, folder.path(), &["--only", "2", "--json"]);
+    let alone: serde_json::Value = serde_json::from_slice(&alone.stdout).expect("JSON");
+    let printed = alone["error"].as_str().expect("an error");
+    assert_eq!(printed, format!("run 2: {error}"));
 }
 
 /// A run made alone is the run of the study.
