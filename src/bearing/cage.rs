@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::surface::ImperfectSurfaces;
-use super::{Bearing, CageJitter, Geometry, MountedBearing, Support, Vector5};
+use super::{Bearing, BearingRotation, CageJitter, Geometry, MountedBearing, Support, Vector5};
 use crate::physics::{BallPass, Race, nominal_cage_speed};
 
 /// How the balls go round.
@@ -74,7 +74,7 @@ impl Cage {
 }
 
 impl Support {
-    /// Lets the balls go round as from an equilibrium at a displacement of the shaft and a speed in rad/s; where there is no
+    /// Lets the balls go round as from an equilibrium at a displacement and a speed in rad/s; where there is no
     /// equilibrium, as without load.
     pub(crate) fn roll(&mut self, motion: CageMotion, displacement: Option<&Vector5>, speed: f64) {
         self.turn_with(self.cage_at(motion, displacement, speed));
@@ -121,7 +121,8 @@ impl Support {
     /// Mean of cos α over the balls, weighted by their loads; none without load.
     fn operating_cosine(&self, displacement: &Vector5, speed: f64) -> Option<f64> {
         let (mut moment, mut load) = (0.0, 0.0);
-        for ball in self.around(displacement, speed, None) {
+        let place = self.settled(displacement, &BearingRotation::at_start(speed));
+        for ball in self.around(&place, speed, None) {
             let contact = ball.contact;
             let cosine = 0.5 * (contact.angle_inner.cos() + contact.angle_outer.cos());
             moment += contact.load_inner * cosine;

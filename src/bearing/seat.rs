@@ -41,7 +41,7 @@ impl Seat {
         }
     }
 
-    /// Displacement of the inner ring from the outer one; `shaft` is what the shaft imposes, `tangent` the force of
+    /// Displacement of the inner ring from the outer one; `shaft` is the imposed displacement, `tangent` the force of
     /// the ring and its stiffness at a displacement.
     pub fn settle(
         &self,
@@ -64,7 +64,7 @@ impl Seat {
         }
     }
 
-    /// Derivative of the inner ring's displacement by what the shaft imposes, seen from the cage;
+    /// Derivative of the inner ring's displacement by the imposed displacement, seen from the cage;
     /// none where it is the identity. `stiffness` is that of the ring in its place.
     pub fn follows(&self, stiffness: impl FnOnce() -> Matrix5) -> Option<Matrix5> {
         if matches!(self, Self::Fixed { .. }) {
@@ -79,7 +79,7 @@ impl Seat {
         Some(follows)
     }
 
-    /// Energy in J of the spring with the inner ring at `place` under what the shaft imposes.
+    /// Energy in J of the spring with the inner ring at `place` under the imposed displacement.
     pub fn stored_energy(&self, shaft: &Vector5, place: &Vector5) -> f64 {
         match *self {
             Self::Fixed { .. } => 0.0,
@@ -88,7 +88,7 @@ impl Seat {
         }
     }
 
-    /// Derivative of the force by what the shaft imposes: a floating ring follows without resistance.
+    /// Derivative of the force by the imposed displacement: a floating ring follows without resistance.
     pub fn condense(&self, stiffness: Matrix5) -> Matrix5 {
         match self {
             Self::Fixed { .. } => stiffness,

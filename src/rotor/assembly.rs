@@ -1,7 +1,11 @@
 //! From a definition to a rotor that can move: equilibrium, held freedoms, damping, linear laws.
 
 use super::coefficients::{Coefficients, Mass};
+use super::element::{AttachedElement, Element, Elements};
 use super::equilibrium::{Equilibrium, EquilibriumError, StaticPlace, static_place_of};
+use super::excitation::Excitation;
+use super::linear_part::LinearPart;
+use super::motion::Start;
 use super::structure::Structure;
 use super::unconstrained::FreeDirections;
 use super::{
@@ -9,7 +13,7 @@ use super::{
     SpeedProfile,
 };
 use crate::bearing::{BearingError, Geometry, MountedBearing, Support, Vector5};
-use fearless_simd::Level;
+use nalgebra::DMatrix;
 
 /// Why a rotor cannot be assembled.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -72,13 +76,13 @@ impl Rotor {
     /// [`RotorError`] where a bearing cannot be built, nothing carries the load, or a number is
     /// outside its range.
     pub(crate) fn assemble(definition: &RotorDefinition) -> Result<Self, RotorError> {
-        let mut rotor = Self::of_structure(Structure::of(definition)?, definition)?;
+        let mut rotor = Self::from_structure(Structure::from_definition(definition)?, definition)?;
         rotor.damp_by_later_balls(definition);
         Ok(rotor)
     }
 
     /// The same of a structure with that shaft, its damping as it follows from the stiffness at the start.
-    pub(super) fn of_structure(
+    pub(super) fn from_structure(
         structure: Structure,
         definition: &RotorDefinition,
     ) -> Result<Self, RotorError> {
@@ -99,75 +103,132 @@ impl Rotor {
             support.roll(definition.cage, Some(&place), definition.speed);
             support.freeze(&place, definition.speed);
         }
-        let shaft = &definition.shaft;
-        let dofs = structure.dofs;
         let tangent = structure.condensed(tangent);
-        let mut constant_force = structure.carried(structure.constant_load(definition));
-        // springs press by what is held, too
-        let followers = rest.len() - structure.followers.nrows();
-        for (row, force) in constant_force.iter_mut().enumerate() {
-            let held = rest[..followers].iter().enumerate().skip(dofs);
-            *force -= held
-                .map(|(own, place)| structure.stiffness[(row, own)] * place)
-                .sum::<f64>();
-        }
-        let loads = definition.loads.iter().zip(&structure.load_places);
+        let constant_force = structure.constant_force(definition, &rest);
+        let free = FreeDirections::find(&structure, definition, &supports, &tangent);
+        let linear = LinearPart::assemble(&structure, definition, &tangent)?;
+        let on_rigid_shaft = structure.is_rigid();
+        let elements = structure.elements(definition, supports);
+        Ok(Self {
+            elements: Elements::new(elements, definition.cage, on_rigid_shaft),
+            excitation: structure.excitation(definition, speed, constant_force),
+            linear,
+            start: Start {
+                from: definition.initial.from,
+                shaft: initial_state(definition, &equilibrium),
+                damped_by_later_balls: false,
+                equilibrium,
+                rest,
+                tangent,
+                free,
+            },
+            structure,
+            energy: false,
+        })
+    }
+}
+
+impl LinearPart {
+    /// That of a structure with its stiffness `tangent` at the static equilibrium, ball bearings included.
+    fn assemble(
+        structure: &Structure,
+        definition: &RotorDefinition,
+        tangent: &DMatrix<f64>,
+    ) -> Result<Self, RotorError> {
+        let (dofs, matrices) = (structure.dofs, &structure.matrices);
+        let damping = &matrices.damping + definition.damping.matrix(structure, tangent);
+        let by_rate = match definition.damping {
+            Damping::Coefficients(_) => &damping,
+            _ => &matrices.damping,
+        };
+        structure.check_followers(definition, by_rate)?;
+        let mass = matrices.mass.view((0, 0), (dofs, dofs)).into_owned();
+        let coefficients = |matrix: &DMatrix<f64>| Coefficients::new(matrix.clone(), dofs);
+        let is_damped_inside = matrices.internal_damping.amax() > 0.0;
+        Ok(Self {
+            mass: Mass::new(mass).ok_or(RotorError::Mass)?,
+            stiffness: Coefficients::new(structure.condensed(matrices.stiffness.clone()), dofs),
+            damping: Coefficients::new(damping, dofs),
+            // a shaft that stands has no gyroscopic moments
+            gyroscopic: match definition.shaft_stands() {
+                true => coefficients(&(&matrices.gyroscopic * 0.0)),
+                false => coefficients(&matrices.gyroscopic),
+            },
+            circulatory: coefficients(&matrices.circulatory),
+            internal_damping: is_damped_inside.then(|| coefficients(&matrices.internal_damping)),
+            crosses: structure.linear.iter().any(|(_, own)| own.crosses()),
+        })
+    }
+}
+
+impl Structure {
+    /// Its bearings as elements, in the order of the scene.
+    fn elements(
+        &self,
+        definition: &RotorDefinition,
+        supports: Vec<Support>,
+    ) -> Vec<AttachedElement> {
+        let supports = supports.into_iter().zip(&self.attachments);
+        let balls = definition.ball_places().into_iter().zip(supports);
+        let balls = balls.map(|(number, (support, attachment))| {
+            let element = Element::BallBearing(Box::new(support));
+            (number, *attachment, element)
+        });
+        let linear = definition.linear_bearings.iter().zip(&self.linear);
+        let linear = linear.map(|(own, (attachment, element))| {
+            (own.place, *attachment, Element::Linear(element.clone()))
+        });
+        let mut elements: Vec<_> = balls.chain(linear).collect();
+        elements.sort_by_key(|(number, ..)| *number);
+        let elements = elements.into_iter();
+        let attached = elements.map(|(_, attachment, element)| AttachedElement {
+            attachment,
+            element,
+        });
+        attached.collect()
+    }
+
+    /// What drives it from outside at a speed.
+    fn excitation(
+        &self,
+        definition: &RotorDefinition,
+        speed: SpeedProfile,
+        constant_force: Vec<f64>,
+    ) -> Excitation {
+        let loads = definition.loads.iter().zip(&self.load_places);
         let (loads, load_places) = loads
             .filter(|(load, _)| load.as_constant().is_none())
             .map(|(load, place)| (load.clone(), *place))
             .unzip();
-        let structure = Structure {
-            load_places,
-            ..structure
-        };
-        let mass = structure.mass.view((0, 0), (dofs, dofs)).into_owned();
-        let damping = &structure.damping + definition.damping.matrix(&structure, &tangent);
-        let by_rate = match definition.damping {
-            Damping::Coefficients(_) => &damping,
-            _ => &structure.damping,
-        };
-        structure.check_followers(definition, by_rate)?;
-        let inertia = |axis| structure.inertia_along(axis).as_slice()[..dofs].to_vec();
-        let base_inertia = [inertia(0), inertia(1), inertia(2)];
-        Ok(Self {
-            level: Level::new(),
-            mass: Mass::new(mass).ok_or(RotorError::Mass)?,
-            stiffness: Coefficients::new(structure.condensed(structure.stiffness.clone()), dofs),
-            damping: Coefficients::new(damping, dofs),
-            // a shaft that stands has no gyroscopic moments
-            gyroscopic: match definition.shaft_stands() {
-                true => Coefficients::new(&structure.gyroscopic * 0.0, dofs),
-                false => Coefficients::new(structure.gyroscopic.clone(), dofs),
-            },
-            circulatory: Coefficients::new(structure.circulatory.clone(), dofs),
-            damped_inside: structure.internal_damping.amax() > 0.0,
-            internal_damping: Coefficients::new(structure.internal_damping.clone(), dofs),
-            constant_force,
-            base_inertia,
-            free: FreeDirections::find(&structure, definition, &supports, &tangent),
-            rigid: structure.is_rigid(),
-            structure,
-            freedoms: shaft.freedoms,
-            gravity: if shaft.gravity { STANDARD_GRAVITY } else { 0.0 },
-            shaft_mass: shaft.mass,
-            inertia_polar: shaft.inertia_polar,
+        let inertia = |axis| self.inertia_along(axis).as_slice()[..self.dofs].to_vec();
+        Excitation {
             speed,
             drive: definition.drive,
-            cage: definition.cage,
-            damped_by_later_balls: false,
-            energy: false,
+            inertia_polar: definition.shaft.inertia_polar,
+            unbalances: self.unbalances.clone(),
             loads,
-            contacts_damped: supports.iter().any(Support::is_damped),
-            balls_that_lift_off: supports.iter().map(Support::balls_that_lift_off).sum(),
-            leading_ratio: supports.first().map_or(0.0, Support::cage_ratio),
-            supports,
-            ball_places: definition.ball_places(),
-            starts_from: definition.initial.from,
-            initial: initial_state(definition, &equilibrium),
-            equilibrium,
-            rest,
-            tangent,
-        })
+            load_places,
+            constant_force,
+            gravity: match definition.shaft.gravity {
+                true => STANDARD_GRAVITY,
+                false => 0.0,
+            },
+            base_inertia: [inertia(0), inertia(1), inertia(2)],
+        }
+    }
+
+    /// Constant loads and the weight on the degrees of freedom, less what springs press by coordinates that are held at
+    /// `rest`.
+    fn constant_force(&self, definition: &RotorDefinition, rest: &[f64]) -> Vec<f64> {
+        let mut forces = self.carried(self.constant_load(definition));
+        let followers = rest.len() - self.followers.nrows();
+        for (row, force) in forces.iter_mut().enumerate() {
+            let held = rest[..followers].iter().enumerate().skip(self.dofs);
+            *force -= held
+                .map(|(own, place)| self.matrices.stiffness[(row, own)] * place)
+                .sum::<f64>();
+        }
+        forces
     }
 }
 
@@ -219,16 +280,7 @@ fn range(name: &'static str, value: f64, fits: bool, rule: &'static str) -> Resu
 pub(crate) fn build_supports(definition: &RotorDefinition) -> Result<Vec<Support>, RotorError> {
     positive("the mass in kg", definition.shaft.mass)?;
     let build = |(index, bearing): (usize, &MountedBearing)| {
-        // on a shaft that bends a bearing sits at a point of its own
-        let position = match definition.flexible {
-            Some(_) => 0.0,
-            None => bearing.position,
-        };
-        let mounted = MountedBearing {
-            position,
-            ..bearing.clone()
-        };
-        Support::new(&mounted, definition.speed).map_err(|source| RotorError::Bearing {
+        Support::new(bearing, definition.speed).map_err(|source| RotorError::Bearing {
             number: index + 1,
             source,
         })
@@ -242,7 +294,7 @@ impl Structure {
         let mut sum = vec![0.0; self.coordinates.len()];
         for (load, place) in definition.loads.iter().zip(&self.load_places) {
             if let Some(constant) = load.as_constant() {
-                place.add_force(constant, &mut sum);
+                place.add_force(1.0, constant, &mut sum);
             }
         }
         if definition.shaft.gravity {
@@ -258,7 +310,7 @@ impl Structure {
     pub(super) fn static_load(&self, definition: &RotorDefinition) -> Vec<f64> {
         let mut sum = self.constant_load(definition);
         for (load, place) in definition.loads.iter().zip(&self.load_places) {
-            place.add_force(&load.kind.static_part(), &mut sum);
+            place.add_force(1.0, &load.kind.static_part(), &mut sum);
         }
         sum
     }

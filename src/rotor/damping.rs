@@ -27,7 +27,7 @@ impl Damping {
             // c = 2 ζ √(K m)
             Self::Ratio(ratio) => of_shaft(&|_, index| {
                 let [stiffness, mass] =
-                    [stiffness, &structure.mass].map(|matrix| matrix[(index, index)]);
+                    [stiffness, &structure.matrices.mass].map(|matrix| matrix[(index, index)]);
                 ratio * (2.0 * (stiffness.max(0.0) * mass).sqrt())
             }),
             // c = τ K
@@ -40,7 +40,11 @@ impl Damping {
 fn critical(structure: &Structure, stiffness: &DMatrix<f64>) -> DMatrix<f64> {
     let (dofs, size) = (structure.dofs, stiffness.nrows());
     let mut whole = DMatrix::zeros(size, size);
-    let mass = structure.mass.view((0, 0), (dofs, dofs)).into_owned();
+    let mass = structure
+        .matrices
+        .mass
+        .view((0, 0), (dofs, dofs))
+        .into_owned();
     let Some(mass) = Mass::new(mass) else {
         return whole;
     };
@@ -59,14 +63,7 @@ impl Rotor {
     /// and what follows from it for the tilts.
     pub(crate) fn damping_matrix(&self) -> [Vector5; FREEDOMS] {
         let indices = self.structure.shaft.coordinates;
-        let entries = &self.damping.entries;
+        let entries = &self.linear.damping.entries;
         indices.map(|row| indices.map(|column| entries[(row, column)]))
-    }
-
-    /// Entry of C + ωG at a speed in rad/s: what resists, and the gyroscopic coupling of the tilts.
-    pub(super) fn rate_entry(&self, row: usize, column: usize, speed: f64) -> f64 {
-        let [resisting, coupling] =
-            [&self.damping, &self.gyroscopic].map(|matrix| matrix.entries[(row, column)]);
-        resisting + coupling * speed
     }
 }

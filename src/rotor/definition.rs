@@ -3,7 +3,10 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Drive, FlexibleShaft, LinearBearing, Load, MOST_HOUSINGS, PlaneUnbalance, SpeedPoint};
+use super::{
+    Attachment, Drive, FlexibleShaft, LinearBearing, Load, MOST_HOUSINGS, PlaneUnbalance,
+    SpeedPoint,
+};
 use crate::bearing::{CageMotion, Housing};
 use crate::physics::Race;
 
@@ -184,6 +187,15 @@ impl RotorDefinition {
         let is_linear = |place: &usize| self.linear_bearings.iter().any(|own| own.place == *place);
         let places = (0..self.bearing_count()).filter(|place| !is_linear(place));
         places.take(self.bearings.len()).collect()
+    }
+
+    /// Where the ball bearings sit on the shaft, taken as rigid: its coordinates are x, y, z, θx, θy of the observed point.
+    pub(crate) fn rigid_attachments(&self) -> Vec<Attachment> {
+        let observed = self.flexible.as_ref().map_or(0.0, |own| own.observed);
+        let bearings = self.bearings.iter();
+        let attachments =
+            bearings.map(|own| Attachment::of_rigid_shaft(own.position - observed, own.facing));
+        attachments.collect()
     }
 
     /// The bearings, from 0, whose housings are observed.

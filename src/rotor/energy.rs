@@ -1,8 +1,6 @@
 //! Where the energy of a motion is, where it came from and where it went.
 
-use super::coefficients::half_square;
-use super::motion::dot;
-use super::{Rotation, Rotor};
+use super::{Rotation, Rotor, dot};
 
 /// Energy of a shaft at one instant, and what has been done on it since t = 0, J.
 ///
@@ -137,42 +135,38 @@ impl Rotor {
 
     /// Kinetic energy, J.
     fn kinetic(&self, velocity: &[f64], rotation: &Rotation) -> f64 {
-        let motion = half_square(&self.mass.entries, velocity);
-        if self.drive.is_none() {
+        let motion = self.linear.kinetic(velocity);
+        if !self.is_driven() {
             return motion;
         }
         // masses beside the axis: ½ ω² U² a, with a the acceleration by a force at them, and −ω along·q̇
-        let along = self.unbalances_along(rotation.angle);
+        let excitation = &self.excitation;
+        let along = excitation.unbalances_along(rotation.angle, self.dofs());
         let mut accelerated = along.clone();
-        self.mass.accelerate(&mut accelerated);
-        let inertia = self.inertia_polar + dot(&along, &accelerated);
+        self.linear.mass.accelerate(&mut accelerated);
+        let inertia = excitation.inertia_polar + dot(&along, &accelerated);
         let speed = rotation.speed;
         motion + 0.5 * inertia * speed * speed - speed * dot(&along, velocity)
     }
 
-    /// Energy that the ball bearings store, J.
-    fn stored_in_bearings(&self, position: &[f64], rotation: &Rotation) -> f64 {
-        let bearings = self.bearings_at(rotation);
-        let stored = bearings.map(|(bearing, seen)| {
-            let displacement = bearing.displacement(position);
-            bearing.support.stored_energy(&displacement, &seen)
-        });
-        stored.sum()
-    }
-
     /// Where the energy is in a state at a time, and what has been done since t = 0.
     pub(super) fn energy_balance(&self, time: f64, state: &[f64]) -> EnergyBalance {
-        let dofs = self.dofs();
-        let (position, velocity) = state[..2 * dofs].split_at(dofs);
         let rotation = self.rotation(time, state);
-        let steady = self.drive.is_none() && self.speed.is_constant();
-        let mut supports = self.supports.iter();
-        let elastic = half_square(&self.stiffness.entries, position);
+        let at = self.instant(state, &rotation);
+        let stored = self.elements.bearings_at(&at).map(|(bearing, motion)| {
+            let support = bearing.support;
+            support.stored_energy(&motion.displacement, &motion.rotation)
+        });
+        let steady = !self.is_driven() && self.excitation.speed.is_constant();
+        let elastic = self.linear.elastic(at.place);
         EnergyBalance {
-            kinetic: self.kinetic(velocity, &rotation),
-            stored: elastic + self.stored_in_bearings(position, &rotation),
+            kinetic: self.kinetic(at.velocity, &rotation),
+            stored: elastic + stored.sum::<f64>(),
             elastic,
-            conservative: supports.all(|support| support.has_potential(steady)),
+            conservative: self
+                .elements
+                .supports()
+                .all(|support| support.has_potential(steady)),
             works: Works::from_values(&state[self.first_work()..]),
         }
     }

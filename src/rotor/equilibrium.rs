@@ -2,7 +2,6 @@
 
 use nalgebra::DMatrix;
 
-use super::lift_off::tilting_arm;
 use super::point::Attachment;
 use super::static_search::{Balance, StaticCoordinate, StaticSearch};
 use super::structure::{Structure, UnbalancedPoint};
@@ -94,7 +93,11 @@ impl StaticProblem<'_> {
     /// # Errors
     /// [`EquilibriumError`] names the freedom that nothing carries.
     pub fn solve(&self) -> Result<Equilibrium, EquilibriumError> {
-        let structure = Structure::rigid([0.0; FREEDOMS], Freedoms::All, self.supports.len());
+        let mut structure = Structure::rigid([0.0; FREEDOMS], Freedoms::All);
+        let definitions = self.supports.iter().map(Support::definition);
+        let attachments =
+            definitions.map(|own| Attachment::of_rigid_shaft(own.position, own.facing));
+        structure.attachments = attachments.collect();
         let mut load = vec![0.0; FREEDOMS];
         structure.shaft.add_force(1.0, &self.load, &mut load);
         Ok(self.on(&structure, &load)?.equilibrium(&structure))
@@ -107,7 +110,7 @@ impl StaticProblem<'_> {
         structure: &Structure,
         load: &[f64],
     ) -> Result<Balance, EquilibriumError> {
-        let arm = self.arm();
+        let arm = self.arm(structure);
         let coordinates = structure.coordinates.iter().enumerate();
         let coordinates = coordinates.map(|(index, coordinate)| {
             let axis = structure.shaft.axis_of(index);
@@ -131,9 +134,14 @@ impl StaticProblem<'_> {
     }
 
     /// Length that makes tilts comparable to displacements: the farthest groove from the centre.
-    fn arm(&self) -> f64 {
-        let own = self.supports.iter().map(tilting_arm).reduce(f64::max);
-        own.unwrap_or_else(|| Support::largest(self.supports, Geometry::inner_groove_radius))
+    fn arm(&self, structure: &Structure) -> f64 {
+        let pairs = self.supports.iter().zip(&structure.attachments);
+        let arms = pairs.map(|(support, attachment)| {
+            let geometry = &support.definition().bearing.geometry;
+            attachment.inner.arm.abs() + geometry.inner_groove_radius()
+        });
+        arms.reduce(f64::max)
+            .unwrap_or_else(|| Support::largest(self.supports, Geometry::inner_groove_radius))
     }
 }
 
@@ -232,7 +240,7 @@ pub(crate) fn static_place(
     unbalanced: bool,
     given: &[Option<f64>; FREEDOMS],
 ) -> Result<StaticPlace, RotorError> {
-    let structure = Structure::of(definition)?;
+    let structure = Structure::from_definition(definition)?;
     let mut load = structure.static_load(definition);
     if unbalanced {
         for UnbalancedPoint { point, unbalance } in &structure.unbalances {
@@ -316,7 +324,8 @@ fn held_axial(supports: &[Support], axial_load: f64) -> Option<f64> {
     if supports.iter().any(Support::is_preloaded) {
         return Some(0.0);
     }
-    supports.first().map(Support::centred_axial)
+    let first = supports.first()?;
+    Some(first.definition().facing.sign() * first.centred_axial())
 }
 
 impl Bearing {

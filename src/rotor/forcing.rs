@@ -121,7 +121,7 @@ impl Rotor {
         if self.is_unbalanced() {
             add(ForcingCause::Unbalance, speed, 0.0);
         }
-        for (bearing, support) in self.supports.iter().enumerate() {
+        for (bearing, support) in self.elements.supports().enumerate() {
             let balls = support.definition().bearing.geometry.balls() as f64;
             let cage = support.cage_ratio() * speed;
             if support.cage_jitter().is_some() && cage > 0.0 {
@@ -144,7 +144,7 @@ impl Rotor {
                 add(ForcingCause::BallSpin(bearing), ratio * cage, 0.0);
             }
         }
-        for (number, load) in self.loads.iter().enumerate() {
+        for (number, load) in self.excitation.loads.iter().enumerate() {
             let refused = |what| Unrepeated::Load { number, what };
             if let Some((frequency, from)) = load.kind.repetition(speed).map_err(refused)? {
                 add(ForcingCause::Load(number), frequency, from);
@@ -155,19 +155,22 @@ impl Rotor {
 
     /// Whether any unbalance turns with the shaft.
     pub(crate) fn is_unbalanced(&self) -> bool {
-        let mut unbalances = self.structure.unbalances.iter();
-        unbalances.any(|own| own.unbalance.is_some())
+        self.excitation.is_unbalanced()
     }
 
     /// Whether a load or a cage moves by chance, or a load as a record does: it may vibrate at any frequency.
     pub(crate) fn is_random(&self) -> bool {
         let wanders = |support: &Support| support.cage_jitter().is_some();
-        self.loads.iter().any(|load| load.kind.is_random()) || self.supports.iter().any(wanders)
+        self.excitation
+            .loads
+            .iter()
+            .any(|load| load.kind.is_random())
+            || self.elements.supports().any(wanders)
     }
 
     /// Frequencies of the varying loads that repeat at a speed in rad/s, by their numbers from 0, Hz; not of sprockets.
     pub(crate) fn load_frequencies(&self, speed: f64) -> Vec<(usize, f64)> {
-        let loads = self.loads.iter().enumerate();
+        let loads = self.excitation.loads.iter().enumerate();
         let repeating = loads.filter_map(|(number, load)| match load.kind {
             LoadKind::Sprocket(_) => None,
             _ => Some((number, load.kind.repetition(speed).ok()??.0 / TAU)),
@@ -178,10 +181,8 @@ impl Rotor {
     /// Ball passes a revolution at the standing and the turning race, of every bearing whose balls
     /// go round.
     pub(crate) fn ball_pass_orders(&self) -> Vec<[f64; 2]> {
-        let passing = self
-            .supports
-            .iter()
-            .filter(|support| support.follows_cage());
+        let supports = self.elements.supports();
+        let passing = supports.filter(|support| support.follows_cage());
         let orders = passing.map(|support| {
             let balls = support.definition().bearing.geometry.balls() as f64;
             let standing = support.passes();
@@ -192,10 +193,14 @@ impl Rotor {
 
     /// Meshing frequency z ω/2π of every sprocket at a speed in rad/s, Hz.
     pub(crate) fn meshing_frequencies(&self, speed: f64) -> Vec<f64> {
-        let sprockets = self.loads.iter().filter_map(|load| match &load.kind {
-            LoadKind::Sprocket(sprocket) => Some(sprocket.main_vibration().order),
-            _ => None,
-        });
+        let sprockets = self
+            .excitation
+            .loads
+            .iter()
+            .filter_map(|load| match &load.kind {
+                LoadKind::Sprocket(sprocket) => Some(sprocket.main_vibration().order),
+                _ => None,
+            });
         sprockets.map(|order| order * speed / TAU).collect()
     }
 }

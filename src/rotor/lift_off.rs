@@ -2,10 +2,9 @@
 //! is how far it is pressed past its lift-off, m; balls count bearing by bearing from ball 0 on, and those of a bearing
 //! whose law is smooth across lift-off do not.
 
-use super::motion::AttachedBearing;
+use super::Rotor;
+use super::element::{AttachedBearing, Instant};
 use super::motion_scale::add_sizes;
-use super::{Rotation, Rotor};
-use crate::bearing::Support;
 
 impl Rotor {
     /// Whether a ball may part from a race, or meet it again, on the motion to come: whether its amplitudes about the
@@ -13,13 +12,13 @@ impl Rotor {
     /// vibrations of a start beside the forced motion, reach the lift-off of any ball at any position of the cage; at
     /// the start's speed, at those of the profile and at the highest.
     pub(super) fn balls_may_part(&self) -> bool {
-        let cage_turns = self.cage.turns();
-        self.balls_that_lift_off > 0
+        let cage_turns = self.elements.cage.turns();
+        self.elements.balls_that_lift_off > 0
             && self.speeds().any(|speed| {
                 let mut amplitudes = self.amplitude_estimate(speed);
                 add_sizes(&mut amplitudes, &self.forced_amplitudes(speed));
-                self.bearings().any(|bearing| {
-                    let place = bearing.displacement(&self.rest[..self.dofs()]);
+                self.elements.bearings().any(|bearing| {
+                    let place = self.static_displacement(&bearing);
                     let reach = bearing.attachment.reach(&amplitudes);
                     let reached = std::array::from_fn(|axis| place[axis] + reach[axis]);
                     let support = bearing.support;
@@ -29,18 +28,14 @@ impl Rotor {
     }
 
     /// Writes how far every ball is pressed past its lift-off, m.
-    pub(super) fn lift_off_distances(
-        &self,
-        rotation: &Rotation,
-        place: &[f64],
-        values: &mut [f64],
-    ) {
+    pub(super) fn lift_off_distances(&self, at: &Instant<'_>, values: &mut [f64]) {
         let mut first = 0;
-        for (bearing, seen) in self.bearings_at(rotation) {
-            let (support, displacement) = (bearing.support, bearing.displacement(place));
+        for (bearing, motion) in self.elements.bearings_at(at) {
+            let support = bearing.support;
             let last = (first + support.balls_that_lift_off()).min(values.len());
             if first < last {
-                support.past_lift_offs(&displacement, &seen, &mut values[first..last]);
+                let values = &mut values[first..last];
+                support.past_lift_offs(&motion.displacement, &motion.rotation, values);
             }
             first = last;
         }
@@ -58,7 +53,7 @@ impl Rotor {
 
     /// The bearing of a ball that lifts off.
     pub(super) fn bearing_of_ball(&self, mut ball: usize) -> Option<AttachedBearing<'_>> {
-        self.bearings().find(|bearing| {
+        self.elements.bearings().find(|bearing| {
             let rest = ball.checked_sub(bearing.support.balls_that_lift_off());
             ball = rest.unwrap_or(ball);
             rest.is_none()
@@ -72,16 +67,11 @@ impl Rotor {
         load: f64,
         rate: &mut [f64],
     ) {
-        let moment = load * tilting_arm(bearing.support);
+        let geometry = &bearing.support.definition().bearing.geometry;
+        let moment = load * geometry.inner_groove_radius();
         let bound = [load, load, load, moment, moment];
         let accelerations = &mut rate[self.dofs()..2 * self.dofs()];
-        bearing.attachment.add_force(1.0, &bound, accelerations);
-        self.mass.accelerate(accelerations);
+        bearing.attachment.add_force_bound(&bound, accelerations);
+        self.linear.mass.accelerate(accelerations);
     }
-}
-
-/// Largest arm of a ball's load about the centre of mass, m.
-pub(super) fn tilting_arm(support: &Support) -> f64 {
-    let definition = support.definition();
-    definition.position.abs() + definition.bearing.geometry.inner_groove_radius()
 }

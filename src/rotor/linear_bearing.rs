@@ -3,7 +3,6 @@
 use nalgebra::SVector;
 
 use super::FREEDOMS;
-use super::point::{Attachment, about_origin};
 use crate::bearing::{Housing, Matrix5, Vector5};
 
 /// Springs and dampers between a place of the shaft and a housing or the ground.
@@ -25,54 +24,37 @@ pub struct LinearBearing {
     pub housing: Option<Housing>,
 }
 
-/// A linear bearing between its points: `F = K u + C u̇` with u the displacement of the inner point from the outer one.
+/// A linear bearing as an element, `F = K u + C u̇`.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct AttachedLinear {
-    /// As [`LinearBearing::place`].
-    pub place: usize,
-    pub attachment: Attachment,
-    /// K by the motion of the points, arm included.
+pub(super) struct LinearElement {
     pub stiffness: Matrix5,
-    /// C likewise.
     pub damping: Matrix5,
-    /// Distance of the inner point from the observed one along the shaft, m.
-    arm: f64,
 }
 
 impl LinearBearing {
-    /// Between points of which the inner one is `from_point` in m before it along the shaft, and itself `arm` behind the
-    /// observed point.
-    pub(super) fn attached(
-        &self,
-        attachment: Attachment,
-        from_point: f64,
-        arm: f64,
-    ) -> AttachedLinear {
-        // x + a θy, y − a θx
-        let mut transform = Matrix5::identity();
-        transform[(0, 4)] = from_point;
-        transform[(1, 3)] = -from_point;
-        let at_point = |values: Vector5, [xy, yx]: [f64; 2]| {
+    /// Its coefficients as matrices.
+    pub(super) fn element(&self) -> LinearElement {
+        let matrix = |values: Vector5, [xy, yx]: [f64; 2]| {
             let mut own = Matrix5::from_diagonal(&SVector::<f64, FREEDOMS>::from(values));
             (own[(0, 1)], own[(1, 0)]) = (xy, yx);
-            transform.transpose() * own * transform
+            own
         };
-        AttachedLinear {
-            place: self.place,
-            attachment,
-            stiffness: at_point(self.stiffness, self.cross_stiffness),
-            damping: at_point(self.damping, self.cross_damping),
-            arm,
+        LinearElement {
+            stiffness: matrix(self.stiffness, self.cross_stiffness),
+            damping: matrix(self.damping, self.cross_damping),
         }
     }
 }
 
-impl AttachedLinear {
-    /// Force of the shaft onto it, moments about the observed point.
-    pub fn force(&self, place: &[f64], rest: &[f64], velocity: &[f64]) -> Vector5 {
-        let displacement = SVector::from(self.attachment.displacement(place, rest));
-        let rate = SVector::from(self.attachment.rate(velocity));
-        let force = self.stiffness * displacement + self.damping * rate;
-        about_origin(&force.into(), self.arm)
+impl LinearElement {
+    /// Force of the shaft onto it at a displacement and its rate.
+    pub fn force(&self, displacement: &Vector5, rate: &Vector5) -> Vector5 {
+        let [displacement, rate] = [displacement, rate].map(|own| SVector::from(*own));
+        (self.stiffness * displacement + self.damping * rate).into()
+    }
+
+    /// Whether its stiffness is not symmetric, as that of a film.
+    pub fn crosses(&self) -> bool {
+        self.stiffness != self.stiffness.transpose()
     }
 }

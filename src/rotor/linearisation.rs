@@ -2,9 +2,9 @@
 
 use nalgebra::{ArrayStorage, DMatrix};
 
-use super::motion::AttachedBearing;
-use super::structure::UnbalancedPoint;
-use super::{Rotation, Rotor};
+use super::Rotor;
+use super::element::{AttachedBearing, ElementMotion, seen_by};
+use super::excitation::{TIME_STEP, forward_rate};
 use crate::bearing::{BearingRotation, Geometry, Matrix5, Support, Vector5};
 use crate::integrate::System;
 
@@ -15,12 +15,17 @@ const RATE_STEP: f64 = 1e-7;
 
 /// Relative step of the differences that stand for slopes: the cube root of round-off.
 const STEP: f64 = 6e-6;
-/// Time over which the change of a force, or of the right-hand side, is looked at, s.
-const TIME_STEP: f64 = 1e-8;
 /// A usual approach of a contact, m.
 const APPROACH: f64 = 1e-5;
 /// A usual angular frequency, rad/s.
 const RATE: f64 = 1e3;
+
+/// Slopes of the force onto an element.
+struct Slopes {
+    by_place: Matrix5,
+    by_rate: Matrix5,
+    by_time: Vector5,
+}
 
 impl Rotor {
     /// Writes the slopes of the derivative by the state and by the time.
@@ -32,65 +37,79 @@ impl Rotor {
         by_time: &mut [f64],
     ) {
         let dofs = self.dofs();
-        let (place, velocity) = state.split_at(dofs);
-        let rotation = self.speed.at(time);
+        let rotation = self.excitation.speed.at(time);
+        let at = self.instant(state, &rotation);
         // of what holds the structure: K, the bearings, and the damping of their contacts; what a change of speed does to
         // the inertia of the balls is left out, as it is slow beside the passing of a ball
-        let size = self.structure.coordinates.len();
-        let mut by_place = &self.stiffness.entries - &self.circulatory.entries * rotation.speed;
+        let (linear, size) = (&self.linear, self.structure.coordinates.len());
+        let mut by_place = &linear.stiffness.entries - &linear.circulatory.entries * rotation.speed;
         let (mut by_rate, mut held) = (DMatrix::zeros(size, size), vec![0.0; size]);
-        for (bearing, seen) in self.bearings_at(&rotation) {
-            let (attachment, support) = (bearing.attachment, bearing.support);
-            let motion = bearing.motion(place, velocity);
-            let tangent = support.tangent(&motion[0], &seen);
-            attachment.add_stiffness(&tangent.stiffness, &mut by_place);
-            if support.is_imperfect() {
-                let later =
-                    |step: f64| support.force(&motion[0], &self.seen_at(time + step, bearing));
-                attachment.add_force(1.0, &forward_rate(later), &mut held);
-            } else {
-                attachment.add_force(seen.cage_speed, &tangent.by_cage_angle, &mut held);
-            }
-            if support.is_damped() {
-                let damping = |[place, rate]: &[Vector5; 2], seen: &BearingRotation| {
-                    support.damped_force(place, rate, seen)[1]
-                };
-                let slopes = self.damping_slopes(&motion, |motion| damping(motion, &seen));
-                attachment.add_stiffness(&slopes[0], &mut by_place);
-                attachment.add_stiffness(&slopes[1], &mut by_rate);
-                let later = |step: f64| damping(&motion, &self.seen_at(time + step, bearing));
-                attachment.add_force(1.0, &forward_rate(later), &mut held);
-            }
+        for (bearing, motion) in self.elements.bearings_at(&at) {
+            let slopes = self.bearing_slopes(time, &bearing, &motion);
+            let attachment = bearing.attachment;
+            attachment.add_stiffness(&slopes.by_place, &mut by_place);
+            attachment.add_stiffness(&slopes.by_rate, &mut by_rate);
+            attachment.add_force(1.0, &slopes.by_time, &mut held);
         }
         jacobian.fill(0.0);
         by_time.fill(0.0);
         for column in 0..dofs {
             jacobian[(column, dofs + column)] = 1.0;
             for row in 0..dofs {
-                let rate = self.rate_entry(row, column, rotation.speed);
+                let rate = linear.rate_entry(row, column, rotation.speed);
                 jacobian[(dofs + row, column)] = -by_place[(row, column)];
                 jacobian[(dofs + row, dofs + column)] = -(rate + by_rate[(row, column)]);
             }
         }
         for mut column in jacobian.column_iter_mut() {
-            self.mass.accelerate(&mut column.as_mut_slice()[dofs..]);
+            linear.mass.accelerate(&mut column.as_mut_slice()[dofs..]);
         }
         let by_time = &mut by_time[dofs..];
         for (by_time, held) in by_time.iter_mut().zip(&held) {
             *by_time -= held;
         }
-        self.add_outer_rate(time, &rotation, by_time);
-        self.gyroscopic
-            .add_product(-rotation.acceleration, velocity, by_time);
-        self.circulatory
-            .add_product(rotation.acceleration, place, by_time);
-        self.mass.accelerate(by_time);
+        self.excitation.add_force_rates(time, &rotation, by_time);
+        let change = rotation.acceleration;
+        linear.gyroscopic.add_product(-change, at.velocity, by_time);
+        linear.circulatory.add_product(change, at.place, by_time);
+        linear.mass.accelerate(by_time);
     }
 
-    /// The rotation that a bearing sees at a time.
-    fn seen_at(&self, time: f64, bearing: AttachedBearing<'_>) -> BearingRotation {
-        let rotation = self.speed.at(time);
-        self.seen_by(bearing.support, &rotation, &self.phases(&rotation))
+    /// Slopes of the force onto a bearing in a motion at a time, contacts and their damping.
+    fn bearing_slopes(
+        &self,
+        time: f64,
+        bearing: &AttachedBearing<'_>,
+        motion: &ElementMotion,
+    ) -> Slopes {
+        let (support, seen) = (bearing.support, &motion.rotation);
+        let place = [motion.displacement, motion.rate];
+        let later = |step: f64| {
+            let rotation = self.excitation.speed.at(time + step);
+            seen_by(support, &rotation, &self.elements.phases(&rotation))
+        };
+        let tangent = support.tangent(&place[0], seen);
+        let mut slopes = Slopes {
+            by_place: tangent.stiffness,
+            by_rate: Matrix5::zeros(),
+            by_time: match support.is_imperfect() {
+                true => forward_rate(|step| support.force(&place[0], &later(step))),
+                false => tangent.by_cage_angle.map(|slope| seen.cage_speed * slope),
+            },
+        };
+        if support.is_damped() {
+            let damping = |[place, rate]: &[Vector5; 2], seen: &BearingRotation| {
+                support.damped_force(place, rate, seen)[1]
+            };
+            let [by_place, by_rate] = self.damping_slopes(&place, |motion| damping(motion, seen));
+            slopes.by_place += by_place;
+            slopes.by_rate += by_rate;
+            let by_time = forward_rate(|step| damping(&place, &later(step)));
+            for (sum, part) in slopes.by_time.iter_mut().zip(by_time) {
+                *sum += part;
+            }
+        }
+        slopes
     }
 
     /// Slopes of the force against the damping of a bearing's contacts by place and by rate, by central differences: the
@@ -100,7 +119,7 @@ impl Rotor {
         motion: &[Vector5; 2],
         damping: impl Fn(&[Vector5; 2]) -> Vector5,
     ) -> [Matrix5; 2] {
-        let arm = Support::largest(&self.supports, Geometry::inner_groove_radius);
+        let arm = Support::largest(self.elements.supports(), Geometry::inner_groove_radius);
         let column = |which: usize, step: f64, axis: usize| -> Vector5 {
             let step = if axis < 3 { step } else { step / arm };
             let at = |step: f64| {
@@ -157,32 +176,9 @@ impl Rotor {
         if state >= 2 * dofs {
             return STEP;
         }
-        let arm = Support::largest(&self.supports, Geometry::inner_groove_radius);
+        let arm = Support::largest(self.elements.supports(), Geometry::inner_groove_radius);
         let lever = self.structure.coordinates[state % dofs].length(arm);
         let unit = if state < dofs { 1.0 } else { RATE };
         STEP * APPROACH * unit / lever
     }
-
-    /// Adds the time derivative of the forces that do not come from bearings: unbalance exactly,
-    /// varying loads by a difference over a time that is short against all that they do.
-    fn add_outer_rate(&self, time: f64, rotation: &Rotation, sum: &mut [f64]) {
-        for UnbalancedPoint { point, unbalance } in &self.structure.unbalances {
-            point.add_force(1.0, &unbalance.force_rate(rotation), sum);
-        }
-        for (load, place) in self.loads.iter().zip(&self.structure.load_places) {
-            let later = |step: f64| {
-                let time = time + step;
-                load.kind.at(time, self.speed.at(time).angle)
-            };
-            self.add_load(load, place, &forward_rate(later), sum);
-        }
-    }
-}
-
-/// Rate of change of a force that is given at times after an instant, by a difference forward, so that it does not reach
-/// back over a break that the present step begins at.
-fn forward_rate(force: impl Fn(f64) -> Vector5) -> Vector5 {
-    let step = TIME_STEP;
-    let (now, half, full) = (force(0.0), force(0.5 * step), force(step));
-    std::array::from_fn(|axis| (4.0 * half[axis] - 3.0 * now[axis] - full[axis]) / step)
 }

@@ -7,17 +7,22 @@
 mod action;
 mod assembly;
 mod coefficients;
+mod coordinate;
 mod damping;
 mod definition;
 mod drive;
+mod element;
 mod energy;
 mod equilibrium;
+mod excitation;
 mod flexible;
 mod forcing;
 mod lift_off;
 mod linear_bearing;
+mod linear_part;
 mod linearisation;
 pub mod load;
+mod massless;
 mod modes;
 mod motion;
 mod motion_scale;
@@ -55,8 +60,14 @@ pub use motion_scale::MotionScale;
 #[cfg(test)]
 pub(crate) use observation::HousingMotion;
 pub use observation::{BallContacts, MOST_BEARINGS, MOST_HOUSINGS, Sample};
+pub(crate) use point::Attachment;
 pub(crate) use shaft_shapes::ShaftShape;
 pub use speed_profile::{Rotation, SpeedPoint, SpeedProfile};
 pub use tabulation::Tabulation;
 pub use unbalance::PlaneUnbalance;
 pub use unconstrained::{UnconstrainedError, check_constraints};
+
+/// Σ a_i b_i.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}

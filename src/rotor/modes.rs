@@ -163,7 +163,7 @@ impl Rotor {
     /// static equilibrium, G the gyroscopic coupling of the tilts and ω the speed at t = 0; damping of
     /// the contacts is left out.
     pub(crate) fn modes(&self) -> Vec<Mode> {
-        let matrices = self.normalised();
+        let matrices = self.linear.normalised(&self.start.tangent, self.speed());
         let eigenvalues = state_matrix(&matrices).complex_eigenvalues();
         let mut eigenvalues: Vec<Complex<f64>> = eigenvalues
             .iter()
@@ -192,7 +192,7 @@ impl Rotor {
     /// Highest undamped natural frequency, Hz, and what moves in its mode, by kinetic energy; none without a vibration.
     pub(crate) fn fastest(&self) -> Option<(f64, String)> {
         let mode = self.modes().pop()?;
-        let root = self.mass.root().map(Complex::from);
+        let root = self.linear.mass.root().map(Complex::from);
         let scaled = DVector::from_vec(mode.shape);
         let shape = root.transpose().solve_upper_triangular(&scaled)?;
         let momenta = root * scaled;
@@ -267,13 +267,6 @@ impl Rotor {
             }
         }
         form
-    }
-
-    /// K at the static equilibrium and C + ωG in coordinates in which the mass is one.
-    fn normalised(&self) -> [DMatrix<f64>; 2] {
-        let rate = &self.damping.entries + &self.gyroscopic.entries * self.speed();
-        let stiffness = &self.tangent - &self.circulatory.entries * self.speed();
-        [&stiffness, &rate].map(|matrix| self.mass.normalised(matrix))
     }
 }
 

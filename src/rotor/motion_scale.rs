@@ -2,12 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use nalgebra::{Complex, DMatrix, DVector};
+use nalgebra::{Complex, DVector};
 
 use super::Rotor;
-use super::motion::AttachedBearing;
+use super::element::AttachedBearing;
 use super::static_search::POSITION_ROUND_OFF;
-use super::structure::UnbalancedPoint;
 use super::unconstrained::{NOTHING, contact_stiffness};
 use crate::bearing::{BearingRotation, Geometry, Support};
 
@@ -56,7 +55,7 @@ impl Rotor {
     /// shock counts as a steady vibration of its length, which is less than what it excites. The
     /// length is at least so large that `tolerance` times the length stays above the round-off of a position.
     pub fn motion_scale(&self, tolerance: f64) -> MotionScale {
-        let arm = Support::largest(&self.supports, Geometry::inner_groove_radius);
+        let arm = Support::largest(self.elements.supports(), Geometry::inner_groove_radius);
         let frequency = self.highest_frequency();
         let amplitudes = self
             .speeds()
@@ -87,10 +86,13 @@ impl Rotor {
     /// contact.
     fn highest_frequency(&self) -> f64 {
         let highest = (0..self.dofs())
-            .map(|dof| (self.tangent[(dof, dof)].max(0.0) / self.mass.entries[(dof, dof)]).sqrt())
+            .map(|dof| {
+                (self.start.tangent[(dof, dof)].max(0.0) / self.linear.mass.entries[(dof, dof)])
+                    .sqrt()
+            })
             .fold(0.0, f64::max);
         let natural = match highest {
-            0.0 => (contact_stiffness(&self.supports) / self.shaft_mass).sqrt(),
+            0.0 => (contact_stiffness(self.elements.supports()) / self.structure.shaft_mass).sqrt(),
             highest => highest,
         };
         natural.max(self.highest_speed())
@@ -99,7 +101,7 @@ impl Rotor {
     /// Angular frequency that makes velocities of displacements, rad/s: that of the scale; of a structure with housings,
     /// whose natural frequencies lie far apart, the lowest, so that no slow motion is allowed the velocities of a fast one.
     pub(super) fn velocity_rate(&self, scale: &MotionScale) -> f64 {
-        if self.rigid {
+        if self.elements.on_rigid_shaft {
             return scale.frequency;
         }
         let modes = self.modes();
@@ -111,7 +113,7 @@ impl Rotor {
     }
 
     fn groove_centre_distance(&self) -> f64 {
-        Support::largest(&self.supports, Geometry::groove_centre_distance)
+        Support::largest(self.elements.supports(), Geometry::groove_centre_distance)
     }
 
     /// Estimated amplitudes of the degrees of freedom under unbalance and loads at a speed of the shaft in rad/s, m and
@@ -144,68 +146,46 @@ impl Rotor {
 
     /// Speeds at the points of the profile and the highest one, rad/s.
     pub(super) fn speeds(&self) -> impl Iterator<Item = f64> {
-        let points = self.speed.points().map(|point| point.speed);
+        let points = self.excitation.speed.points().map(|point| point.speed);
         points.chain([self.highest_speed()])
     }
 
     /// Displacement of the degrees of freedom from the static equilibrium at t = 0, and how far their velocities carry
     /// them at an angular frequency in rad/s.
     fn initial_amplitudes(&self, frequency: f64) -> [Vec<f64>; 2] {
-        let (start, dofs) = (self.start(), self.dofs());
+        let (start, dofs) = (self.start_state(), self.dofs());
         let (places, velocities) = start[..2 * dofs].split_at(dofs);
-        let shifts = places.iter().zip(&self.rest);
+        let shifts = places.iter().zip(&self.start.rest);
         [
             shifts.map(|(place, rest)| place - rest).collect(),
             velocities.iter().map(|rate| rate / frequency).collect(),
         ]
     }
 
-    /// Forces of the unbalances on the degrees of freedom at a speed as complex amplitudes.
-    pub(super) fn unbalance_phasor(&self, speed: f64) -> DVector<Complex<f64>> {
-        let mut sum = DVector::zeros(self.dofs());
-        for UnbalancedPoint { point, unbalance } in &self.structure.unbalances {
-            point.add_phasor(&unbalance.phasor(speed), sum.as_mut_slice());
-        }
-        sum
-    }
-
-    /// Angular frequency of each varying load at a speed of the shaft, and its forces on the degrees of freedom.
-    pub(super) fn load_vibrations(&self, speed: f64) -> Vec<(f64, DVector<Complex<f64>>)> {
-        let loads = self.loads.iter().zip(&self.structure.load_places);
-        loads
-            .map(|(load, place)| {
-                let vibration = load.kind.main_vibration();
-                let mut force = DVector::zeros(self.dofs());
-                self.add_load(load, place, &vibration.amplitude, force.as_mut_slice());
-                (vibration.frequency_at(speed), force.map(Complex::from))
-            })
-            .collect()
-    }
-
     /// Amplitudes under the unbalance at a speed of the shaft in rad/s.
     fn unbalance_amplitudes(&self, speed: f64) -> Vec<f64> {
-        self.amplitudes(self.unbalance_phasor(speed), speed, speed)
+        self.amplitudes(
+            self.excitation.unbalance_phasor(speed, self.dofs()),
+            speed,
+            speed,
+        )
     }
 
     /// Amplitudes under each of the varying loads by itself.
     fn load_amplitudes(&self, speed: f64) -> impl Iterator<Item = Vec<f64>> {
-        let vibrations = self.load_vibrations(speed).into_iter();
+        let vibrations = self
+            .excitation
+            .load_vibrations(speed, self.dofs())
+            .into_iter();
         vibrations.map(move |(frequency, force)| self.amplitudes(force, frequency, speed))
     }
 
     /// Amplitudes of the degrees of freedom under forces of angular frequency ω while the shaft turns at Ω,
     /// `|(K − ω²M + iω(C + ΩG))⁻¹ F|`; none at an undamped resonance.
     fn amplitudes(&self, force: DVector<Complex<f64>>, omega: f64, speed: f64) -> Vec<f64> {
-        let dofs = self.dofs();
-        let dynamic = DMatrix::from_fn(dofs, dofs, |row, column| {
-            let inertia = omega * omega * self.mass.entries[(row, column)];
-            let rate = self.rate_entry(row, column, speed);
-            let turning = speed * self.circulatory.entries[(row, column)];
-            Complex::new(
-                self.tangent[(row, column)] - turning - inertia,
-                omega * rate,
-            )
-        });
+        let dynamic = self
+            .linear
+            .dynamic_stiffness(&self.start.tangent, omega, speed);
         let response = dynamic.lu().solve(&force);
         response.map_or_else(Vec::new, |response| {
             response.iter().map(|part| part.norm()).collect()
@@ -215,17 +195,17 @@ impl Rotor {
     /// Static displacements of the degrees of freedom under the changes of the forces as the cages turn by one ball spacing
     /// and imperfect surfaces pass; none in a direction that nothing holds.
     fn passing_amplitudes(&self) -> Vec<Vec<f64>> {
-        let imperfect = self.supports.iter().any(Support::is_imperfect);
-        let still = !self.cage.turns() && !imperfect;
+        let imperfect = self.elements.supports().any(Support::is_imperfect);
+        let still = !self.elements.cage.turns() && !imperfect;
         if still || self.highest_speed() == 0.0 {
             return Vec::new();
         }
         let dofs = self.dofs();
-        let stiffness = self.tangent.view((0, 0), (dofs, dofs)).into_owned();
-        let least = NOTHING * contact_stiffness(&self.supports);
+        let stiffness = self.start.tangent.view((0, 0), (dofs, dofs)).into_owned();
+        let least = NOTHING * contact_stiffness(self.elements.supports());
         let factors = stiffness.svd(true, true);
         let mut changes = self.imperfect_changes();
-        if self.cage.turns() {
+        if self.elements.cage.turns() {
             changes.extend(self.passing_changes());
         }
         let shift = |change| Some(factors.solve(&change, least).ok()?.as_slice().to_vec());
@@ -238,10 +218,10 @@ impl Rotor {
         (1..CAGE_POSITIONS).map(|position| {
             let part = position as f64 / CAGE_POSITIONS as f64;
             let mut sum = DVector::zeros(self.dofs());
-            for bearing in self.bearings() {
+            for bearing in self.elements.bearings() {
                 let spacing = TAU / bearing.support.definition().bearing.geometry.balls() as f64;
                 let turned = BearingRotation::at_start(self.speed()).with_cage_at(part * spacing);
-                self.add_change(bearing, &turned, &mut sum);
+                self.add_change(&bearing, &turned, &mut sum);
             }
             sum
         })
@@ -250,10 +230,10 @@ impl Rotor {
     /// Changes of the forces as imperfect surfaces pass under the balls of each bearing by itself.
     fn imperfect_changes(&self) -> Vec<DVector<f64>> {
         let mut changes = Vec::new();
-        for bearing in self.bearings() {
-            for seen in self.imperfect_rotations(bearing) {
+        for bearing in self.elements.bearings() {
+            for seen in self.imperfect_rotations(&bearing) {
                 let mut change = DVector::zeros(self.dofs());
-                self.add_change(bearing, &seen, &mut change);
+                self.add_change(&bearing, &seen, &mut change);
                 changes.push(change);
             }
         }
@@ -263,11 +243,11 @@ impl Rotor {
     /// Adds the change of the force on a bearing at the equilibrium from the start to another rotation.
     fn add_change(
         &self,
-        bearing: AttachedBearing<'_>,
+        bearing: &AttachedBearing<'_>,
         seen: &BearingRotation,
         sum: &mut DVector<f64>,
     ) {
-        let place = bearing.displacement(&self.rest[..self.dofs()]);
+        let place = self.static_displacement(bearing);
         let start = BearingRotation::at_start(self.speed());
         let [seen, still] = [seen, &start].map(|seen| bearing.support.force(&place, seen));
         let change = std::array::from_fn(|axis| seen[axis] - still[axis]);

@@ -1,7 +1,7 @@
 //! What can be seen of the shaft in motion.
 
-use super::point::about_origin;
-use super::{DriveMoments, EnergyBalance, FREEDOMS, Rotation, Rotor};
+use super::element::{Element, ElementMotion, Instant};
+use super::{DriveMoments, EnergyBalance, FREEDOMS, Rotor};
 use crate::bearing::{BallLoads, BearingRotation, LOADED_SHARE, Support, Vector5};
 
 impl Rotor {
@@ -28,12 +28,9 @@ impl Rotor {
     /// Room for some balls of each bearing, and for its forces.
     fn room_for(&self, balls: impl Fn(&Support) -> BallLoads) -> BallContacts {
         BallContacts {
-            bearings: self.supports.iter().map(balls).collect(),
-            axial_forces: vec![0.0; self.supports.len()],
-            forces_on_shaft: vec![
-                [0.0; FREEDOMS];
-                self.supports.len() + self.structure.linear.len()
-            ],
+            bearings: self.elements.supports().map(balls).collect(),
+            axial_forces: vec![0.0; self.elements.supports().count()],
+            forces_on_shaft: vec![[0.0; FREEDOMS]; self.elements.count()],
             spare: Vec::new(),
             forces: true,
         }
@@ -45,15 +42,21 @@ impl Rotor {
         let dofs = self.dofs();
         let (position, velocity) = state[..2 * dofs].split_at(dofs);
         let action = self
-            .drive
-            .map(|_| self.act(time, state, &mut vec![0.0; dofs]));
+            .is_driven()
+            .then(|| self.act(time, state, &mut vec![0.0; dofs]));
         let rotation = match &action {
             Some(action) => &action.rotation,
-            None => &self.speed.at(time),
+            None => &self.excitation.speed.at(time),
         };
-        let force = contacts
-            .forces
-            .then(|| self.observe_bearings(position, velocity, rotation, contacts));
+        let force = contacts.forces.then(|| {
+            let (place, velocity) = (self.place_of_all(position), self.rate_of_all(velocity));
+            let at = Instant {
+                place: &place,
+                velocity: &velocity,
+                ..self.instant(state, rotation)
+            };
+            self.observe_elements(&at, contacts)
+        });
         let has_balls = contacts.bearings.iter().any(|balls| balls.balls() > 0);
         Sample {
             time,
@@ -74,54 +77,59 @@ impl Rotor {
         }
     }
 
-    /// Force of all bearings on the shaft, N, and moment about its observed point, N m; that of each of them, axial
-    /// forces and balls go to `contacts`.
-    fn observe_bearings(
-        &self,
-        position: &[f64],
-        velocity: &[f64],
-        rotation: &Rotation,
-        contacts: &mut BallContacts,
-    ) -> Vector5 {
-        // of the shaft onto bearings, and against the damping of their contacts
+    /// Force of all elements on the shaft, N, and moment about its observed point, N m; that of each of them, axial forces
+    /// and balls go to `contacts`.
+    fn observe_elements(&self, at: &Instant<'_>, contacts: &mut BallContacts) -> Vector5 {
+        // of the shaft onto the elements: by their displacement, and by the damping of contacts
         let [mut total, mut damped] = [[0.0; FREEDOMS]; 2];
-        let observed = contacts.bearings.iter_mut().zip(&mut contacts.axial_forces);
-        let phases = self.phases(rotation);
-        let places = self.structure.arms.iter().zip(&self.ball_places);
-        for ((bearing, (arm, place)), (loads, axial)) in self.bearings().zip(places).zip(observed) {
-            let (support, displacement) = (bearing.support, bearing.displacement(position));
-            let rotation = self.seen_by(support, rotation, &phases);
-            let force = if loads.balls() > 0 {
-                support.force_and_loads(&displacement, &rotation, loads)
-            } else {
-                support.force(&displacement, &rotation)
+        let mut forces = contacts.forces_on_shaft.iter_mut();
+        let mut balls = contacts.bearings.iter_mut().zip(&mut contacts.axial_forces);
+        self.elements.visit(at, |own, motion| {
+            let [force, damping] = match &own.element {
+                Element::BallBearing(support) => observe_bearing(support, motion, balls.next()),
+                Element::Linear(linear) => {
+                    let force = linear.force(&motion.displacement, &motion.rate);
+                    [force, [0.0; FREEDOMS]]
+                }
             };
-            *axial = support.definition().facing.sign() * force[2];
-            let force = about_origin(&force, *arm);
+            let [force, damping] =
+                [force, damping].map(|own_force| own.attachment.on_shaft(&own_force));
             add(&mut total, &force);
-            let mut resisted = force;
-            if self.contacts_damped {
-                let rate = bearing.attachment.rate(velocity);
-                let [_, damping] = support.damped_force(&displacement, &rate, &rotation);
-                let damping = about_origin(&damping, *arm);
-                add(&mut damped, &damping);
-                add(&mut resisted, &damping);
+            add(&mut damped, &damping);
+            if let Some(on_shaft) = forces.next() {
+                // 0 − 0 is 0, where −0 would be written
+                *on_shaft = std::array::from_fn(|axis| 0.0 - (force[axis] + damping[axis]));
             }
-            contacts.forces_on_shaft[*place] = resisted.map(|force| 0.0 - force);
-        }
-        if !self.structure.linear.is_empty() {
-            let (place, rate) = (self.place_of_all(position), self.rate_of_all(velocity));
-            for linear in &self.structure.linear {
-                let force = linear.force(&place, &self.rest, &rate);
-                add(&mut total, &force);
-                contacts.forces_on_shaft[linear.place] = force.map(|force| 0.0 - force);
-            }
-        }
-        if self.contacts_damped {
-            add(&mut total, &damped);
-        }
+        });
+        add(&mut total, &damped);
         total.map(|force| -force)
     }
+}
+
+/// Force of the shaft onto a bearing and that against the damping of its contacts, in its own orientation; its loads and
+/// its axial force go to `room`.
+fn observe_bearing(
+    support: &Support,
+    motion: &ElementMotion,
+    room: Option<(&mut BallLoads, &mut f64)>,
+) -> [Vector5; 2] {
+    let (displacement, rotation) = (&motion.displacement, &motion.rotation);
+    let force = match room {
+        Some((loads, axial)) => {
+            let force = match loads.balls() {
+                0 => support.force(displacement, rotation),
+                _ => support.force_and_loads(displacement, rotation, loads),
+            };
+            *axial = force[2];
+            force
+        }
+        None => support.force(displacement, rotation),
+    };
+    let damping = match support.is_damped() {
+        true => support.damped_force(displacement, &motion.rate, rotation)[1],
+        false => [0.0; FREEDOMS],
+    };
+    [force, damping]
 }
 
 fn add(sum: &mut Vector5, part: &Vector5) {
@@ -161,11 +169,12 @@ impl Rotor {
         state: &[f64],
     ) -> impl Iterator<Item = Option<f64>> {
         let rotation = BearingRotation::at_start(self.rotation(time, state).speed);
-        let bearings = self.bearings();
+        let bearings = self.elements.bearings();
         bearings.map(move |bearing| {
             let frozen = bearing.support.known_balls() == 0;
             frozen.then(|| {
-                let displacement = bearing.displacement(&state[..self.dofs()]);
+                let rest = &self.start.rest;
+                let displacement = bearing.displacement(&state[..self.dofs()], rest);
                 bearing.support.hertz_approach(&displacement, &rotation)
             })
         })

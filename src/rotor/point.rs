@@ -1,8 +1,8 @@
-//! Points on the axes of shaft and housings, and the rings of bearings between them.
+//! Points on the axes of shaft and housings, and what sits between two of them.
 
 use nalgebra::{Complex, DMatrix};
 
-use crate::bearing::{Matrix5, Vector5};
+use crate::bearing::{Facing, Matrix5, Vector5};
 
 /// A point that moves by x, y, z in m and θx, θy in rad, each of them a coordinate of the structure.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,7 +16,7 @@ impl Point {
     pub const RIGID_SHAFT: Self = Self {
         coordinates: [0, 1, 2, 3, 4],
     };
-    /// The same of one whose z is held while its tilts move: what is held comes last.
+    /// That of a rigid shaft whose z is held while its tilts move: what is held comes last.
     pub const WITHOUT_Z: Self = Self {
         coordinates: [0, 1, 4, 2, 3],
     };
@@ -61,102 +61,182 @@ impl Point {
     }
 }
 
-/// A force and moments at a distance along the axis, about the origin of that distance: M_x − a P_y, M_y + a P_x.
-#[inline(always)]
-pub(super) fn about_origin(force: &Vector5, arm: f64) -> Vector5 {
-    let [x, y, z, tilt_x, tilt_y] = *force;
-    [x, y, z, tilt_x - arm * y, tilt_y + arm * x]
-}
-
-/// A place on the axis of the shaft that a point of it carries along.
+/// A place on the axis that a point of it carries along: x + a θy, y − a θx, z, θx, θy at a distance a from the point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Place {
     pub point: Point,
-    /// Distance from the point, m.
+    /// Distance a from the point along Z, m.
     pub arm: f64,
 }
 
 impl Place {
-    /// Adds a force and moments there to those on the degrees of freedom.
+    /// Displacement as by [`Point::displacement`].
     #[inline(always)]
-    pub fn add_force(&self, force: &Vector5, sum: &mut [f64]) {
+    pub fn displacement(&self, dofs: &[f64], rest: &[f64]) -> Vector5 {
+        carried(&self.point.displacement(dofs, rest), self.arm)
+    }
+
+    /// Adds `factor` times a force and moments there to those on the degrees of freedom.
+    #[inline(always)]
+    pub fn add_force(&self, factor: f64, force: &Vector5, sum: &mut [f64]) {
         self.point
-            .add_force(1.0, &about_origin(force, self.arm), sum);
+            .add_force(factor, &about_origin(force, self.arm), sum);
     }
 }
 
-/// Where the rings of a bearing sit: the inner one at a point of the shaft, the outer one at a point of a housing, both
-/// seen from the same origin on the axis, or fixed to the ground.
+/// Displacement at a distance along Z from a point that moves so.
+#[inline(always)]
+fn carried([x, y, z, tilt_x, tilt_y]: &Vector5, arm: f64) -> Vector5 {
+    [x + tilt_y * arm, y - tilt_x * arm, *z, *tilt_x, *tilt_y]
+}
+
+/// A force and moments at a distance along Z, about the origin of that distance: M_x − a P_y, M_y + a P_x.
+#[inline(always)]
+fn about_origin([x, y, z, tilt_x, tilt_y]: &Vector5, arm: f64) -> Vector5 {
+    [*x, *y, *z, tilt_x - arm * y, tilt_y + arm * x]
+}
+
+/// Where an element sits between a place of the shaft and one of a housing or the ground, and how it is turned: the map B
+/// from the coordinates to the displacement of its inner place from its outer one, in its own orientation.
+///
+/// ```text
+/// u = B q = S (u_inner − u_outer),   S = diag(1, 1, s, s, s)        forces on the coordinates: Bᵀ F
+/// ```
+///
+/// with s = 1 of an element that looks towards +Z and −1 of one that looks towards −Z.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Attachment {
-    pub inner: Point,
-    pub outer: Option<Point>,
+pub(crate) struct Attachment {
+    pub(super) inner: Place,
+    /// On the ground where there is none.
+    pub(super) outer: Option<Place>,
+    /// s.
+    facing: f64,
+    /// Distance of the inner place from the observed point along the shaft, m.
+    position: f64,
 }
 
 impl Attachment {
-    /// A bearing of a rigid shaft that stands on the ground.
-    pub const GROUNDED: Self = Self {
-        inner: Point::RIGID_SHAFT,
-        outer: None,
-    };
-
-    /// Displacement of the inner ring's point from the outer one's, as by [`Point::displacement`].
-    #[inline(always)]
-    pub fn displacement(&self, dofs: &[f64], rest: &[f64]) -> Vector5 {
-        let inner = self.inner.displacement(dofs, rest);
-        match &self.outer {
-            None => inner,
-            Some(outer) => {
-                let outer = outer.displacement(dofs, rest);
-                std::array::from_fn(|axis| inner[axis] - outer[axis])
-            }
+    /// Between a place of the shaft, so far from its observed point in m, and one of a housing or the ground.
+    pub(super) fn new(inner: Place, outer: Option<Place>, facing: Facing, position: f64) -> Self {
+        Self {
+            inner,
+            outer,
+            facing: facing.sign(),
+            position,
         }
+    }
+
+    /// Of an element at a position in m from the centre of mass of a rigid shaft, whose displacement x, y, z, θx, θy are the
+    /// coordinates.
+    pub(crate) fn of_rigid_shaft(position: f64, facing: Facing) -> Self {
+        let inner = Place {
+            point: Point::RIGID_SHAFT,
+            arm: position,
+        };
+        Self::new(inner, None, facing, position)
+    }
+
+    /// Displacement u with the degrees of freedom at `dofs` and what is held at `rest`.
+    #[inline(always)]
+    pub(crate) fn displacement(&self, dofs: &[f64], rest: &[f64]) -> Vector5 {
+        let mut displacement = self.inner.displacement(dofs, rest);
+        if let Some(outer) = &self.outer {
+            let outer = outer.displacement(dofs, rest);
+            displacement = std::array::from_fn(|axis| displacement[axis] - outer[axis]);
+        }
+        self.turned(&displacement)
     }
 
     /// Rate of that displacement.
     #[inline(always)]
-    pub fn rate(&self, rates: &[f64]) -> Vector5 {
+    pub(super) fn rate(&self, rates: &[f64]) -> Vector5 {
         self.displacement(rates, &[])
     }
 
-    /// Adds `factor` times a force that acts on the inner ring, and back on the outer one.
+    /// Displacement u of an element between a rigid shaft whose centre of mass moves so, and the ground.
     #[inline(always)]
-    pub fn add_force(&self, factor: f64, force: &Vector5, sum: &mut [f64]) {
-        self.inner.add_force(factor, force, sum);
+    pub(super) fn displacement_by_shaft(&self, shaft: &Vector5) -> Vector5 {
+        self.turned(&carried(shaft, self.position))
+    }
+
+    /// Adds `factor` times a force that acts on the inner place, and back on the outer one.
+    #[inline(always)]
+    pub(crate) fn add_force(&self, factor: f64, force: &Vector5, sum: &mut [f64]) {
+        let force = self.turned(force);
+        self.inner.add_force(factor, &force, sum);
         if let Some(outer) = &self.outer {
-            outer.add_force(-factor, force, sum);
+            outer.add_force(-factor, &force, sum);
         }
     }
 
-    /// Adds Bᵀ K B of a bearing's own K, with B q the displacement of its rings.
-    pub fn add_stiffness(&self, stiffness: &Matrix5, sum: &mut DMatrix<f64>) {
-        for (row, row_sign, row_index) in self.entries() {
-            for (column, column_sign, column_index) in self.entries() {
+    /// A force on the inner place as one on the shaft, moments about its observed point.
+    #[inline(always)]
+    pub(super) fn on_shaft(&self, force: &Vector5) -> Vector5 {
+        about_origin(&self.turned(force), self.position)
+    }
+
+    /// A force on the inner place as one on the shaft, moments about the point that carries the inner place.
+    pub(super) fn at_inner_point(&self, force: &Vector5) -> Vector5 {
+        about_origin(&self.turned(force), self.inner.arm)
+    }
+
+    /// From the element's own orientation to that of the shaft, or back.
+    #[inline(always)]
+    fn turned(&self, [x, y, z, tilt_x, tilt_y]: &Vector5) -> Vector5 {
+        let s = self.facing;
+        [*x, *y, s * z, s * tilt_x, s * tilt_y]
+    }
+
+    /// Adds Bᵀ K B of an element's own K.
+    pub(crate) fn add_stiffness(&self, stiffness: &Matrix5, sum: &mut DMatrix<f64>) {
+        let entries: Vec<_> = self.entries().collect();
+        for &(row, row_part, row_index) in &entries {
+            for &(column, column_part, column_index) in &entries {
                 if row_index < sum.nrows() && column_index < sum.ncols() {
                     sum[(row_index, column_index)] +=
-                        row_sign * column_sign * stiffness[(row, column)];
+                        row_part * stiffness[(row, column)] * column_part;
                 }
             }
         }
     }
 
-    /// Largest displacement of the rings with every degree of freedom within an amplitude.
-    pub fn reach(&self, amplitudes: &[f64]) -> Vector5 {
+    /// Largest displacement u with every degree of freedom within an amplitude.
+    pub(super) fn reach(&self, amplitudes: &[f64]) -> Vector5 {
         let mut reach = [0.0; 5];
-        for (axis, _, index) in self.entries() {
-            reach[axis] += amplitudes.get(index).copied().unwrap_or(0.0);
+        for (axis, part, index) in self.entries() {
+            reach[axis] += part.abs() * amplitudes.get(index).copied().unwrap_or(0.0);
         }
         reach
     }
 
-    /// Entries of B: component, sign and coordinate.
+    /// Adds the largest forces on the coordinates where a force of the element is within a bound, whatever its direction.
+    pub(super) fn add_force_bound(&self, bound: &Vector5, sum: &mut [f64]) {
+        for (axis, part, index) in self.entries() {
+            if let Some(sum) = sum.get_mut(index) {
+                *sum += part.abs() * bound[axis];
+            }
+        }
+    }
+
+    /// Entries of B that are not zero: component, value and coordinate.
     fn entries(&self) -> impl Iterator<Item = (usize, f64, usize)> {
-        let points = [(1.0, Some(self.inner)), (-1.0, self.outer)];
-        points.into_iter().flat_map(|(sign, point)| {
-            let coordinates = point.into_iter().flat_map(|point| point.coordinates);
-            coordinates
-                .enumerate()
-                .map(move |(axis, index)| (axis, sign, index))
+        let places = [(1.0, Some(self.inner)), (-1.0, self.outer)];
+        let facing = self.facing;
+        places.into_iter().flat_map(move |(sign, place)| {
+            place.into_iter().flat_map(move |Place { point, arm }| {
+                let [x, y, z, tilt_x, tilt_y] = point.coordinates;
+                let entries = [
+                    (0, 1.0, x),
+                    (1, 1.0, y),
+                    (2, facing, z),
+                    (3, facing, tilt_x),
+                    (4, facing, tilt_y),
+                    (0, arm, tilt_y),
+                    (1, -arm, tilt_x),
+                ];
+                let entries = entries.map(|(axis, part, index)| (axis, sign * part, index));
+                entries.into_iter().filter(|(_, part, _)| *part != 0.0)
+            })
         })
     }
 }
@@ -172,7 +252,30 @@ mod tests {
             arm: 0.5,
         };
         let mut sum = [1.0; 5];
-        place.add_force(&[3.0, -2.0, 4.0, 0.1, 0.2], &mut sum);
+        place.add_force(1.0, &[3.0, -2.0, 4.0, 0.1, 0.2], &mut sum);
         assert_eq!(sum, [4.0, -1.0, 5.0, 2.1, 2.7]);
+    }
+
+    #[test]
+    fn stiffness_and_forces_are_those_of_one_map() {
+        let mut attachment = Attachment::of_rigid_shaft(0.3, Facing::MinusZ);
+        attachment.outer = Some(Place {
+            point: Point {
+                coordinates: [5, 6, 7, usize::MAX, usize::MAX],
+            },
+            arm: 0.0,
+        });
+        let stiffness = Matrix5::from_fn(|row, column| 1.0 + (3 * row + 5 * column) as f64);
+        let place: Vec<f64> = (0..8).map(|index| 0.1 * f64::from(index) - 0.4).collect();
+        let displacement = attachment.displacement(&place, &[]);
+        let force = stiffness * nalgebra::SVector::from(displacement);
+        let mut by_force = vec![0.0; 8];
+        attachment.add_force(1.0, &force.into(), &mut by_force);
+        let mut whole = DMatrix::zeros(8, 8);
+        attachment.add_stiffness(&stiffness, &mut whole);
+        let by_stiffness = whole * nalgebra::DVector::from_vec(place);
+        for (found, expected) in by_stiffness.iter().zip(&by_force) {
+            assert!((found - expected).abs() < 1e-12, "{found} {expected}");
+        }
     }
 }

@@ -16,14 +16,14 @@ pub(crate) struct ShaftShape<T> {
 impl Rotor {
     /// Deflections at the static equilibrium, m; none where the shaft is rigid.
     pub(crate) fn static_shape(&self) -> Option<ShaftShape<f64>> {
-        let place = DVector::from_column_slice(&self.rest);
+        let place = DVector::from_column_slice(&self.start.rest);
         self.shape_of(|rows| (rows * &place).iter().copied().collect())
     }
 
     /// Shape of a mode, of any size; none where the shaft is rigid.
     pub(crate) fn mode_shape(&self, mode: &Mode) -> Option<ShaftShape<Complex<f64>>> {
         // u = Lᵀ q
-        let root = self.mass.root().transpose().lu();
+        let root = self.linear.mass.root().transpose().lu();
         let part = |of: fn(&Complex<f64>) -> f64| {
             let scaled = DVector::from_iterator(mode.shape.len(), mode.shape.iter().map(of));
             root.solve(&scaled)

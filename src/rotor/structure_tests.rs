@@ -10,7 +10,8 @@ use crate::bearing::{
 };
 use crate::integrate::{Grid, Integration, Method, Settings, States, System};
 use crate::rotor::{
-    CageMotion, Damping, Freedoms, InitialPosition, InitialState, Rotor, RotorDefinition, Shaft,
+    CageMotion, Damping, Freedoms, InitialPosition, InitialState, Load, Rotor, RotorDefinition,
+    Shaft,
 };
 
 /// Mass of the shaft and of the housing, kg.
@@ -66,28 +67,37 @@ fn definition(law: ContactLaw, freedoms: Freedoms) -> RotorDefinition {
 fn on_housing(definition: &RotorDefinition) -> Structure {
     let active = definition.shaft.freedoms.axes().len();
     let housing = [active, active + 1, active + 2];
-    let grounded = Structure::of(definition).expect("a rigid shaft");
-    let mut structure = grounded.with_room_for(housing.len());
+    let grounded = Structure::from_definition(definition).expect("a rigid shaft");
+    let mut structure = grounded.arranged(housing.len(), &[]);
     for (axis, index) in housing.into_iter().enumerate() {
-        structure.coordinates[index] = Coordinate::of_axis(axis, " of the housing");
-        structure.mass[(index, index)] = MASSES[1];
-        structure.stiffness[(index, index)] = SPRINGS[axis];
+        structure.coordinates[index] = Coordinate::from_axis(axis, " of the housing");
+        structure.matrices.mass[(index, index)] = MASSES[1];
+        structure.matrices.stiffness[(index, index)] = SPRINGS[axis];
     }
     let [x, y, z] = housing;
-    let attachment = Attachment {
-        inner: structure.shaft,
-        outer: Some(Point {
-            coordinates: [x, y, z, usize::MAX, usize::MAX],
-        }),
-    };
-    structure.attachments = vec![attachment; definition.bearings.len()];
+    let shaft = structure.shaft;
+    for attachment in &mut structure.attachments {
+        attachment.inner.point = shaft;
+        attachment.outer = Some(Place {
+            point: Point {
+                coordinates: [x, y, z, usize::MAX, usize::MAX],
+            },
+            arm: 0.0,
+        });
+    }
+    for place in &mut structure.load_places {
+        place.point = shaft;
+    }
+    for own in &mut structure.unbalances {
+        own.point = shaft;
+    }
     structure
 }
 
 fn housed(law: ContactLaw, freedoms: Freedoms) -> (Rotor, Rotor) {
     let definition = definition(law, freedoms);
     let grounded = Rotor::assemble(&definition).expect("a rotor");
-    let housed = Rotor::of_structure(on_housing(&definition), &definition).expect("a rotor");
+    let housed = Rotor::from_structure(on_housing(&definition), &definition).expect("a rotor");
     (grounded, housed)
 }
 
@@ -108,11 +118,11 @@ fn a_housing_yields_by_the_load_over_its_springs_and_carries_the_bearings_along(
         let yielding = [0.0, -weight / SPRINGS[1]];
         for (axis, expected) in yielding.into_iter().enumerate() {
             let (own, whole) = (
-                housed.rest[active + axis],
-                housed.equilibrium.displacement[axis],
+                housed.start.rest[active + axis],
+                housed.start.equilibrium.displacement[axis],
             );
             assert!((own - expected).abs() < 1e-18, "{own:e}");
-            let relative = grounded.equilibrium.displacement[axis];
+            let relative = grounded.start.equilibrium.displacement[axis];
             assert!((whole - own - relative).abs() < 1e-17, "{whole:e}");
         }
         assert_eq!(housed.states(), 2 * (active + 3));
@@ -133,8 +143,8 @@ fn natural_frequencies_are_those_of_two_masses_in_a_row() {
     // one bearing under thrust: x, y and z do not know of each other
     definition.bearings.truncate(1);
     (definition.shaft.gravity, definition.bearings[0].position) = (false, 0.0);
-    let rotor = Rotor::of_structure(on_housing(&definition), &definition).expect("a rotor");
-    let stiffness = &rotor.equilibrium.stiffness;
+    let rotor = Rotor::from_structure(on_housing(&definition), &definition).expect("a rotor");
+    let stiffness = &rotor.start.equilibrium.stiffness;
     let mut expected: Vec<f64> = (0..3)
         .flat_map(|axis| in_a_row(MASSES, [stiffness[(axis, axis)], SPRINGS[axis]]))
         .collect();
@@ -153,10 +163,13 @@ fn masses_that_are_coupled_have_the_frequencies_of_the_whole_matrix() {
     (definition.shaft.gravity, definition.bearings[0].position) = (false, 0.0);
     let mut structure = on_housing(&definition);
     let coupling = 2.5;
-    (structure.mass[(0, 2)], structure.mass[(2, 0)]) = (coupling, coupling);
-    let rotor = Rotor::of_structure(structure, &definition).expect("a rotor");
+    (
+        structure.matrices.mass[(0, 2)],
+        structure.matrices.mass[(2, 0)],
+    ) = (coupling, coupling);
+    let rotor = Rotor::from_structure(structure, &definition).expect("a rotor");
     // along x: det(K − ω² M) = 0
-    let (k, [m, big_m]) = (rotor.equilibrium.stiffness[(0, 0)], MASSES);
+    let (k, [m, big_m]) = (rotor.start.equilibrium.stiffness[(0, 0)], MASSES);
     let a = m * big_m - coupling * coupling;
     let b = m * (k + SPRINGS[0]) + big_m * k + 2.0 * coupling * k;
     let c = k * SPRINGS[0];
@@ -176,18 +189,18 @@ fn masses_that_are_coupled_have_the_frequencies_of_the_whole_matrix() {
         );
     }
     // and M q̈ is the force
-    let mut state = rotor.start();
+    let mut state = rotor.start_state();
     (state[0], state[2]) = (1e-6, -2e-6);
     let mut rate = vec![0.0; state.len()];
     rotor.derivative(0.0, &state, &mut rate);
     let accelerations = DVector::from_column_slice(&rate[5..]);
-    let force = rotor.structure.mass.view((0, 0), (5, 5)) * accelerations;
+    let force = rotor.structure.matrices.mass.view((0, 0), (5, 5)) * accelerations;
     near(force[2], k * 3e-6 + SPRINGS[0] * 2e-6, 1e-6);
 }
 
 /// A state away from rest.
 fn somewhere(rotor: &Rotor) -> Vec<f64> {
-    let mut state = rotor.start();
+    let mut state = rotor.start_state();
     let dofs = rotor.dofs();
     for (index, state) in state.iter_mut().enumerate() {
         let size = if index < dofs { 2e-6 } else { 1e-3 };
@@ -201,8 +214,8 @@ fn what_the_bearings_do_to_the_shaft_they_do_back_to_the_housing() {
     let (_, rotor) = housed(ContactLaw::Hertz, Freedoms::All);
     let (state, mut rate) = (somewhere(&rotor), vec![0.0; rotor.states()]);
     rotor.derivative(0.01, &state, &mut rate);
-    let rotation = rotor.speed.at(0.01);
-    let unbalance = rotor.structure.unbalances[0]
+    let rotation = rotor.speed_profile().at(0.01);
+    let unbalance = rotor.excitation.unbalances[0]
         .unbalance
         .force(&rotation, crate::bearing::Angle::new(rotation.angle));
     let external = [unbalance[0], unbalance[1] - 9.806_65 * MASSES[0], 300.0];

@@ -1,9 +1,9 @@
 //! When balls pass the kinks of defects: at times that are known where the speed is prescribed, and as event surfaces
 //! where a drive decides it. An event function is the distance of a ball past the kink, m.
 
-use super::motion::AttachedBearing;
+use super::element::{AttachedBearing, seen_by};
 use super::{Rotation, Rotor};
-use crate::bearing::{BearingRotation, CageJitter, Passing, Support};
+use crate::bearing::{BearingRotation, CageJitter, Passing};
 use crate::numerics::root::root;
 
 /// Part of an angle of the shaft to which a passage is found.
@@ -12,14 +12,12 @@ const FOUND: f64 = 1e-15;
 impl Rotor {
     /// The first time after `after` at which a ball passes a kink, s; infinite where none does or a drive turns the shaft.
     pub(super) fn next_passing(&self, after: f64) -> f64 {
-        if self.drive.is_some() {
+        if self.is_driven() {
             return f64::INFINITY;
         }
-        let now = self.speed.at(after).angle;
-        let imperfect = self
-            .supports
-            .iter()
-            .filter(|support| support.is_imperfect());
+        let now = self.excitation.speed.at(after).angle;
+        let supports = self.elements.supports();
+        let imperfect = supports.filter(|support| support.is_imperfect());
         let times = imperfect.flat_map(|support| {
             let ratio = support.cage_ratio();
             support.passings().iter().map(move |passing| {
@@ -35,24 +33,15 @@ impl Rotor {
     /// The first time after `after` at which the shaft reaches one of the next angles, s: round-off may bring back that of
     /// `after` itself. Infinite where it reaches none.
     fn first_time(&self, after: f64, angle: impl Fn(u32) -> Option<f64>) -> f64 {
-        let mut times = (0..3).map_while(|later| self.speed.time_of(angle(later)?));
+        let mut times = (0..3).map_while(|later| self.excitation.speed.time_of(angle(later)?));
         let first = times.find(|time| *time > after);
         first.unwrap_or(f64::INFINITY)
     }
 
-    /// Change of a cage's angle by that of the shaft.
-    pub(super) fn cage_rate(&self, support: &Support, angle: f64) -> f64 {
-        let ratio = support.cage_ratio();
-        let slope = support
-            .cage_jitter()
-            .map_or(0.0, |jitter| jitter.at(ratio * angle)[1]);
-        ratio * (1.0 + slope)
-    }
-
     /// Kinks that are event surfaces, with their bearings.
     fn passing_events(&self) -> impl Iterator<Item = (AttachedBearing<'_>, &Passing)> {
-        let driven = self.drive.is_some();
-        let bearings = self.bearings().filter(move |_| driven);
+        let driven = self.is_driven();
+        let bearings = self.elements.bearings().filter(move |_| driven);
         bearings.flat_map(|bearing| {
             let passings = bearing.support.passings().iter();
             passings.map(move |passing| (bearing, passing))
@@ -66,9 +55,9 @@ impl Rotor {
 
     /// Writes how far balls are past them, m.
     pub(super) fn passing_distances(&self, rotation: &Rotation, values: &mut [f64]) {
-        let phases = self.phases(rotation);
+        let phases = self.elements.phases(rotation);
         for ((bearing, passing), value) in self.passing_events().zip(values) {
-            let seen = self.seen_by(bearing.support, rotation, &phases);
+            let seen = seen_by(bearing.support, rotation, &phases);
             *value = passing.distance(seen.cage_angle, rotation.angle);
         }
     }
@@ -89,7 +78,10 @@ impl Rotor {
 
     /// Rotations that the bearing sees at the start and where a ball first passes each kink, and, for waves, at some angles
     /// of the shaft in its first revolution.
-    pub(super) fn imperfect_rotations(&self, bearing: AttachedBearing<'_>) -> Vec<BearingRotation> {
+    pub(super) fn imperfect_rotations(
+        &self,
+        bearing: &AttachedBearing<'_>,
+    ) -> Vec<BearingRotation> {
         const ANGLES: usize = 24;
         let support = bearing.support;
         if !support.is_imperfect() {
@@ -105,7 +97,7 @@ impl Rotor {
                 speed,
                 acceleration: 0.0,
             };
-            self.seen_by(support, &rotation, &self.phases(&rotation))
+            seen_by(support, &rotation, &self.elements.phases(&rotation))
         };
         kinks.chain(even).map(seen).collect()
     }

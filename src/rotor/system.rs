@@ -2,8 +2,8 @@
 
 use nalgebra::DMatrix;
 
+use super::coordinate::Coordinate;
 use super::energy::Works;
-use super::structure::Coordinate;
 use super::{InitialPosition, MotionScale, Rotation, Rotor};
 use crate::bearing::{Support, Vector5};
 use crate::integrate::{Scaling, System};
@@ -46,34 +46,36 @@ impl System for Rotor {
     }
 
     fn next_break(&self, after: f64) -> f64 {
-        self.next_break_after(after)
+        self.excitation
+            .next_break(after)
+            .min(self.next_passing(after))
     }
 
     fn event_count(&self) -> usize {
-        self.balls_that_lift_off + self.passing_event_count()
+        self.elements.balls_that_lift_off + self.passing_event_count()
     }
 
     fn events(&self, time: f64, state: &[f64], values: &mut [f64]) {
         let rotation = self.rotation(time, state);
-        let (balls, kinks) = values.split_at_mut(self.balls_that_lift_off);
-        self.lift_off_distances(&rotation, &state[..self.dofs()], balls);
+        let (balls, kinks) = values.split_at_mut(self.elements.balls_that_lift_off);
+        self.lift_off_distances(&self.instant(state, &rotation), balls);
         self.passing_distances(&rotation, kinks);
     }
 
     fn force_jump(&self, event: usize, time: f64, distance: f64, rate: &mut [f64]) {
         // the speed that a drive is meant for: a bound does not ask for more
-        let speed = match self.drive {
-            None => self.speed.at(time).speed,
-            Some(_) => self.highest_speed(),
+        let speed = match self.is_driven() {
+            false => self.excitation.speed.at(time).speed,
+            true => self.highest_speed(),
         };
-        match event.checked_sub(self.balls_that_lift_off) {
+        match event.checked_sub(self.elements.balls_that_lift_off) {
             None => self.lift_off_jump(event, speed, distance, rate),
             Some(kink) => self.passing_jump(kink, speed, distance, rate),
         }
     }
 
     fn event_exponent(&self, event: usize) -> f64 {
-        let bearing = match event.checked_sub(self.balls_that_lift_off) {
+        let bearing = match event.checked_sub(self.elements.balls_that_lift_off) {
             None => self.bearing_of_ball(event),
             Some(kink) => self.bearing_of_kink(kink),
         };
@@ -93,25 +95,25 @@ impl Rotor {
 
     /// Whether more than the motion is integrated.
     pub(super) fn is_augmented(&self) -> bool {
-        self.energy || self.drive.is_some()
+        self.energy || self.is_driven()
     }
 
     /// Whether the forces of all bearings are linear in displacement and rate, with coefficients that do not change.
     pub(crate) fn is_linear(&self) -> bool {
         let linear = |support: &Support| !support.follows_cage() && !support.is_damped();
-        !self.is_augmented() && self.supports.iter().all(linear)
+        !self.is_augmented() && self.elements.supports().all(linear)
     }
 
     /// Index of the first work among the states.
     pub(super) fn first_work(&self) -> usize {
-        2 * self.dofs() + if self.drive.is_some() { 2 } else { 0 }
+        2 * self.dofs() + if self.is_driven() { 2 } else { 0 }
     }
 
     /// Angle and speed in a state at a time; the acceleration of a driven shaft is not known before its moments are.
     #[inline(always)]
     pub(super) fn rotation(&self, time: f64, state: &[f64]) -> Rotation {
-        match self.drive {
-            None => self.speed.at(time),
+        match self.excitation.drive {
+            None => self.excitation.speed.at(time),
             Some(_) => Rotation {
                 angle: state[2 * self.dofs()],
                 speed: state[2 * self.dofs() + 1],
@@ -121,13 +123,13 @@ impl Rotor {
     }
 
     /// State at t = 0: coordinates that do not belong to the shaft start where its own start from, at rest.
-    pub(crate) fn start(&self) -> Vec<f64> {
+    pub(crate) fn start_state(&self) -> Vec<f64> {
         let (dofs, mut state) = (self.dofs(), vec![0.0; self.states()]);
-        if self.starts_from == InitialPosition::Equilibrium {
-            state[..dofs].copy_from_slice(&self.rest[..dofs]);
+        if self.start.from == InitialPosition::Equilibrium {
+            state[..dofs].copy_from_slice(&self.start.rest[..dofs]);
         }
         // what is given moves the shaft from there as a rigid body
-        let [displacement, velocity] = &self.initial;
+        let [displacement, velocity] = &self.start.shaft;
         let from = self.displacement(&state);
         let shaft = self.structure.shaft.coordinates;
         for (axis, motion) in self.structure.rigid_motions.iter().enumerate() {
@@ -143,7 +145,7 @@ impl Rotor {
             }
             state[shaft[axis]] = displacement[axis];
         }
-        if self.drive.is_some() {
+        if self.is_driven() {
             state[2 * dofs + 1] = self.speed();
         }
         state
@@ -167,20 +169,20 @@ impl Rotor {
     pub(crate) fn scaling(&self, scale: &MotionScale) -> Scaling {
         let (dofs, states) = (self.dofs(), self.states());
         // works: kinetic energy of the motion
-        let energy = self.shaft_mass * (scale.length * scale.frequency).powi(2);
+        let energy = self.structure.shaft_mass * (scale.length * scale.frequency).powi(2);
         let mut scaling = Scaling {
             origin: vec![0.0; states],
             scale: vec![energy; states],
             time: 1.0 / scale.frequency,
         };
-        scaling.origin[..dofs].copy_from_slice(&self.rest[..dofs]);
+        scaling.origin[..dofs].copy_from_slice(&self.start.rest[..dofs]);
         let rate = self.velocity_rate(scale);
         for dof in 0..dofs {
             let length = scale.length / self.structure.coordinates[dof].length(scale.arm);
             scaling.scale[dof] = length;
             scaling.scale[dofs + dof] = length * rate;
         }
-        if self.drive.is_some() {
+        if self.is_driven() {
             scaling.scale[2 * dofs] = 1.0;
             scaling.scale[2 * dofs + 1] = scale.frequency;
         }

@@ -23,13 +23,12 @@ impl Rotor {
     /// where the speed varies.
     pub fn tabulate(&mut self) -> Vec<Tabulation> {
         let Some(speed) = self.steady_from(0.0) else {
-            return vec![None; self.supports.len()];
+            return vec![None; self.elements.supports().count()];
         };
         let amplitudes = self.amplitude_estimate(speed);
-        let dofs = self.dofs();
-        let pairs = self.supports.iter_mut().zip(&self.structure.attachments);
-        let compile = |(support, attachment): (&mut Support, &Attachment)| {
-            let position = attachment.displacement(&self.rest[..dofs], &self.rest);
+        let rest = &self.start.rest;
+        let compile = |(attachment, support): (&Attachment, &mut Support)| {
+            let position = attachment.displacement(rest, &[]);
             let amplitude = largest_amplitude(support, &attachment.reach(&amplitudes));
             let mut tabulation = None;
             for part in PARTS {
@@ -41,20 +40,21 @@ impl Rotor {
             }
             tabulation
         };
-        pairs.map(compile).collect()
+        self.elements.bearings_mut().map(compile).collect()
     }
 
     /// Whether [`Rotor::tabulate`] would compile the balls of any bearing.
     pub(crate) fn gains_from_tables(&self) -> bool {
-        self.steady_from(0.0).is_some() && self.supports.iter().any(Support::gains_from_table)
+        self.steady_from(0.0).is_some() && self.elements.supports().any(Support::gains_from_table)
     }
 
     /// Counts, for every bearing, whether a ball is outside its table in an observed state.
     pub(crate) fn count_outside_tables(&self, time: f64, state: &[f64], counts: &mut [u64]) {
-        let rotation = self.speed.at(time);
-        for ((bearing, seen), count) in self.bearings_at(&rotation).zip(counts) {
-            let displacement = bearing.displacement(&state[..self.dofs()]);
-            *count += u64::from(!bearing.support.is_inside_table(&displacement, &seen));
+        let rotation = self.excitation.speed.at(time);
+        let at = self.instant(state, &rotation);
+        for ((bearing, motion), count) in self.elements.bearings_at(&at).zip(counts) {
+            let (displacement, seen) = (&motion.displacement, &motion.rotation);
+            *count += u64::from(!bearing.support.is_inside_table(displacement, seen));
         }
     }
 }

@@ -82,7 +82,7 @@ pub fn check_constraints(
     definition: &RotorDefinition,
     rotor: &Rotor,
 ) -> Result<Vec<String>, UnconstrainedError> {
-    let free = &rotor.free;
+    let free = &rotor.start.free;
     let along = |axes: Vec<usize>| {
         let coordinates = &rotor.structure.coordinates;
         let names = axes.into_iter().map(|dof| coordinates[dof].name.as_str());
@@ -101,13 +101,13 @@ pub fn check_constraints(
         return Err(UnconstrainedError::Linear(all));
     }
     let undamped = along(free.undamped(&definition.damping));
-    if let Some(undamped) = undamped.filter(|_| !rotor.damped_by_later_balls) {
+    if let Some(undamped) = undamped.filter(|_| !rotor.start.damped_by_later_balls) {
         return Err(UnconstrainedError::Damping(undamped));
     }
     if let Some(lost) = along(free.without_start(definition, rotor)) {
         return Err(UnconstrainedError::Start(lost));
     }
-    let damping = match rotor.damped_by_later_balls {
+    let damping = match rotor.start.damped_by_later_balls {
         true => {
             "; its damping follows from the stiffness with the cages turned by half a ball spacing"
         }
@@ -209,8 +209,8 @@ impl FreeDirections {
 
 /// Stiffness of a loaded contact of these bearings, by its order of magnitude, N/m: that of one
 /// ball pressed in by a thousandth of the groove centre distance.
-pub(super) fn contact_stiffness(supports: &[Support]) -> f64 {
-    let stiffnesses = supports.iter().map(Support::contact_stiffness);
+pub(super) fn contact_stiffness<'a>(supports: impl IntoIterator<Item = &'a Support>) -> f64 {
+    let stiffnesses = supports.into_iter().map(Support::contact_stiffness);
     stiffnesses.fold(0.0, f64::max)
 }
 
@@ -218,8 +218,8 @@ impl Rotor {
     /// Where damping is to follow from a stiffness that is not there, and the cages roll on, it follows from the stiffness
     /// with the cages turned by half a ball spacing, if that holds the shaft.
     pub(super) fn damp_by_later_balls(&mut self, definition: &RotorDefinition) {
-        let undamped = |rotor: &Self| !rotor.free.undamped(&definition.damping).is_empty();
-        let rolls = definition.cage.turns() && self.speed.highest() > 0.0;
+        let undamped = |rotor: &Self| !rotor.start.free.undamped(&definition.damping).is_empty();
+        let rolls = definition.cage.turns() && self.excitation.speed.highest() > 0.0;
         if !rolls || !undamped(self) {
             return;
         }
@@ -227,33 +227,36 @@ impl Rotor {
         for bearing in &mut turned.bearings {
             bearing.first_ball += PI / bearing.bearing.geometry.balls() as f64;
         }
-        let structure = Structure::of(&turned).ok();
-        let turned = structure.and_then(|structure| Self::of_structure(structure, &turned).ok());
+        let structure = Structure::from_definition(&turned).ok();
+        let turned = structure.and_then(|structure| Self::from_structure(structure, &turned).ok());
         if let Some(turned) = turned.filter(|turned| !undamped(turned)) {
-            self.damping = turned.damping;
-            self.damped_by_later_balls = true;
+            self.linear.damping = turned.linear.damping;
+            self.start.damped_by_later_balls = true;
         }
     }
 
     /// Which degrees of freedom unbalance, varying loads and passing balls drive.
     fn driven(&self, contact: f64) -> Vec<bool> {
-        let turns = self.speed.highest() > 0.0;
+        let turns = self.excitation.speed.highest() > 0.0;
         let mut driven = vec![false; self.dofs()];
-        let unbalance = turns.then(|| self.unbalance_phasor(1.0));
-        let loads = self.load_vibrations(0.0).into_iter();
+        let unbalance = turns.then(|| self.excitation.unbalance_phasor(1.0, self.dofs()));
+        let loads = self
+            .excitation
+            .load_vibrations(0.0, self.dofs())
+            .into_iter();
         for force in unbalance.into_iter().chain(loads.map(|(_, force)| force)) {
             for (driven, part) in driven.iter_mut().zip(force.iter()) {
                 *driven |= *part != Complex::ZERO;
             }
         }
-        if turns && self.cage.turns() {
+        if turns && self.elements.cage.turns() {
             let nothing = NOTHING * contact * SMALL_DISPLACEMENT;
             for (driven, change) in driven.iter_mut().zip(self.passing_force().iter()) {
                 *driven |= *change > nothing;
             }
         }
         // gyroscopic moments turn one tilt into the other
-        let gyroscopic = &self.gyroscopic.entries;
+        let gyroscopic = &self.linear.gyroscopic.entries;
         let own = driven.clone();
         for (dof, driven) in driven.iter_mut().enumerate() {
             *driven |= (0..self.dofs()).any(|other| own[other] && gyroscopic[(dof, other)] != 0.0);

@@ -61,7 +61,7 @@ fn pass<'a>(
     settings: Settings,
     (stop, progress): (&'a AtomicBool, Option<&'a Progress>),
 ) -> Integration<'a> {
-    let (scaling, state) = (rotor.scaling(scale), rotor.start());
+    let (scaling, state) = (rotor.scaling(scale), rotor.start_state());
     Integration::new(rotor, scaling, grid, settings, stop, &state).watched(progress)
 }
 

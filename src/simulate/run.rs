@@ -192,7 +192,6 @@ impl StaticState {
             natural_frequencies: rotor.natural_frequencies(),
             bearings: rotor
                 .supports()
-                .iter()
                 .zip(rotor.bearing_states(rotor.speed()))
                 .map(|(support, state)| (support.known_balls() > 0).then_some(state))
                 .collect(),

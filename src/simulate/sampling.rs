@@ -94,13 +94,13 @@ pub(super) fn reported_speed(model: &Model, rotor: &Rotor) -> f64 {
 }
 
 pub(super) fn ball_pass(rotor: &Rotor, speed: f64) -> Vec<BallPass> {
-    let supports = rotor.supports().iter();
+    let supports = rotor.supports();
     supports.map(|support| support.ball_pass(speed)).collect()
 }
 
 /// Ball-pass frequencies at the nominal contact angles, without slip.
 pub(super) fn nominal_ball_pass(rotor: &Rotor, speed: f64) -> Vec<BallPass> {
-    let supports = rotor.supports().iter();
+    let supports = rotor.supports();
     supports
         .map(|support| support.nominal_ball_pass(speed))
         .collect()
@@ -166,7 +166,6 @@ fn sources(model: &Model, rotor: &Rotor) -> Sources {
     let frequencies = |(simulated, nominal)| BearingFrequencies { simulated, nominal };
     let simulated = rotor
         .supports()
-        .iter()
         .map(|support| match support.follows_cage() {
             true => support.ball_pass(speed),
             // a stiffness matrix knows no balls
@@ -188,7 +187,7 @@ fn sources(model: &Model, rotor: &Rotor) -> Sources {
 
 /// What the surfaces of every bearing add to the lines.
 fn line_surfaces(rotor: &Rotor) -> Vec<LineSurfaces> {
-    rotor.supports().iter().map(LineSurfaces::new).collect()
+    rotor.supports().map(LineSurfaces::new).collect()
 }
 
 /// Bytes of what does not grow with the duration: program, page, figures, blocks of samples.

@@ -105,7 +105,7 @@ fn overdamped(definition: &RotorDefinition) -> Option<String> {
 /// What the bearings say of themselves at the static equilibrium and the highest speed.
 fn bearings(rotor: &Rotor) -> Vec<String> {
     let states = rotor.bearing_states(rotor.highest_speed());
-    let bearings = rotor.supports().iter().zip(states).enumerate();
+    let bearings = rotor.supports().zip(states).enumerate();
     let known = bearings.filter(|(_, (support, _))| support.known_balls() > 0);
     let texts = known.flat_map(|(index, (_, state))| {
         let number = index + 1;
@@ -150,12 +150,7 @@ fn inertia_left_out(rotor: &Rotor) -> Vec<String> {
             )
         })
     };
-    rotor
-        .supports()
-        .iter()
-        .enumerate()
-        .filter_map(fast)
-        .collect()
+    rotor.supports().enumerate().filter_map(fast).collect()
 }
 
 fn stiff(stiffness: &Stiffness) -> String {

@@ -20,6 +20,7 @@
 
 use std::f64::consts::TAU;
 
+use nalgebra::DMatrix;
 use serde::Serialize;
 
 use super::Fidelity;
@@ -27,7 +28,9 @@ use crate::bearing::{
     BearingRotation, ContactLaw, Geometry, Matrix5, MountedBearing, Support, Vector5,
 };
 use crate::keys;
-use crate::rotor::{FREEDOMS, Rotor, RotorDefinition, RotorError, build_supports, static_place};
+use crate::rotor::{
+    Attachment, FREEDOMS, Rotor, RotorDefinition, RotorError, build_supports, static_place,
+};
 
 /// What a scene lets the program choose.
 #[derive(Debug, Clone, PartialEq)]
@@ -219,6 +222,8 @@ const CAGE_POSITIONS: usize = 4;
 /// The bearings under some law.
 struct Candidate {
     supports: Vec<Support>,
+    /// Where they sit on the shaft, taken as rigid.
+    attachments: Vec<Attachment>,
     /// Where linear bearings are frozen, and the speed there.
     frozen: (Vector5, f64),
 }
@@ -228,11 +233,13 @@ impl Candidate {
         let mut supports = build_supports(rotor)?;
         let found = static_place(rotor, &supports, false, &[None; FREEDOMS])?;
         let position = found.equilibrium.displacement;
-        for support in &mut supports {
-            support.freeze(&position, rotor.speed);
+        let attachments = rotor.rigid_attachments();
+        for (support, attachment) in supports.iter_mut().zip(&attachments) {
+            support.freeze(&attachment.displacement(&position, &[]), rotor.speed);
         }
         Ok(Self {
             supports,
+            attachments,
             frozen: (position, rotor.speed),
         })
     }
@@ -245,24 +252,27 @@ impl Candidate {
     /// Force and stiffness of all bearings, the cages turned by a part of their ball spacing.
     fn tangent(&self, position: &Vector5, part: f64, speed: f64) -> (Vector5, Matrix5) {
         let mut force = [0.0; FREEDOMS];
-        let mut stiffness = Matrix5::zeros();
-        for support in &self.supports {
+        let mut stiffness = DMatrix::zeros(FREEDOMS, FREEDOMS);
+        for (support, attachment) in self.supports.iter().zip(&self.attachments) {
             let definition = support.definition();
             let balls = definition.bearing.geometry.balls() as f64;
             let rotation = BearingRotation::at_start(speed).with_cage_at(part * TAU / balls);
-            let own = support.force(position, &rotation);
-            for (sum, own) in force.iter_mut().zip(own) {
-                *sum += own;
-            }
-            stiffness += if definition.law == ContactLaw::Linear {
+            let own = support.force(&attachment.displacement(position, &[]), &rotation);
+            attachment.add_force(1.0, &own, &mut force);
+            let (position, rotation) = if definition.law == ContactLaw::Linear {
                 let (position, speed) = &self.frozen;
-                let start = BearingRotation::at_start(*speed);
-                support.tangent(position, &start).stiffness
+                (position, BearingRotation::at_start(*speed))
             } else {
-                support.tangent(position, &rotation).stiffness
+                (position, rotation)
             };
+            let displacement = attachment.displacement(position, &[]);
+            let own = support.tangent(&displacement, &rotation);
+            attachment.add_stiffness(&own.stiffness, &mut stiffness);
         }
-        (force, stiffness)
+        (
+            force,
+            Matrix5::from_fn(|row, column| stiffness[(row, column)]),
+        )
     }
 }
 
@@ -383,13 +393,16 @@ impl Point {
         let (_, stiffness) = top.tangent(&middle, 0.0, speed);
         let diagonal = |&axis: &usize| stiffness[(axis, axis)] / lever(axis, arm).powi(2);
         let change = reach * largest(active.iter().map(diagonal));
-        let bears = |support: &Support| {
-            let force = support.force(&middle, &BearingRotation::at_start(speed));
+        let bears = |(support, attachment): (&Support, &Attachment)| {
+            let displacement = attachment.displacement(&middle, &[]);
+            let mut force = [0.0; FREEDOMS];
+            let own = support.force(&displacement, &BearingRotation::at_start(speed));
+            attachment.add_force(1.0, &own, &mut force);
             largest((0..FREEDOMS).map(|axis| force[axis] / lever(axis, arm)))
         };
         Ok(Self {
             speed,
-            force: largest(top.supports.iter().map(bears)).max(change),
+            force: largest(top.supports.iter().zip(&top.attachments).map(bears)).max(change),
             change,
             positions: around(middle, reach, active, arm),
             reach,

@@ -380,7 +380,7 @@ fn the_trace_of_balls_has_four_columns_a_ball_and_reads_back_bit_by_bit() {
     definition.bearings = vec![linear, mounted(without_clearance("6305"))];
     let rotor = Rotor::assemble(&definition).unwrap();
     let mut contacts = rotor.ball_contacts();
-    let mut state = rotor.start();
+    let mut state = rotor.start_state();
     state[rotor.freedoms().axes().len()..].fill(0.0);
     let sample = rotor.sample(0.0, &state, &mut contacts);
     let mut csv = CsvTable::new(Vec::new(), &ball_columns(&contacts)).unwrap();

@@ -41,26 +41,25 @@ impl Support {
         let rotation = BearingRotation::at_start(speed);
         let assessment = Assessment {
             support: self,
-            place: self.ring_displacement(displacement, &rotation),
+            place: self.settled(displacement, &rotation),
             rotation,
             cage: self.cage_at(motion, Some(displacement), speed),
         };
         assessment.state()
     }
 
-    /// What a ball at each of `positions` azimuths from +X on would bear with the shaft at
-    /// `displacement`, or, where `None`, what every ball bears with the cage where it starts.
+    /// What a ball at each of `positions` azimuths from +X on would bear with the inner ring at `place`, its displacement
+    /// from the outer one, or, where `None`, what every ball bears with the cage where it starts.
     pub(crate) fn around(
         &self,
-        displacement: &Vector5,
+        place: &Vector5,
         speed: f64,
         positions: Option<usize>,
     ) -> Vec<Around> {
         let rotation = BearingRotation::at_start(speed);
-        let place = self.ring_displacement(displacement, &rotation);
         let free = self.definition.bearing.geometry.groove_centre_distance();
         let at = |azimuth, number| {
-            let ball = self.ring.ball_at(&place, azimuth, number, &rotation);
+            let ball = self.ring.ball_at(place, azimuth, number, &rotation);
             Around {
                 azimuth,
                 deformation: ball.axial.hypot(ball.radial) - free,

@@ -15,7 +15,7 @@ impl Support {
         self.damped.is_some()
     }
 
-    /// Force as by [`Support::force`], and force and moment that move the shaft at `velocity` against the damping of
+    /// Force as by [`Support::force`], and force and moment that move the inner ring at `velocity` against the damping of
     /// the contacts.
     pub(crate) fn damped_force(
         &self,
@@ -26,44 +26,43 @@ impl Support {
         let Some(coefficients) = self.damped else {
             return [self.force(displacement, rotation), [0.0; 5]];
         };
-        let (imposed, rate) = (self.imposed(displacement), self.imposed(velocity));
-        let forces = match &self.frozen {
+        match &self.frozen {
             Some(linear) => [
-                linear.force(imposed),
-                (linear.damping * nalgebra::SVector::from(rate)).into(),
+                linear.force(*displacement),
+                (linear.damping * nalgebra::SVector::from(*velocity)).into(),
             ],
             None => {
-                let rate = seen_from_cage(&imposed, &rate, rotation);
-                self.local_damped_force(coefficients, &imposed, &rate, rotation)
+                let rate = seen_from_cage(displacement, velocity, rotation);
+                self.force_at_cage_rate(coefficients, displacement, &rate, rotation)
             }
-        };
-        forces.map(|force| self.on_shaft(&force))
+        }
     }
 
     /// Derivative of the damping force by the rate, at rest.
-    pub(super) fn damping_at(&self, imposed: &Vector5, rotation: &BearingRotation) -> Matrix5 {
+    pub(super) fn damping_at(&self, displacement: &Vector5, rotation: &BearingRotation) -> Matrix5 {
         let mut damping = Matrix5::zeros();
         if let Some(coefficients) = self.damped {
             for column in 0..5 {
                 let mut rate = [0.0; 5];
                 rate[column] = SLOW;
-                let [_, force] = self.local_damped_force(coefficients, imposed, &rate, rotation);
+                let [_, force] =
+                    self.force_at_cage_rate(coefficients, displacement, &rate, rotation);
                 damping.set_column(column, &(nalgebra::SVector::from(force) / SLOW));
             }
         }
         damping
     }
 
-    /// Both forces in the bearing's own orientation at a rate that is seen from the cage.
-    fn local_damped_force(
+    /// Both forces at a rate that is seen from the cage.
+    fn force_at_cage_rate(
         &self,
         coefficients: [f64; 2],
-        imposed: &Vector5,
+        displacement: &Vector5,
         rate: &Vector5,
         rotation: &BearingRotation,
     ) -> [Vector5; 2] {
         let (ring, law) = (&self.ring, &self.law);
-        let (place, rate, follows) = self.followed(imposed, rate, rotation);
+        let (place, rate, follows) = self.followed(displacement, rate, rotation);
         let [elastic, damping] = in_wide_registers!(ring.level, simd => {
             let motion = [side_by_side(simd, &place), side_by_side(simd, &rate)];
             with_law!(law, law => match ring.surfaces {
@@ -81,28 +80,27 @@ impl Support {
         }
     }
 
-    /// Place of the inner ring, and its rate as seen from the cage, in the bearing's own orientation.
+    /// Place of the inner ring, and its rate as seen from the cage.
     pub(super) fn ring_motion(
         &self,
         [displacement, velocity]: [&Vector5; 2],
         rotation: &BearingRotation,
     ) -> [Vector5; 2] {
-        let (imposed, rate) = (self.imposed(displacement), self.imposed(velocity));
-        let rate = seen_from_cage(&imposed, &rate, rotation);
-        let (place, rate, _) = self.followed(&imposed, &rate, rotation);
+        let rate = seen_from_cage(displacement, velocity, rotation);
+        let (place, rate, _) = self.followed(displacement, &rate, rotation);
         [place, rate]
     }
 
-    /// Place of the inner ring, its rate, and the derivative of its displacement by what the shaft imposes, where that is
-    /// not the identity; the rates are seen from the cage.
+    /// Place of the inner ring, its rate, and the derivative of its displacement by that of its place on the shaft, where
+    /// that is not the identity; the rates are seen from the cage.
     #[inline(always)]
     fn followed(
         &self,
-        imposed: &Vector5,
+        displacement: &Vector5,
         rate: &Vector5,
         rotation: &BearingRotation,
     ) -> (Vector5, Vector5, Option<Matrix5>) {
-        let place = self.settled(imposed, rotation);
+        let place = self.settled(displacement, rotation);
         let follows = self.seat.follows(|| self.ring_tangent(&place, rotation).1);
         let rate = match &follows {
             None => *rate,
@@ -112,8 +110,8 @@ impl Support {
     }
 }
 
-/// The rate of what is imposed in the frame that turns with the cage.
-fn seen_from_cage(imposed: &Vector5, rate: &Vector5, rotation: &BearingRotation) -> Vector5 {
-    let turn = quarter_turn(imposed);
+/// The rate of a displacement in the frame that turns with the cage.
+fn seen_from_cage(displacement: &Vector5, rate: &Vector5, rotation: &BearingRotation) -> Vector5 {
+    let turn = quarter_turn(displacement);
     std::array::from_fn(|axis| rate[axis] - rotation.cage_speed * turn[axis])
 }

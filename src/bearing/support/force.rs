@@ -11,10 +11,10 @@ use crate::bearing::ring::{in_registers, quarter_turn, side_by_side};
 use crate::bearing::{BallLoads, BearingRotation};
 use crate::registers::in_wide_registers;
 
-/// The force of a bearing on a displaced shaft and its slopes.
+/// The force of a bearing at a displacement and its slopes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tangent {
-    /// Force and moment that hold the shaft, N and N m.
+    /// Force and moment that hold the inner ring, N and N m.
     pub force: Vector5,
     /// K = ∂F/∂q.
     pub stiffness: Matrix5,
@@ -23,7 +23,7 @@ pub struct Tangent {
 }
 
 impl Support {
-    /// Force and moment that hold the shaft at `displacement` against this bearing.
+    /// Force and moment that hold the inner ring at a displacement.
     pub(crate) fn force(&self, displacement: &Vector5, rotation: &BearingRotation) -> Vector5 {
         in_wide_registers!(self.ring.level, simd => self.force_by(simd, displacement, rotation))
     }
@@ -36,27 +36,27 @@ impl Support {
         displacement: &Vector5,
         rotation: &BearingRotation,
     ) -> Vector5 {
-        let force = match (&self.frozen, self.seat) {
+        match (&self.frozen, self.seat) {
             (None, Seat::Fixed { offset }) => {
-                let [x, y, z, tilt_x, tilt_y] = self.imposed(&side_by_side(simd, displacement));
+                let [x, y, z, tilt_x, tilt_y] = *displacement;
                 let place = [x, y, z + offset, tilt_x, tilt_y];
-                match (&self.law, self.table_over(displacement, offset, rotation)) {
+                let table = self.table_at(&place, rotation.speed);
+                let place = side_by_side(simd, &place);
+                match (&self.law, table) {
                     (_, Some(table)) => self.ring.force_by(simd, table, &place, rotation),
                     (Law::Hertz(law), None) => self.ring.force_by(simd, law, &place, rotation),
                     _ => in_registers(self.settled_force(in_registers(*displacement), rotation)),
                 }
             }
-            (Some(linear), _) => in_registers(linear.force(self.imposed(displacement))),
+            (Some(linear), _) => in_registers(linear.force(*displacement)),
             _ => in_registers(self.settled_force(in_registers(*displacement), rotation)),
-        };
-        self.on_shaft(&force)
+        }
     }
 
-    /// The force of the balls in the bearing's own orientation, whatever their law and seat. Out of line, so
-    /// that cheap laws stay in registers.
+    /// The force of the balls, whatever their law and seat. Out of line, so that cheap laws stay in registers.
     #[inline(never)]
     fn settled_force(&self, displacement: Vector5, rotation: &BearingRotation) -> Vector5 {
-        let place = self.ring_displacement(&displacement, rotation);
+        let place = self.settled(&displacement, rotation);
         with_law!(&self.law, law => self.ring.force(law, &place, rotation))
     }
 
@@ -65,28 +65,26 @@ impl Support {
     /// On perfect races turning the cage is turning the displacement back and the force forth:
     /// `∂F/∂ψ_c = S F − K S q` with S the generator of rotations about Z.
     pub(crate) fn tangent(&self, displacement: &Vector5, rotation: &BearingRotation) -> Tangent {
-        let imposed = self.imposed(displacement);
         let (force, stiffness, by_cage_angle) = match &self.frozen {
-            Some(linear) => (linear.force(imposed), linear.stiffness, [0.0; 5]),
+            Some(linear) => (linear.force(*displacement), linear.stiffness, [0.0; 5]),
             None => {
-                let place = self.settled(&imposed, rotation);
+                let place = self.settled(displacement, rotation);
                 let (force, stiffness) = match self.table_at(&place, rotation.speed) {
                     Some(table) => self.ring.force_and_stiffness(table, &place, rotation),
                     None => self.ring_tangent(&place, rotation),
                 };
                 let stiffness = self.seat.condense(stiffness);
                 // S F − K S q
-                let turned = stiffness * nalgebra::SVector::from(quarter_turn(&imposed));
+                let turned = stiffness * nalgebra::SVector::from(quarter_turn(displacement));
                 let turning = quarter_turn(&force);
                 let by_cage_angle = std::array::from_fn(|axis| turning[axis] - turned[axis]);
                 (force, stiffness, by_cage_angle)
             }
         };
-        let transform = self.transform();
         Tangent {
-            force: self.on_shaft(&force),
-            stiffness: transform.transpose() * stiffness * transform,
-            by_cage_angle: self.on_shaft(&by_cage_angle),
+            force,
+            stiffness,
+            by_cage_angle,
         }
     }
 
@@ -101,25 +99,23 @@ impl Support {
         if self.frozen.is_some() {
             return self.force(displacement, rotation);
         }
-        let place = self.ring_displacement(displacement, rotation);
-        let force = with_law!(&self.law, law => self.ring.loads(law, &place, rotation, loads));
-        self.on_shaft(&force)
+        let place = self.settled(displacement, rotation);
+        with_law!(&self.law, law => self.ring.loads(law, &place, rotation, loads))
     }
 
-    /// Energy in J that the contacts store with the shaft at `displacement`: of a linear bearing that
+    /// Energy in J that the contacts store at a displacement: of a linear bearing that
     /// of its frozen force, zero where it was frozen; of a floating ring less the work of its spring.
     ///
     /// Its derivative by the displacement is [`Support::force`] where the law has a potential: under
     /// every law without ball inertia.
     pub(crate) fn stored_energy(&self, displacement: &Vector5, rotation: &BearingRotation) -> f64 {
-        let imposed = self.imposed(displacement);
         if let Some(linear) = &self.frozen {
-            return linear.energy(&imposed);
+            return linear.energy(displacement);
         }
-        let (place, films) = (self.settled(&imposed, rotation), self.films.as_ref());
+        let (place, films) = (self.settled(displacement, rotation), self.films.as_ref());
         let contacts =
             with_law!(&self.law, law => self.ring.stored_energy(law, films, &place, rotation));
-        contacts + self.seat.stored_energy(&imposed, &place)
+        contacts + self.seat.stored_energy(displacement, &place)
     }
 
     /// Whether the force is the derivative of [`Support::stored_energy`], the speed being steady or
@@ -128,38 +124,32 @@ impl Support {
         self.frozen.is_some() || self.law.has_potential(steady)
     }
 
-    /// Replaces the force by its tangent at `displacement` of the shaft where the law is linear.
+    /// Replaces the force by its tangent at a displacement where the law is linear.
     pub(crate) fn freeze(&mut self, displacement: &Vector5, speed: f64) {
         if self.definition.law == ContactLaw::Linear {
-            let (origin, rotation) = (self.imposed(displacement), BearingRotation::at_start(speed));
-            let place = self.settled(&origin, &rotation);
+            let rotation = BearingRotation::at_start(speed);
+            let place = self.settled(displacement, &rotation);
             let (force, stiffness) = self.ring_tangent(&place, &rotation);
             self.frozen = Some(LinearForce {
-                origin,
+                origin: *displacement,
                 force,
                 stiffness: self.seat.condense(stiffness),
-                damping: self.damping_at(&origin, &rotation),
+                damping: self.damping_at(displacement, &rotation),
             });
         }
     }
 
-    /// Displacement of the inner ring from the outer one, in the bearing's own orientation.
-    pub(super) fn ring_displacement(
+    /// Displacement of the inner ring from the outer one where the seat has put this by the imposed displacement.
+    pub(in crate::bearing) fn settled(
         &self,
         displacement: &Vector5,
         rotation: &BearingRotation,
     ) -> Vector5 {
-        self.settled(&self.imposed(displacement), rotation)
-    }
-
-    /// Displacement of the inner ring from the outer one under what the shaft imposes.
-    pub(super) fn settled(&self, imposed: &Vector5, rotation: &BearingRotation) -> Vector5 {
         self.seat
-            .settle(imposed, |place| self.ring_tangent(place, rotation))
+            .settle(displacement, |place| self.ring_tangent(place, rotation))
     }
 
-    /// Force of the balls under the exact law and its derivative with the inner ring at `place`, in the bearing's own
-    /// orientation.
+    /// Force of the balls under the exact law and its derivative with the inner ring at `place`.
     pub(super) fn ring_tangent(
         &self,
         place: &Vector5,

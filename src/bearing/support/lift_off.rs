@@ -29,7 +29,7 @@ impl Support {
         rotation: &BearingRotation,
         past: &mut [f64],
     ) {
-        let place = self.ring_displacement(displacement, rotation);
+        let place = self.settled(displacement, rotation);
         match self.table_at(&place, rotation.speed) {
             Some(table) => self.ring.past_lift_offs(table, &place, rotation, past),
             None => with_law!(&self.law, law => {
@@ -38,7 +38,7 @@ impl Support {
         }
     }
 
-    /// Whether any ball comes to its lift-off as the shaft moves by the distance of two displacements about the first
+    /// Whether any ball comes to its lift-off as the inner ring moves by the distance of two displacements about the first
     /// of them, at a speed in rad/s: at the start's position of the cage, or, where the cage turns, at any, and between
     /// two neighbouring ones where a ball is pressed at one and not at the other.
     ///
@@ -52,7 +52,7 @@ impl Support {
         if self.balls_that_lift_off() == 0 {
             return false;
         }
-        let [mut from, mut to] = [place, reached].map(|displacement| self.imposed(displacement));
+        let (mut from, mut to) = (*place, *reached);
         if matches!(self.seat, Seat::Spring { .. }) {
             (from[2], to[2]) = (0.0, 0.0);
         }
@@ -74,12 +74,12 @@ impl Support {
         })
     }
 
-    /// Largest approach that any ball has without inertia and film with the shaft at `displacement`, at any angle of the
+    /// Largest approach that any ball has without inertia and film at a displacement, at any angle of the
     /// cage, m. A bound, which a ball comes to where the ring tilts towards the side to which it is shifted.
     ///
     /// `δ = hypot(|A1|, A2) − A` with the largest A1 and A2 around the ring.
     pub(crate) fn hertz_approach(&self, displacement: &Vector5, rotation: &BearingRotation) -> f64 {
-        let place = self.ring_displacement(displacement, rotation);
+        let place = self.settled(displacement, rotation);
         let [axial, radial] = self.ring.amplitudes(&place);
         let [along, across] = [axial, radial].map(|[middle, square]| middle.abs() + square.sqrt());
         let apart = self.definition.bearing.geometry.groove_centre_distance();

@@ -19,7 +19,6 @@ pub(crate) use contact_band::ContactBand;
 use super::bearing_friction::BearingFriction;
 use super::cage::Cage;
 use super::law::{BallTable, Law};
-use super::number::Number;
 use super::seat::Seat;
 use super::{
     BearingError, CageJitter, ContactLaw, FrictionMoment, Geometry, Matrix5, MountedBearing,
@@ -27,15 +26,11 @@ use super::{
 };
 use linear_force::LinearForce;
 
-/// A bearing at its place on the rigid shaft, ready to answer with forces.
+/// A mounted bearing, ready to answer with forces.
 ///
-/// Orientation s and position a map the shaft's displacement q to the bearing's own:
-///
-/// ```text
-/// x + a θy,  y − a θx,  s z (+ the seat's offset),  s θx,  s θy
-/// ```
-///
-/// and the force back by virtual work.
+/// Displacements are those that shaft and housing impose: of the inner ring's place from the outer one's. Forces are those
+/// on the inner ring. Both are in the bearing's own orientation, in which a positive axial force loads it: where it sits on
+/// the shaft, and which way it faces, is known to the shaft alone.
 #[derive(Debug, Clone)]
 pub struct Support {
     pub(super) ring: Ring,
@@ -57,7 +52,6 @@ pub struct Support {
     /// Set once the bearing is linear.
     frozen: Option<LinearForce>,
     pub(super) definition: MountedBearing,
-    sign: f64,
 }
 
 impl Support {
@@ -94,7 +88,6 @@ impl Support {
             cage_jitter: CageJitter::new(&imperfections.cage_steps, geometry.balls()),
             frozen: None,
             definition: definition.clone(),
-            sign: definition.facing.sign(),
         };
         support.turn_with(cage);
         Ok(support)
@@ -102,9 +95,16 @@ impl Support {
 
     /// Largest value of a dimension among the bearings of a shaft, m; 10 mm where none has balls: it makes numbers of
     /// displacements, and any length does.
-    pub(crate) fn largest(supports: &[Self], dimension: fn(&Geometry) -> f64) -> f64 {
+    pub(crate) fn largest<'a>(
+        supports: impl IntoIterator<Item = &'a Self>,
+        dimension: fn(&Geometry) -> f64,
+    ) -> f64 {
         let own = |support: &Self| dimension(&support.definition.bearing.geometry);
-        supports.iter().map(own).reduce(f64::max).unwrap_or(0.01)
+        supports
+            .into_iter()
+            .map(own)
+            .reduce(f64::max)
+            .unwrap_or(0.01)
     }
 
     /// The bearing as it was defined.
@@ -145,9 +145,9 @@ impl Support {
         }
     }
 
-    /// Axial shaft displacement at which the races of this bearing are axially centred, m.
+    /// Axial displacement at which the races of this bearing are axially centred, m.
     pub(crate) fn centred_axial(&self) -> f64 {
-        self.sign * (-self.definition.bearing.geometry.free_axial() - self.seat.offset())
+        -self.definition.bearing.geometry.free_axial() - self.seat.offset()
     }
 
     /// Whether the balls go round with the cage: those of a linear bearing are frozen.
@@ -167,36 +167,5 @@ impl Support {
     /// Friction moment under a force of the shaft onto this bearing in N at a speed in rad/s.
     pub(crate) fn friction_moment(&self, force: &Vector5, speed: f64) -> FrictionMoment {
         self.friction.moment(force, speed)
-    }
-
-    /// What the shaft's displacement imposes on the inner ring.
-    #[inline(always)]
-    fn imposed<T: Number>(&self, displacement: &[T; 5]) -> [T; 5] {
-        let (s, a) = (self.sign, self.definition.position);
-        let [x, y, z, tilt_x, tilt_y] = *displacement;
-        [
-            x + tilt_y * a,
-            y - tilt_x * a,
-            z * s,
-            tilt_x * s,
-            tilt_y * s,
-        ]
-    }
-
-    /// Force on the inner ring as one on the shaft.
-    #[inline(always)]
-    fn on_shaft(&self, force: &Vector5) -> Vector5 {
-        let (s, a) = (self.sign, self.definition.position);
-        let [f_x, f_y, f_z, m_x, m_y] = *force;
-        [f_x, f_y, s * f_z, s * m_x - a * f_y, s * m_y + a * f_x]
-    }
-
-    /// ∂(local displacement)/∂(shaft displacement).
-    fn transform(&self) -> Matrix5 {
-        let (s, a) = (self.sign, self.definition.position);
-        let mut transform = Matrix5::from_diagonal(&[1.0, 1.0, s, s, s].into());
-        transform[(0, 4)] = a;
-        transform[(1, 3)] = -a;
-        transform
     }
 }

@@ -11,7 +11,7 @@ const AZIMUTHS: usize = 72;
 
 impl Support {
     /// Compiles the law of the balls into a table for motions at `speed` in rad/s that stay within
-    /// `amplitude` of `displacement`, both in m and rad of the shaft. The forces of [`Support::force`]
+    /// `amplitude` of `displacement`, both in m and rad. The forces of [`Support::force`]
     /// then differ by no more than `tolerance` times the largest ball load at `displacement` a
     /// ball; further out and at other speeds they are exact, and slow.
     ///
@@ -33,9 +33,9 @@ impl Support {
         if self.is_imperfect() {
             return Some(Err(TableError::Imperfect));
         }
-        let place = self.ring_displacement(displacement, &BearingRotation::at_start(speed));
+        let place = self.settled(displacement, &BearingRotation::at_start(speed));
         let region = self.ball_region(&place, amplitude);
-        let around = self.around(displacement, speed, Some(AZIMUTHS));
+        let around = self.around(&place, speed, Some(AZIMUTHS));
         let loads = around.iter().map(|ball| ball.contact.load_inner);
         let load = loads.fold(0.0, f64::max);
         let compiled = with_law!(&self.law, law => {
@@ -58,41 +58,27 @@ impl Support {
         self.may_gain_from_table() && !self.is_imperfect()
     }
 
-    /// The table where it covers every ball with the shaft at `displacement` and the inner ring preset axially by an
-    /// offset in m, at any angle of the cage.
-    #[inline(always)]
-    pub(super) fn table_over(
-        &self,
-        displacement: &Vector5,
-        offset: f64,
-        rotation: &BearingRotation,
-    ) -> Option<&BallTable> {
-        // looked at first: most bearings have none
-        self.table.as_deref()?;
-        let [x, y, z, tilt_x, tilt_y] = self.imposed(displacement);
-        self.table_at(&[x, y, z + offset, tilt_x, tilt_y], rotation.speed)
-    }
-
-    /// The table where it covers every ball with the inner ring at `place`.
+    /// The table where it covers every ball with the inner ring at `place`, at any angle of the cage.
     #[inline(always)]
     pub(super) fn table_at(&self, place: &Vector5, speed: f64) -> Option<&BallTable> {
+        // looked at first: most bearings have none
         let table = self.table.as_deref()?;
         let [axial, radial] = self.ring.amplitudes(place);
         table.covers_around(axial, radial, speed).then_some(table)
     }
 
-    /// Whether the forces with the shaft at `displacement` come from a table; so they do where
+    /// Whether the forces at a displacement come from a table; so they do where
     /// there is none.
     pub(crate) fn is_inside_table(
         &self,
         displacement: &Vector5,
         rotation: &BearingRotation,
     ) -> bool {
-        let place = || self.ring_displacement(displacement, rotation);
+        let place = || self.settled(displacement, rotation);
         self.table.is_none() || self.table_at(&place(), rotation.speed).is_some()
     }
 
-    /// Where balls come, whatever their azimuth, with the shaft within `amplitude` of the ring's `place`.
+    /// Where balls come, whatever their azimuth, with the inner ring within `amplitude` of the ring's `place`.
     fn ball_region(&self, place: &Vector5, amplitude: &Vector5) -> BallRegion {
         let geometry = &self.definition.bearing.geometry;
         let [x, y, z, tilt_x, tilt_y] = *place;
@@ -100,7 +86,7 @@ impl Support {
         let arm = geometry.inner_groove_radius();
         let least = LEAST_AMPLITUDE * geometry.groove_centre_distance();
         let axial = arm * (tilt_x.hypot(tilt_y) + tilting) + amplitude[2].max(least);
-        let lateral = amplitude[0].hypot(amplitude[1]) + self.definition.position.abs() * tilting;
+        let lateral = amplitude[0].hypot(amplitude[1]);
         let radial = x.hypot(y) + lateral.max(least);
         let around = |middle: f64, half: f64| [middle - half, middle + half];
         BallRegion {

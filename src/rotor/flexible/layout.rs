@@ -2,12 +2,12 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::mesh::{FlexibleShaft, PointUnbalance, ShaftError};
+use super::mesh::{FlexibleShaft, ShaftError};
 use super::reduction::ReducedShaft;
-use crate::bearing::MountedBearing;
-use crate::rotor::point::{Attachment, Place, Point};
-use crate::rotor::structure::{Coordinate, CoordinateKind, Structure, UnbalancedPoint};
-use crate::rotor::{FREEDOMS, LinearBearing, Load, PlaneUnbalance, RotorDefinition};
+use crate::rotor::coordinate::{Coordinate, CoordinateKind};
+use crate::rotor::point::Point;
+use crate::rotor::structure::{Matrices, Structure};
+use crate::rotor::{FREEDOMS, RotorDefinition};
 
 /// Frequency of the modes that are kept over that of the highest excitation.
 const HEADROOM: f64 = 3.0;
@@ -100,6 +100,45 @@ pub(in crate::rotor) struct Bending {
     pub planes: Vec<(usize, usize, f64)>,
     /// Deflections of the nodes by all coordinates: along x, and along y.
     pub deflections: [DMatrix<f64>; 2],
+    /// The points that are kept, the observed one first.
+    points: Vec<Point>,
+    /// Their positions from the left end, m.
+    positions: Vec<f64>,
+    /// Positions nearer than this are one, m.
+    same: f64,
+}
+
+impl Bending {
+    /// Position of the observed point, m.
+    pub fn observed(&self) -> f64 {
+        self.positions[0]
+    }
+
+    /// The point at a position in m; the observed one where none is kept there.
+    pub fn point_at(&self, position: f64) -> Point {
+        self.points[index_of(position, &self.positions, self.same).unwrap_or(0)]
+    }
+
+    /// Puts the coordinates into another order: the old index of each new one, and the new index of each old one.
+    pub fn arrange(&mut self, order: &[Option<usize>], places: &[usize]) {
+        for (first, second, _) in &mut self.planes {
+            (*first, *second) = (places[*first], places[*second]);
+        }
+        for point in &mut self.points {
+            point.coordinates = point.coordinates.map(|old| places[old]);
+        }
+        for deflections in &mut self.deflections {
+            *deflections = DMatrix::from_fn(deflections.nrows(), order.len(), |node, column| {
+                order[column].map_or(0.0, |old| deflections[(node, old)])
+            });
+        }
+    }
+}
+
+/// Index of the position that is one with another.
+fn index_of(position: f64, positions: &[f64], same: f64) -> Option<usize> {
+    let near = |own: &f64| (own - position).abs() < same;
+    positions.iter().position(near)
 }
 
 impl FlexibleShaft {
@@ -116,18 +155,11 @@ impl FlexibleShaft {
         let discs = discs.map(|disc| disc.position);
         let others = bearings.chain(linear).chain(loads).chain(unbalances);
         for position in others.chain(discs) {
-            if self.index_of(position, &points).is_none() {
+            if index_of(position, &points, self.same_position()).is_none() {
                 points.push(position);
             }
         }
         points
-    }
-
-    fn index_of(&self, position: f64, points: &[f64]) -> Option<usize> {
-        let same = self.same_position();
-        points
-            .iter()
-            .position(|point| (point - position).abs() < same)
     }
 
     fn reduction(
@@ -146,7 +178,7 @@ impl FlexibleShaft {
 }
 
 impl Structure {
-    /// That of a shaft that bends, on bearings that stand on the ground.
+    /// That of a shaft that bends, by itself.
     ///
     /// # Errors
     /// [`ShaftError`] where positions lie beyond the shaft or it cannot be reduced.
@@ -161,70 +193,53 @@ impl Structure {
             modes: reduction.modes,
             axial: definition.shaft.freedoms.moves(2),
         };
-        let at = |position: f64| layout.point(shaft.index_of(position, &points).unwrap_or(0));
         let plane = &reduction.plane;
         let mut mass = layout.both(&plane.mass);
         mass[(layout.z(), layout.z())] = shaft.mass();
         let elastic = layout.both(&plane.stiffness);
         let internal_damping = &elastic * shaft.internal_damping;
-        let placed = |position: f64| Attachment {
-            inner: at(position),
-            outer: None,
-        };
-        let linear = |own: &LinearBearing| {
-            own.attached(placed(own.position), 0.0, own.position - shaft.observed)
-        };
-        let balls = |bearing: &MountedBearing| placed(bearing.position);
-        let carried = |load: &Load| Place {
-            point: at(load.position),
-            arm: 0.0,
-        };
-        let unbalanced = |own: &PointUnbalance| {
-            let mut unbalance = PlaneUnbalance::default();
-            unbalance.add(own.amount, own.angle, 0.0);
-            let point = at(own.position);
-            UnbalancedPoint { point, unbalance }
-        };
         Ok(Self {
             coordinates: coordinates(&layout, &points, &reduction),
             dofs: layout.dofs(),
-            mass,
-            damping: internal_damping.clone(),
-            stiffness: elastic,
-            // w = u + i v: the gyroscopic force is i ω P ẇ, that of damping inside the shaft −τ K (ẇ − i ω w)
-            gyroscopic: -layout.across(&plane.polar),
-            internal_damping,
-            circulatory: layout.across(&plane.stiffness) * shaft.internal_damping,
+            freedoms: definition.shaft.freedoms,
+            shaft_mass: definition.shaft.mass,
+            matrices: Matrices {
+                mass,
+                damping: internal_damping.clone(),
+                stiffness: elastic,
+                // w = u + i v: the gyroscopic force is i ω P ẇ, that of damping inside the shaft −τ K (ẇ − i ω w)
+                gyroscopic: -layout.across(&plane.polar),
+                internal_damping,
+                circulatory: layout.across(&plane.stiffness) * shaft.internal_damping,
+            },
             shaft: layout.point(0),
-            load_places: definition.loads.iter().map(carried).collect(),
-            unbalances: shaft.unbalances.iter().map(unbalanced).collect(),
             rigid_motions: rigid_motions(&layout, &points),
-            arms: definition
-                .bearings
-                .iter()
-                .map(|bearing| bearing.position - shaft.observed)
-                .collect(),
-            attachments: definition.bearings.iter().map(balls).collect(),
-            linear: definition.linear_bearings.iter().map(linear).collect(),
             housings: Vec::new(),
             followers: DMatrix::zeros(0, 0),
+            attachments: Vec::new(),
+            linear: Vec::new(),
+            load_places: Vec::new(),
+            unbalances: Vec::new(),
             bending: Some(Bending {
                 deflections: deflections(&layout, &reduction),
                 planes: layout.planes(),
                 modes: layout.modes,
                 nodes: reduction.nodes,
+                points: (0..points.len()).map(|own| layout.point(own)).collect(),
+                positions: points,
+                same: shaft.same_position(),
             }),
         })
     }
 }
 
 fn coordinates(layout: &Layout, points: &[f64], reduction: &ReducedShaft) -> Vec<Coordinate> {
-    let mut coordinates = vec![Coordinate::of_axis(2, ""); layout.size()];
+    let mut coordinates = vec![Coordinate::from_axis(2, ""); layout.size()];
     for (number, position) in points.iter().enumerate() {
         let owner = format!(" of the shaft at {:.1} mm", 1e3 * position);
         for (axis, index) in layout.point(number).coordinates.into_iter().enumerate() {
             if axis != 2 {
-                coordinates[index] = Coordinate::of_axis(axis, &owner);
+                coordinates[index] = Coordinate::from_axis(axis, &owner);
             }
         }
     }

@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::bearing::MountedBearing;
 use crate::physics::{BeamElement, ElementMatrix};
+use crate::rotor::PlaneUnbalance;
 
 /// Positions nearer than this part of the shaft's length are one node.
 const SAME_NODE: f64 = 1e-9;
@@ -57,6 +58,15 @@ pub struct PointUnbalance {
     pub amount: f64,
     /// Angle from +X at shaft angle 0, rad.
     pub angle: f64,
+}
+
+impl PointUnbalance {
+    /// As an unbalance of the point of the shaft that it is at.
+    pub(in crate::rotor) fn at_its_point(&self) -> PlaneUnbalance {
+        let mut unbalance = PlaneUnbalance::default();
+        unbalance.add(self.amount, self.angle, 0.0);
+        unbalance
+    }
 }
 
 /// A shaft of sections one after the other, with discs. Positions count from its left end.

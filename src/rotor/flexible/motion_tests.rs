@@ -133,7 +133,7 @@ fn integrated(rotor: &Rotor, method: Method, count: usize) -> (Grid, States) {
         step_limit: 10_000_000,
     };
     let scaling = rotor.scaling(&scale);
-    let start = rotor.start();
+    let start = rotor.start_state();
     let mut integration = Integration::new(rotor, scaling, grid, settings, &stop, &start);
     let mut states = States::with_capacity(start.len(), count);
     integration.advance(count, &mut states).expect("a motion");
@@ -202,7 +202,7 @@ fn a_stiff_shaft_moves_as_a_rigid_one() {
     let motions = [&definition, &rigid(&definition)].map(|definition| {
         let rotor = Rotor::assemble(definition).expect("a rotor");
         let states = integrated(&rotor, Method::Verner76, 26).1;
-        let shaft = |state: &[f64]| rotor.structure.shaft.displacement(state, &rotor.rest);
+        let shaft = |state: &[f64]| rotor.structure.shaft.displacement(state, &rotor.start.rest);
         states.iter().map(shaft).collect::<Vec<_>>()
     });
     let mut largest = [0.0_f64; 2];
@@ -228,7 +228,7 @@ fn slopes_are_those_of_the_derivative() {
         speed: 900.0,
     }];
     let rotor = Rotor::assemble(&definition).expect("a rotor");
-    let (mut state, states) = (rotor.start(), rotor.states());
+    let (mut state, states) = (rotor.start_state(), rotor.states());
     for (index, state) in state.iter_mut().enumerate() {
         let size = if index < states / 2 { 1e-6 } else { 1e-3 };
         *state += size * (1.7 * index as f64 + 0.4).sin();
@@ -268,17 +268,19 @@ fn moments_of_the_bearings_are_about_the_observed_point() {
         };
     }
     let rotor = Rotor::assemble(&definition).expect("a rotor");
-    let (mut state, dofs) = (rotor.start(), rotor.dofs());
+    let (mut state, dofs) = (rotor.start_state(), rotor.dofs());
     for (index, rate) in state[dofs..].iter_mut().enumerate() {
         *rate = 1e-2 * (1.7 * index as f64 + 0.4).sin();
     }
     let sample = rotor.sample(0.01, &state, &mut rotor.ball_contacts());
-    let (place, velocity) = state.split_at(dofs);
-    let rotation = rotor.speed.at(0.01);
+    let rotation = rotor.speed_profile().at(0.01);
     let [mut held, mut damped] = [(); 2].map(|()| vec![0.0; dofs]);
-    for (bearing, seen) in rotor.bearings_at(&rotation) {
-        let [place, rate] = bearing.motion(place, velocity);
-        let [elastic, damping] = bearing.support.damped_force(&place, &rate, &seen);
+    for (bearing, motion) in rotor
+        .elements
+        .bearings_at(&rotor.instant(&state, &rotation))
+    {
+        let (place, rate) = (&motion.displacement, &motion.rate);
+        let [elastic, damping] = bearing.support.damped_force(place, rate, &motion.rotation);
         bearing.attachment.add_force(-1.0, &elastic, &mut held);
         bearing.attachment.add_force(-1.0, &damping, &mut damped);
     }
@@ -310,7 +312,7 @@ fn all_bearings_of_a_shaft_that_bends_balance_its_inertia() {
     };
     definition.linear_bearings = vec![springs(0, 0.02), springs(3, 0.3)];
     let rotor = Rotor::assemble(&definition).expect("a rotor");
-    let (mut state, dofs) = (rotor.start(), rotor.dofs());
+    let (mut state, dofs) = (rotor.start_state(), rotor.dofs());
     for (index, value) in state.iter_mut().enumerate() {
         let size = if index < dofs { 1e-6 } else { 1e-2 };
         *value += size * (1.7 * index as f64 + 0.4).sin();
@@ -318,15 +320,20 @@ fn all_bearings_of_a_shaft_that_bends_balance_its_inertia() {
     let (time, mut rate) = (0.01, Vec::new());
     let sample = rotor.whole_sample(time, &state, &mut rotor.ball_contacts(), Some(&mut rate));
     // M q̈ + ω G q̇ less what is not of the bearings
-    let rotation = rotor.speed.at(time);
+    let rotation = rotor.speed_profile().at(time);
     let accelerations = DVector::from_column_slice(&rate[dofs..2 * dofs]);
-    let mut due = (&rotor.mass.entries * accelerations).as_slice().to_vec();
+    let mut due = (&rotor.linear.mass.entries * accelerations)
+        .as_slice()
+        .to_vec();
     rotor
+        .linear
         .gyroscopic
         .add_product(rotation.speed, &state[dofs..2 * dofs], &mut due);
-    let mut others = rotor.constant_force.clone();
-    rotor.add_loads(time, rotation.angle, &mut others);
-    rotor.add_unbalances::<false>(&rotation, &rotor.phases(&rotation), &mut others);
+    let mut others = rotor.excitation.constant_force.clone();
+    let phases = rotor.elements.phases(&rotation);
+    rotor
+        .excitation
+        .add_varying_forces::<false>(time, &rotation, &phases, &mut others);
     for (axis, total) in sample
         .force_on_shaft
         .expect("observed")
@@ -356,7 +363,7 @@ fn energy_residual(definition: &RotorDefinition) -> [f64; 2] {
     let mut rotor = Rotor::assemble(definition).expect("a rotor");
     rotor.account_for_energy();
     let (grid, states) = integrated(&rotor, Method::Verner76, 101);
-    let start = rotor.energy_balance(0.0, &rotor.start());
+    let start = rotor.energy_balance(0.0, &rotor.start_state());
     let mut found = [0.0_f64; 2];
     for (sample, state) in states.iter().enumerate() {
         let now = rotor.energy_balance(grid.time(sample as u64), state);

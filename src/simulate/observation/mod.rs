@@ -96,7 +96,7 @@ impl<'a> Observation<'a> {
                     .map(|balls| balls.balls() + 1)
                     .sum(),
             ),
-            bearings: rotor.supports().iter().enumerate().map(observer).collect(),
+            bearings: rotor.supports().enumerate().map(observer).collect(),
             contacts,
             peaks: PeakWatch::new(rotor),
             settle: model.settle,

@@ -38,7 +38,7 @@ pub(crate) struct PeakWatch<'a> {
 
 impl<'a> PeakWatch<'a> {
     pub fn new(rotor: &'a Rotor) -> Self {
-        let supports = rotor.supports().iter();
+        let supports = rotor.supports();
         Self {
             bearings: supports
                 .map(|support| (support, PeakLoads::default()))
@@ -49,7 +49,7 @@ impl<'a> PeakWatch<'a> {
     /// Room for the balls of a rotor; with their contact angles, too, where a shoulder bounds them.
     pub fn contacts(rotor: &Rotor) -> BallContacts {
         let bounded = |support: &Support| support.definition().bearing.shoulder_angle.is_some();
-        match rotor.supports().iter().any(bounded) {
+        match rotor.supports().any(bounded) {
             true => rotor.ball_contacts(),
             false => rotor.ball_loads(),
         }

@@ -142,8 +142,9 @@ pub fn static_outcome(
     let rotor = &question.rotor;
     let supports = build_supports(rotor)?;
     let answer = answer_on(question, &supports)?;
-    let around = (1..).zip(&supports).flat_map(|(bearing, support)| {
-        let places = support.around(&answer.displacement, rotor.speed, positions);
+    let bearings = supports.iter().zip(&answer.bearings);
+    let around = (1..).zip(bearings).flat_map(|(bearing, (support, state))| {
+        let places = support.around(&state.displacement, rotor.speed, positions);
         let places = (1..).zip(places);
         places.map(move |(position, place)| Place {
             bearing,

@@ -9,7 +9,7 @@ mod warnings;
 
 use crate::bearing::{BearingState, CageMotion, ContactLaw, MountedBearing, Oil, Support, Vector5};
 use crate::physics::RaceControl;
-use crate::rotor::StaticProblem;
+use crate::rotor::{Attachment, StaticProblem};
 
 /// The oil of the reference rows: η0 = 0.04 Pa s, α_p = 22 1/GPa.
 const OIL: Oil = Oil {
@@ -26,10 +26,12 @@ const LAWS: [(ContactLaw, Option<Oil>); 5] = [
     (ContactLaw::Jones(RaceControl::Even), Some(OIL)),
 ];
 
-/// State of a bearing with its inner ring at a place.
+/// State of a bearing with its shaft at a place.
 fn state_at(bearing: &MountedBearing, place: Vector5, speed: f64) -> BearingState {
     let support = Support::new(bearing, speed).expect("a bearing that can be mounted");
-    support.state(&place, speed, CageMotion::default())
+    let attachment = Attachment::of_rigid_shaft(bearing.position, bearing.facing);
+    let displacement = attachment.displacement(&place, &[]);
+    support.state(&displacement, speed, CageMotion::default())
 }
 
 /// State of a bearing under a load; held freedoms stay at zero.
@@ -48,7 +50,7 @@ fn state_under(
         speed,
     };
     let equilibrium = problem.solve().expect("the load is carried");
-    supports[0].state(&equilibrium.displacement, speed, CageMotion::default())
+    state_at(bearing, equilibrium.displacement, speed)
 }
 
 /// State of a bearing under a pure thrust in N, x, y and the tilts held.

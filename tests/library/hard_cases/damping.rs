@@ -120,7 +120,7 @@ fn contact_damping_with_an_eigenvalue_beyond_minus_a_million() {
     };
     let implicit = scene("rodas", 1e-7);
     let rotor = Rotor::assemble(&implicit.rotor).expect("a rotor");
-    let (slopes, _) = crate::tests::support::linearisation(&rotor, 0.0, &rotor.start());
+    let (slopes, _) = crate::tests::support::linearisation(&rotor, 0.0, &rotor.start_state());
     let eigenvalues = slopes.complex_eigenvalues();
     let fastest = eigenvalues.iter().map(|value| value.re).fold(0.0, f64::min);
     assert!(fastest < -1e6, "{fastest:e}");

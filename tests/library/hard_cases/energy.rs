@@ -64,7 +64,7 @@ impl Vibration {
     }
 
     fn first_state(&self) -> [f64; 4] {
-        let state = self.rotor.start();
+        let state = self.rotor.start_state();
         [state[0], state[1], state[2], state[3]]
     }
 
@@ -75,7 +75,7 @@ impl Vibration {
         let mut energy = 0.5 * self.definition.shaft.mass * (u * u + v * v);
         energy -= LOAD[1] * y;
         let mut add = |load: f64| energy += 0.4 * load * (load / self.stiffness).cbrt().powi(2);
-        let support = &self.rotor.supports()[0];
+        let support = self.rotor.supports().next().expect("a bearing");
         for ball in contacts(support, &place, 0.0) {
             add(ball.load_inner);
         }

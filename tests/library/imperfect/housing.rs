@@ -157,7 +157,7 @@ fn slopes_by_time_know_the_base_under_housings_and_the_surfaces() {
     ];
     definition.bearings[0] = super::with_defects(definition.bearings[0].clone(), defects);
     let built = Rotor::assemble(&definition).expect("a rotor");
-    let mut state = built.start();
+    let mut state = built.start_state();
     for (index, state) in state.iter_mut().enumerate() {
         *state += 1e-7 * (1.3 * index as f64).sin();
     }

@@ -57,11 +57,24 @@ fn the_cage_rolls_at_the_angle_of_the_loaded_balls() {
     // the free contact angle: cos α0 = 1 − P_d/(2A)
     model.rotor.cage = CageMotion::Rolling;
     let rotor = Rotor::assemble(&model.rotor).expect("a rotor");
-    let rolling = rotor.supports()[0].ball_pass(model.rotor.speed).outer;
+    let rolling = rotor
+        .supports()
+        .next()
+        .expect("a bearing")
+        .ball_pass(model.rotor.speed)
+        .outer;
     assert_near("rolling", rolling, 108.469, 1e-3);
     model.rotor.cage = CageMotion::Frozen;
     let rotor = Rotor::assemble(&model.rotor).expect("a rotor");
-    assert_eq!(rotor.supports()[0].ball_pass(model.rotor.speed).outer, 0.0);
+    assert_eq!(
+        rotor
+            .supports()
+            .next()
+            .expect("a bearing")
+            .ball_pass(model.rotor.speed)
+            .outer,
+        0.0
+    );
 }
 
 fn named(peak: &Peak, name: &str) -> bool {
@@ -81,7 +94,7 @@ fn the_cage_follows_thrust_under_every_law() {
         let supports = definition.rolling_supports().expect("bearings");
         let rotor = Rotor::assemble(&definition);
         if let Ok(rotor) = rotor {
-            let found = rotor.supports()[0].cage_ratio();
+            let found = rotor.supports().next().expect("a bearing").cage_ratio();
             assert_eq!(found, supports[0].cage_ratio());
         }
         supports[0].ball_pass(TAU).outer

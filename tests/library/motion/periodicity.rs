@@ -24,7 +24,7 @@ fn uneven(law: (ContactLaw, Option<Oil>)) -> RotorDefinition {
 
 fn pass(definition: &RotorDefinition) -> f64 {
     let rotor = Rotor::assemble(definition).expect("a rotor");
-    TAU / (7.0 * rotor.supports()[0].cage_ratio() * definition.speed)
+    TAU / (7.0 * rotor.supports().next().expect("a bearing").cage_ratio() * definition.speed)
 }
 
 #[test]

@@ -198,7 +198,7 @@ fn integral(samples: &[Sample], interval: f64, value: impl Fn(&Sample) -> f64) -
 /// Kinetic energy plus that of the contacts, (2/5) Σ Q δ, minus the work left in constant loads.
 fn stored(sample: &Sample, definition: &RotorDefinition, supports: &Rotor) -> f64 {
     let kinetic = (0..3).map(|axis| 0.5 * definition.shaft.mass * sample.velocity[axis].powi(2));
-    let support = &supports.supports()[0];
+    let support = supports.supports().next().expect("a bearing");
     let stiffness = law(&bearing("7205C")).contact.stiffness;
     let contact = crate::tests::support::contacts(support, &sample.displacement, 0.0)
         .into_iter()

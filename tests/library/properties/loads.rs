@@ -269,7 +269,7 @@ fn loads_add_up() {
     let unloaded = Rotor::assemble(&at_rest(Vec::new())).expect("a rotor");
     let accelerations = [&rotor, &unloaded].map(|rotor| {
         let mut rate = vec![0.0; rotor.states()];
-        rotor.derivative(0.0, &rotor.start(), &mut rate);
+        rotor.derivative(0.0, &rotor.start_state(), &mut rate);
         rate.split_off(rotor.states() / 2)
     });
     for axis in [0, 1, 2] {
@@ -284,7 +284,7 @@ fn a_shaken_housing_pushes_with_mass_times_acceleration() {
     let acceleration = |loads| {
         let rotor = Rotor::assemble(&at_rest(loads)).expect("a rotor");
         let mut rate = vec![0.0; rotor.states()];
-        rotor.derivative(6e-3, &rotor.start(), &mut rate);
+        rotor.derivative(6e-3, &rotor.start_state(), &mut rate);
         rate.split_off(rotor.states() / 2)
     };
     let [shaken, still] = [vec![at_centre(kind)], Vec::new()].map(acceleration);
