@@ -12,8 +12,7 @@ use serde_json::Value;
 
 use crate::keys::{DISPLACEMENT, FORCE};
 use crate::rotor::{
-    DriveMoments, EnergyBalance, FREEDOMS, Freedoms, MOST_BEARINGS, MOST_HOUSINGS, RotorDefinition,
-    Sample,
+    Body, DriveMoments, EnergyBalance, FREEDOMS, Freedoms, MOST_BEARINGS, RotorDefinition, Sample,
 };
 use crate::table::{Column, ColumnKind, Named};
 
@@ -41,12 +40,12 @@ pub enum Channel {
     BallsLoaded,
     /// A term of the energy balance: kinetic, stored, then the works.
     Energy(usize),
-    /// Motion of the housing of a bearing, from 0, along axis 0 … 2.
-    Housing {
-        /// Bearing.
-        bearing: usize,
+    /// Motion of a housing, or of what vibrates on it, along axis 0 … 2.
+    Body {
+        /// Which.
+        body: Body,
         /// Which quantity.
-        quantity: HousingQuantity,
+        quantity: BodyQuantity,
         /// x, y or z.
         axis: usize,
     },
@@ -61,9 +60,9 @@ pub enum Channel {
     Drive(usize),
 }
 
-/// A quantity of a housing.
+/// A quantity of a body besides the shaft.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum HousingQuantity {
+pub enum BodyQuantity {
     /// Displacement.
     Displacement,
     /// Velocity.
@@ -72,7 +71,7 @@ pub enum HousingQuantity {
     Acceleration,
 }
 
-impl HousingQuantity {
+impl BodyQuantity {
     const ALL: [Self; 3] = [Self::Displacement, Self::Velocity, Self::Acceleration];
 
     /// Its time derivative, where that is known.
@@ -114,7 +113,7 @@ const DRIVE: [Named<DriveMoments>; 5] = [
 static ALL: LazyLock<Vec<(Channel, Column)>> = LazyLock::new(|| {
     use Channel::*;
     let of = |quantity: fn(usize) -> Channel| (0..FREEDOMS).map(quantity);
-    let housings = (0..MOST_HOUSINGS).flat_map(|bearing| Channel::of_housing(bearing, 3));
+    let bodies = crate::rotor::Body::all().flat_map(|body| Channel::of_body(body, 3));
     let forces = (0..MOST_BEARINGS)
         .flat_map(|bearing| (0..FREEDOMS).map(move |freedom| BearingForce { bearing, freedom }));
     let all = [Time, Angle, Speed].into_iter();
@@ -123,12 +122,13 @@ static ALL: LazyLock<Vec<(Channel, Column)>> = LazyLock::new(|| {
     let all = all.chain([LargestBallLoad, BallsLoaded]);
     let all = all.chain((0..ENERGY.len()).map(Energy));
     let all = all.chain((0..DRIVE.len()).map(Drive));
-    let all = all.chain(housings).chain(forces);
+    let all = all.chain(bodies).chain(forces);
     all.map(|channel| (channel, channel.column())).collect()
 });
 
-/// Names of the forces of the bearings behind the first, as a regular expression.
-const FURTHER: &str = "^bearing([2-9]|[1-5][0-9]|6[0-4])_(force_[xyz]|moment_[xy])$";
+/// Names of the forces of the bearings and of the resonators behind the first, as a regular expression.
+const FURTHER: &str = "^(bearing([2-9]|[1-5][0-9]|6[0-4])_(force_[xyz]|moment_[xy])|\
+                       resonator[2-4]_[xyz](_velocity|_acceleration)?)$";
 
 impl Channel {
     /// Kinetic energy of the shaft.
@@ -152,7 +152,7 @@ impl Channel {
                 | Self::Velocity(2)
                 | Self::Acceleration(2)
                 | Self::Force(2)
-                | Self::Housing { axis: 2, .. }
+                | Self::Body { axis: 2, .. }
                 | Self::BearingForce { freedom: 2, .. }
         )
     }
@@ -170,7 +170,7 @@ impl Channel {
                 Self::Acceleration(_)
                     | Self::Energy(_)
                     | Self::Drive(_)
-                    | Self::Housing { .. }
+                    | Self::Body { .. }
                     | Self::BearingForce { .. }
             )
         };
@@ -181,10 +181,9 @@ impl Channel {
     /// bearings the force of each along the axes that the shaft moves along.
     pub(crate) fn of_trace_of(rotor: &RotorDefinition) -> Vec<Self> {
         let lengths = rotor.shaft.freedoms.lengths();
-        let housings = rotor.housed();
-        let housings = housings.flat_map(|bearing| Self::of_housing(bearing, lengths));
+        let bodies = Self::of_bodies(rotor, lengths);
         let forces = Self::of_bearings(rotor).filter(|force| force.unit() == "N");
-        Self::of_trace().chain(housings).chain(forces).collect()
+        Self::of_trace().chain(bodies).chain(forces).collect()
     }
 
     /// The same, or time and the columns that the `[output]` of a scenario asks for.
@@ -211,9 +210,8 @@ impl Channel {
     /// forces of each of several bearings.
     pub(crate) fn of_parts(rotor: &RotorDefinition) -> Vec<Self> {
         let lengths = rotor.shaft.freedoms.lengths();
-        let housings = rotor.housed();
-        let housings = housings.flat_map(|bearing| Self::of_housing(bearing, lengths));
-        let displacements = housings.filter(|channel| channel.unit() == "m");
+        let bodies = Self::of_bodies(rotor, lengths);
+        let displacements = bodies.filter(|channel| channel.unit() == "m");
         displacements.chain(Self::of_bearings(rotor)).collect()
     }
 
@@ -227,12 +225,15 @@ impl Channel {
     /// Why a shaft has no such column, and what to do, where it has none.
     pub(crate) fn missing_of(self, rotor: &RotorDefinition) -> Option<[String; 2]> {
         let lengths = rotor.shaft.freedoms.lengths();
-        let has_housing = |own: usize| rotor.housed().any(|bearing| bearing == own);
         match self {
-            Self::Housing { bearing, axis, .. } if !has_housing(bearing) || axis >= lengths => {
+            Self::Body { body, axis, .. } if !rotor.bodies().contains(&body) || axis >= lengths => {
+                let (what, key) = match body {
+                    Body::Housing(_) => ("housing", "[bearing.housing]"),
+                    Body::Resonator(_) => ("resonator", "[bearing.housing.resonator]"),
+                };
                 Some([
-                    format!("there is no `{self}`: no such housing moves that way"),
-                    "give the bearing a table [bearing.housing], or leave it out".to_owned(),
+                    format!("there is no `{self}`: no such {what} moves that way"),
+                    format!("give the bearing a table {key}, or leave it out"),
                 ])
             }
             Self::BearingForce { bearing, .. } if bearing >= rotor.bearing_count() => Some([
@@ -258,12 +259,12 @@ impl Channel {
                 bearing,
                 freedom: next(freedom)?,
             },
-            Self::Housing {
-                bearing,
+            Self::Body {
+                body,
                 quantity,
                 axis: 0,
-            } => Self::Housing {
-                bearing,
+            } => Self::Body {
+                body,
                 quantity,
                 axis: 1,
             },
@@ -290,7 +291,14 @@ impl Channel {
 
     /// Whether lists of names leave it out, as what bearings behind the first have like it.
     pub fn is_further(self) -> bool {
-        matches!(self, Self::BearingForce { bearing: 1.., .. })
+        let resonators = matches!(
+            self,
+            Self::Body {
+                body: Body::Resonator(1..),
+                ..
+            }
+        );
+        resonators || matches!(self, Self::BearingForce { bearing: 1.., .. })
     }
 
     /// Schema of the names that lists leave out.
@@ -333,16 +341,16 @@ impl Channel {
             Self::BallsLoaded => f64::from(sample.balls_loaded?),
             Self::Energy(term) => (ENERGY[term].2)(&sample.energy?),
             Self::Drive(quantity) => (DRIVE[quantity].2)(&sample.drive?),
-            Self::Housing {
-                bearing,
+            Self::Body {
+                body,
                 quantity,
                 axis,
             } => {
-                let housing = &sample.housings?[bearing];
+                let motion = sample.bodies?.get(body.index()).copied()?;
                 match quantity {
-                    HousingQuantity::Displacement => housing.displacement[axis],
-                    HousingQuantity::Velocity => housing.velocity[axis],
-                    HousingQuantity::Acceleration => housing.acceleration?[axis],
+                    BodyQuantity::Displacement => motion.displacement[axis],
+                    BodyQuantity::Velocity => motion.velocity[axis],
+                    BodyQuantity::Acceleration => motion.acceleration?[axis],
                 }
             }
         })
@@ -367,19 +375,17 @@ impl Channel {
             Self::BallsLoaded => return Column::count("balls_loaded"),
             Self::Energy(term) => (ENERGY[term].0, ENERGY[term].1),
             Self::Drive(quantity) => (DRIVE[quantity].0, DRIVE[quantity].1),
-            Self::Housing {
-                bearing,
+            Self::Body {
+                body,
                 quantity,
                 axis,
             } => {
                 let of_shaft = match quantity {
-                    HousingQuantity::Displacement => Self::Displacement(axis),
-                    HousingQuantity::Velocity => Self::Velocity(axis),
-                    HousingQuantity::Acceleration => Self::Acceleration(axis),
+                    BodyQuantity::Displacement => Self::Displacement(axis),
+                    BodyQuantity::Velocity => Self::Velocity(axis),
+                    BodyQuantity::Acceleration => Self::Acceleration(axis),
                 };
-                return of_shaft
-                    .column()
-                    .of_part(&format!("housing{}", bearing + 1));
+                return of_shaft.column().of_part(&body.name());
             }
             Self::BearingForce { bearing, freedom } => {
                 let total = Self::Force(freedom).column();
@@ -426,19 +432,39 @@ impl Channel {
 
     /// Whether it needs the accelerations of a state.
     pub(crate) fn needs_acceleration(self) -> bool {
-        use HousingQuantity::Acceleration;
+        use BodyQuantity::Acceleration;
         match self {
             Self::Acceleration(_) => true,
-            Self::Housing { quantity, .. } => quantity == Acceleration,
+            Self::Body { quantity, .. } => quantity == Acceleration,
             _ => false,
         }
     }
 
-    /// Columns of the housing of a bearing, from 0, that moves along the first `axes` of x, y, z.
-    pub(crate) fn of_housing(bearing: usize, axes: usize) -> impl Iterator<Item = Self> {
-        HousingQuantity::ALL.into_iter().flat_map(move |quantity| {
-            (0..axes).map(move |axis| Self::Housing {
-                bearing,
+    /// Whether it is the velocity of a housing, whose RMS is judged.
+    pub(crate) fn is_housing_velocity(self) -> bool {
+        use BodyQuantity::Velocity;
+        matches!(
+            self,
+            Self::Body {
+                body: Body::Housing(_),
+                quantity: Velocity,
+                ..
+            }
+        )
+    }
+
+    /// Columns of the bodies besides the shaft that are observed and move along the first `axes` of x, y, z.
+    pub(crate) fn of_bodies(rotor: &RotorDefinition, axes: usize) -> impl Iterator<Item = Self> {
+        let bodies = rotor.bodies().into_iter();
+        let observed = bodies.filter(|body| Body::all().any(|own| own == *body));
+        observed.flat_map(move |body| Self::of_body(body, axes))
+    }
+
+    /// Columns of a body that moves along the first `axes` of x, y, z.
+    fn of_body(body: Body, axes: usize) -> impl Iterator<Item = Self> {
+        BodyQuantity::ALL.into_iter().flat_map(move |quantity| {
+            (0..axes).map(move |axis| Self::Body {
+                body,
                 quantity,
                 axis,
             })
@@ -507,17 +533,17 @@ impl JsonSchema for Channel {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rotor::HousingMotion;
+    use crate::rotor::{BodyMotion, MOST_HOUSINGS};
 
     #[test]
     fn every_column_has_a_value_in_a_sample_that_is_wholly_observed() {
-        let housing = HousingMotion {
+        let motion = BodyMotion {
             acceleration: Some([0.0; 3]),
-            ..HousingMotion::default()
+            ..BodyMotion::default()
         };
         let sample = Sample {
             acceleration: Some([0.0; FREEDOMS]),
-            housings: Some([housing; MOST_HOUSINGS]),
+            bodies: Some([motion; 2 * MOST_HOUSINGS]),
             force_on_shaft: Some([0.0; FREEDOMS]),
             bearing_forces: vec![[0.0; FREEDOMS]; MOST_BEARINGS],
             largest_ball_load: Some(0.0),
@@ -531,7 +557,7 @@ mod tests {
         }
         assert_eq!(
             Channel::all().count(),
-            41 + 9 * MOST_HOUSINGS + 5 * MOST_BEARINGS
+            41 + 18 * MOST_HOUSINGS + 5 * MOST_BEARINGS
         );
     }
 

@@ -217,6 +217,20 @@ pub struct Housing {
     pub stiffness: [f64; 3],
     /// Damping to the ground along x, y and z, N s/m.
     pub damping: [f64; 3],
+    /// What vibrates on it.
+    pub resonator: Option<Resonator>,
+}
+
+/// A mass on a spring and a damper on a housing, alike along all axes: a sensor with its mount, whose resonance rings at
+/// every impact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Resonator {
+    /// Mass, kg.
+    pub mass: f64,
+    /// Stiffness to the housing, N/m.
+    pub stiffness: f64,
+    /// Damping to the housing, N s/m.
+    pub damping: f64,
 }
 
 /// A bearing and its place on the shaft.

@@ -32,7 +32,7 @@ pub use catalogue::{CATALOGUE, CatalogueEntry, UnknownBearing};
 pub use clearance::{Clearance, ClearanceClass};
 pub use definition::{Bearing, Oil};
 pub(crate) use definition::{
-    ContactDamping, Facing, Housing, Lubrication, MountedBearing, Preload,
+    ContactDamping, Facing, Housing, Lubrication, MountedBearing, Preload, Resonator,
 };
 pub use error::BearingError;
 pub(crate) use estimate::REFERENCE_GROOVES;

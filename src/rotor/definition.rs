@@ -4,8 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Attachment, Drive, FlexibleShaft, LinearBearing, Load, MOST_HOUSINGS, PlaneUnbalance,
-    SpeedPoint,
+    Attachment, Body, Drive, FlexibleShaft, LinearBearing, Load, PlaneUnbalance, SpeedPoint,
 };
 use crate::bearing::{CageMotion, Housing};
 use crate::physics::Race;
@@ -198,10 +197,16 @@ impl RotorDefinition {
         attachments.collect()
     }
 
-    /// The bearings, from 0, whose housings are observed.
-    pub(crate) fn housed(&self) -> impl Iterator<Item = usize> {
-        let housings = self.housings().into_iter().map(|(place, _)| place);
-        housings.filter(|place| *place < MOST_HOUSINGS)
+    /// Housings and what vibrates on them, bearing by bearing.
+    pub(crate) fn bodies(&self) -> Vec<Body> {
+        let housings = self.housings().into_iter();
+        let bodies = housings.flat_map(|(bearing, housing)| {
+            let resonator = housing.resonator.map(|_| Body::Resonator(bearing));
+            [Some(Body::Housing(bearing)), resonator]
+                .into_iter()
+                .flatten()
+        });
+        bodies.collect()
     }
 
     /// Highest speed that the shaft is meant for, rad/s: of its points, or the no-load speed of its
@@ -245,7 +250,10 @@ impl RotorDefinition {
     /// Whether linear bearings, housings or the shaft itself damp it.
     pub(crate) fn is_damped_by_parts(&self) -> bool {
         let linear = self.linear_bearings.iter().flat_map(|own| own.damping);
-        let housings = self.housings().into_iter().flat_map(|(_, own)| own.damping);
+        let housings = self.housings().into_iter().flat_map(|(_, own)| {
+            let resonator = own.resonator.map(|resonator| resonator.damping);
+            own.damping.into_iter().chain(resonator)
+        });
         let inside = self.flexible.iter().map(|own| own.internal_damping);
         linear
             .chain(housings)

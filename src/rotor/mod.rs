@@ -58,8 +58,8 @@ pub use modes::{Mode, NaturalFrequency, Whirl};
 pub use motion::Rotor;
 pub use motion_scale::MotionScale;
 #[cfg(test)]
-pub(crate) use observation::HousingMotion;
-pub use observation::{BallContacts, MOST_BEARINGS, MOST_HOUSINGS, Sample};
+pub(crate) use observation::BodyMotion;
+pub use observation::{BallContacts, Body, MOST_BEARINGS, MOST_HOUSINGS, Sample};
 pub(crate) use point::Attachment;
 pub(crate) use shaft_shapes::ShaftShape;
 pub use speed_profile::{Rotation, SpeedPoint, SpeedProfile};

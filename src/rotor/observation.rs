@@ -1,5 +1,7 @@
 //! What can be seen of the shaft in motion.
 
+use std::fmt;
+
 use super::element::{Element, ElementMotion, Instant};
 use super::{DriveMoments, EnergyBalance, FREEDOMS, Rotor};
 use crate::bearing::{BallLoads, BearingRotation, LOADED_SHARE, Support, Vector5};
@@ -65,7 +67,7 @@ impl Rotor {
             displacement: self.displacement(state),
             velocity: self.structure.shaft.rate(&self.rate_of_all(velocity)),
             acceleration: None,
-            housings: self.housing_motions(position, velocity),
+            bodies: self.body_motions(position, velocity),
             force_on_shaft: force,
             bearing_forces: Vec::new(),
             largest_ball_load: has_balls.then_some(contacts.largest_load()),
@@ -155,7 +157,7 @@ impl Rotor {
         }
         if let Some(rate) = rate {
             sample.acceleration = Some(self.acceleration(time, state, rate));
-            self.accelerate_housings(rate, &mut sample.housings);
+            self.accelerate_bodies(rate, &mut sample.bodies);
         }
         sample
     }
@@ -180,43 +182,35 @@ impl Rotor {
         })
     }
 
-    /// Indices of the degrees of freedom of the housings.
-    pub(crate) fn housing_freedoms(&self) -> std::ops::Range<usize> {
-        let housings = self.structure.housings.iter();
-        let firsts = housings.map(|housing| housing.point.coordinates[0]);
+    /// Indices of the degrees of freedom of housings and what vibrates on them.
+    pub(crate) fn body_freedoms(&self) -> std::ops::Range<usize> {
+        let bodies = self.structure.bodies.iter();
+        let firsts = bodies.map(|body| body.point.coordinates[0]);
         firsts.min().unwrap_or(self.dofs())..self.dofs()
     }
 
-    /// Motion of the housings of the first bearings; none without any.
-    pub(super) fn housing_motions(
-        &self,
-        place: &[f64],
-        velocity: &[f64],
-    ) -> Option<[HousingMotion; MOST_HOUSINGS]> {
-        let mut motions = [HousingMotion::default(); MOST_HOUSINGS];
-        for housing in &self.structure.housings {
-            if let Some(motion) = motions.get_mut(housing.bearing) {
-                let [x, y, z, ..] = housing.point.displacement(place, &[]);
+    /// Motion of housings, and what vibrates on them, of the first bearings; none without any.
+    pub(super) fn body_motions(&self, place: &[f64], velocity: &[f64]) -> Option<BodyMotions> {
+        let mut motions = BodyMotions::default();
+        for own in &self.structure.bodies {
+            if let Some(motion) = motions.get_mut(own.body.index()) {
+                let [x, y, z, ..] = own.point.displacement(place, &[]);
                 motion.displacement = [x, y, z];
-                let [x, y, z, ..] = housing.point.rate(velocity);
+                let [x, y, z, ..] = own.point.rate(velocity);
                 motion.velocity = [x, y, z];
             }
         }
-        (!self.structure.housings.is_empty()).then_some(motions)
+        (!self.structure.bodies.is_empty()).then_some(motions)
     }
 
-    /// Writes the accelerations of the housings, taken from the derivative of a state.
-    fn accelerate_housings(
-        &self,
-        rate: &[f64],
-        motions: &mut Option<[HousingMotion; MOST_HOUSINGS]>,
-    ) {
+    /// Writes their accelerations, taken from the derivative of a state.
+    fn accelerate_bodies(&self, rate: &[f64], motions: &mut Option<BodyMotions>) {
         let (Some(motions), dofs) = (motions, self.dofs()) else {
             return;
         };
-        for housing in &self.structure.housings {
-            if let Some(motion) = motions.get_mut(housing.bearing) {
-                let [x, y, z, ..] = housing.point.rate(&rate[dofs..2 * dofs]);
+        for own in &self.structure.bodies {
+            if let Some(motion) = motions.get_mut(own.body.index()) {
+                let [x, y, z, ..] = own.point.rate(&rate[dofs..2 * dofs]);
                 motion.acceleration = Some([x, y, z]);
             }
         }
@@ -229,10 +223,59 @@ pub const MOST_HOUSINGS: usize = 4;
 /// Most bearings of a shaft.
 pub const MOST_BEARINGS: usize = 64;
 
-/// Motion of a housing at one instant.
+/// A mass that moves besides the shaft, by the bearing that it belongs to, from 0, in the order of the scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Body {
+    /// The housing of a bearing.
+    Housing(usize),
+    /// What vibrates on the housing of a bearing.
+    Resonator(usize),
+}
+
+impl Body {
+    /// All that are observed.
+    pub(crate) fn all() -> impl Iterator<Item = Self> {
+        let housings = (0..MOST_HOUSINGS).map(Self::Housing);
+        housings.chain((0..MOST_HOUSINGS).map(Self::Resonator))
+    }
+
+    /// Name in columns: `housing1`, `resonator1`.
+    pub(crate) fn name(self) -> String {
+        match self {
+            Self::Housing(bearing) => format!("housing{}", bearing + 1),
+            Self::Resonator(bearing) => format!("resonator{}", bearing + 1),
+        }
+    }
+
+    /// Its place in [`BodyMotions`]; beyond them where it is not observed.
+    pub(crate) fn index(self) -> usize {
+        match self {
+            Self::Housing(bearing) if bearing < MOST_HOUSINGS => bearing,
+            Self::Resonator(bearing) if bearing < MOST_HOUSINGS => MOST_HOUSINGS + bearing,
+            _ => usize::MAX,
+        }
+    }
+}
+
+/// `housing of bearing 1`, `resonator on the housing of bearing 1`.
+impl fmt::Display for Body {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Housing(bearing) => write!(f, "housing of bearing {}", bearing + 1),
+            Self::Resonator(bearing) => {
+                write!(f, "resonator on the housing of bearing {}", bearing + 1)
+            }
+        }
+    }
+}
+
+/// Motions of the housings of the first bearings, then of what vibrates on them.
+pub type BodyMotions = [BodyMotion; 2 * MOST_HOUSINGS];
+
+/// Motion of a housing, or of what vibrates on it, at one instant.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct HousingMotion {
-    /// x, y, z from where its own weight has put it, m.
+pub struct BodyMotion {
+    /// x, y, z from where weight has put it, m.
     pub displacement: [f64; 3],
     /// m/s.
     pub velocity: [f64; 3],
@@ -255,8 +298,8 @@ pub struct Sample {
     pub velocity: [f64; FREEDOMS],
     /// Second time derivatives of `displacement`, where asked for.
     pub acceleration: Option<[f64; FREEDOMS]>,
-    /// Housings of the first bearings; none where no bearing has one.
-    pub housings: Option<[HousingMotion; MOST_HOUSINGS]>,
+    /// Housings of the first bearings, and what vibrates on them; none where no bearing has one.
+    pub bodies: Option<BodyMotions>,
     /// Force of all bearings on the shaft: x, y, z in N, moments about X and Y through the point of the shaft whose
     /// displacement is given in N m; none where it is not observed.
     pub force_on_shaft: Option<[f64; FREEDOMS]>,

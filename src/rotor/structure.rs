@@ -7,8 +7,8 @@ use super::flexible::Bending;
 use super::linear_bearing::LinearElement;
 use super::point::{Attachment, Place, Point};
 use super::static_search::Restoring;
-use super::{FREEDOMS, Freedoms, PlaneUnbalance, RotorDefinition, ShaftError};
-use crate::bearing::{BearingRotation, Facing, Support, Vector5};
+use super::{Body, FREEDOMS, Freedoms, PlaneUnbalance, RotorDefinition, ShaftError};
+use crate::bearing::{BearingRotation, Facing, Matrix5, Support, Vector5};
 
 /// An unbalance at a point of the shaft.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,8 +81,8 @@ pub(super) struct Structure {
     pub rigid_motions: [DVector<f64>; FREEDOMS],
     /// Displacement of the last coordinates, which have no mass, by that of the degrees of freedom: `−K_ss⁻¹ K_sd`.
     pub followers: DMatrix<f64>,
-    /// Masses on the ground that bearings sit in.
-    pub housings: Vec<HousingPoint>,
+    /// Masses on the ground that bearings sit in, and what vibrates on them.
+    pub bodies: Vec<BodyPoint>,
     /// Where the ball bearings sit.
     pub attachments: Vec<Attachment>,
     /// The bearings of constant stiffness, and where they sit.
@@ -92,11 +92,10 @@ pub(super) struct Structure {
     pub unbalances: Vec<UnbalancedPoint>,
 }
 
-/// A housing that moves.
+/// A mass that moves besides the shaft.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct HousingPoint {
-    /// The bearing that sits in it, from 0, in the order of the scene.
-    pub bearing: usize,
+pub(super) struct BodyPoint {
+    pub body: Body,
     /// Mass, kg.
     pub mass: f64,
     pub point: Point,
@@ -128,7 +127,7 @@ impl Structure {
             bending: None,
             rigid_motions: std::array::from_fn(unit),
             followers: DMatrix::zeros(0, 0),
-            housings: Vec::new(),
+            bodies: Vec::new(),
             attachments: Vec::new(),
             linear: Vec::new(),
             load_places: Vec::new(),
@@ -149,9 +148,9 @@ impl Structure {
         let massless = |index: &usize| bends && shaft.matrices.mass[(*index, *index)] == 0.0;
         let massless: Vec<_> = (0..shaft.dofs).filter(massless).collect();
         let axes = definition.shaft.freedoms.lengths();
-        let room = axes * definition.housings().len();
+        let room = axes * definition.bodies().len();
         let mut structure = shaft.arranged(room, &massless);
-        structure.add_housings(definition, axes);
+        structure.add_bodies(definition, axes);
         structure.attach(definition);
         if !massless.is_empty() {
             structure.followers =
@@ -224,28 +223,42 @@ impl Structure {
         self
     }
 
-    /// Places housings on the last of the degrees of freedom. A housing moves along the first `axes` of x, y, z, as the
-    /// shaft does; its displacement counts from where its own weight has put it.
-    fn add_housings(&mut self, definition: &RotorDefinition, axes: usize) {
-        let housings = definition.housings();
-        let first = self.dofs - axes * housings.len();
-        for (number, (bearing, housing)) in housings.into_iter().enumerate() {
-            let mut coordinates = [usize::MAX; 5];
-            for (axis, own) in coordinates.iter_mut().enumerate().take(axes) {
-                let index = first + axes * number + axis;
-                *own = index;
-                self.matrices.mass[(index, index)] = housing.mass;
-                self.matrices.stiffness[(index, index)] = housing.stiffness[axis];
-                self.matrices.damping[(index, index)] = housing.damping[axis];
-                let owner = format!(" of the housing of bearing {}", bearing + 1);
-                self.coordinates[index] = Coordinate::from_axis(axis, &owner);
+    /// Places housings and their resonators on the last of the degrees of freedom. They move along the first `axes` of x, y,
+    /// z, as the shaft does; the displacement of a housing counts from where its own weight has put it.
+    fn add_bodies(&mut self, definition: &RotorDefinition, axes: usize) {
+        let mut index = self.dofs - axes * definition.bodies().len();
+        for (bearing, housing) in definition.housings() {
+            let body = Body::Housing(bearing);
+            let own = self.add_body(body, housing.mass, &mut index, axes);
+            for (axis, own) in own.coordinates.into_iter().enumerate().take(axes) {
+                self.matrices.stiffness[(own, own)] = housing.stiffness[axis];
+                self.matrices.damping[(own, own)] = housing.damping[axis];
             }
-            self.housings.push(HousingPoint {
-                bearing,
-                mass: housing.mass,
-                point: Point { coordinates },
-            });
+            if let Some(resonator) = housing.resonator {
+                let body = Body::Resonator(bearing);
+                let point = self.add_body(body, resonator.mass, &mut index, axes);
+                let [inner, outer] = [point, own].map(|point| Place { point, arm: 0.0 });
+                let attachment = Attachment::new(inner, Some(outer), Facing::PlusZ, 0.0);
+                let along = |value| Matrix5::from_diagonal(&[value, value, value, 0.0, 0.0].into());
+                let matrices = &mut self.matrices;
+                attachment.add_stiffness(&along(resonator.stiffness), &mut matrices.stiffness);
+                attachment.add_stiffness(&along(resonator.damping), &mut matrices.damping);
+            }
         }
+    }
+
+    /// Places a body on the degrees of freedom from `index` on.
+    fn add_body(&mut self, body: Body, mass: f64, index: &mut usize, axes: usize) -> Point {
+        let mut coordinates = [usize::MAX; 5];
+        for (axis, own) in coordinates.iter_mut().enumerate().take(axes) {
+            *own = *index;
+            self.matrices.mass[(*index, *index)] = mass;
+            self.coordinates[*index] = Coordinate::from_axis(axis, &format!(" of the {body}"));
+            *index += 1;
+        }
+        let point = Point { coordinates };
+        self.bodies.push(BodyPoint { body, mass, point });
+        point
     }
 
     /// Places bearings, loads and unbalances on shaft and housings.
@@ -283,7 +296,8 @@ impl Structure {
     /// Where a bearing of the scene sits.
     fn attachment(&self, position: f64, facing: Facing, number: usize) -> Attachment {
         let observed = self.bending.as_ref().map_or(0.0, Bending::observed);
-        let housing = self.housings.iter().find(|own| own.bearing == number);
+        let mut bodies = self.bodies.iter();
+        let housing = bodies.find(|own| own.body == Body::Housing(number));
         let outer = housing.map(|housing| Place {
             point: housing.point,
             arm: 0.0,
@@ -308,7 +322,7 @@ impl Structure {
     /// M t of a unit translation t of shaft and housings along an axis, kg.
     pub fn inertia_along(&self, axis: usize) -> DVector<f64> {
         let mut forces = self.shaft_inertia_along(axis);
-        for HousingPoint { mass, point, .. } in &self.housings {
+        for BodyPoint { mass, point, .. } in &self.bodies {
             let unit = std::array::from_fn(|own| f64::from(u8::from(own == axis)));
             point.add_force(*mass, &unit, forces.as_mut_slice());
         }

@@ -268,7 +268,7 @@ impl Reference<'_> {
                 let apart = scale.lever(axis) * (own[axis] - other[axis]).abs();
                 self.difference = self.difference.max(apart);
             }
-            for (own, other) in rotor.housing_freedoms().zip(self.rotor.housing_freedoms()) {
+            for (own, other) in rotor.body_freedoms().zip(self.rotor.body_freedoms()) {
                 let apart = (state[own] - reference[other]).abs();
                 self.difference = self.difference.max(apart);
             }

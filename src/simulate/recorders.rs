@@ -117,9 +117,9 @@ fn settings(model: &Model, rotor: &Rotor, grid: &Grid, speed: f64) -> MotionSett
 
 /// Velocities along X and Y of the housings that have columns.
 fn housing_velocities(model: &Model) -> Vec<Channel> {
-    let housed = model.rotor.housed();
-    let channels = housed.flat_map(|bearing| Channel::of_housing(bearing, 2));
-    channels.filter(|channel| channel.unit() == "m/s").collect()
+    Channel::of_bodies(&model.rotor, 2)
+        .filter(|channel| channel.is_housing_velocity())
+        .collect()
 }
 
 /// Where the last whole revolutions begin, behind the sample that they begin after: the end of one is

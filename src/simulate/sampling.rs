@@ -48,9 +48,7 @@ fn channels(model: &Model, rotor: &Rotor) -> Vec<Channel> {
     match model.analyses.highest_order {
         None => {
             let mut channels = Channel::of_freedoms(freedoms);
-            let housed = model.rotor.housed();
-            let columns =
-                housed.flat_map(|bearing| Channel::of_housing(bearing, freedoms.lengths()));
+            let columns = Channel::of_bodies(&model.rotor, freedoms.lengths());
             channels.extend(columns.filter(|channel| channel.needs_acceleration()));
             channels
         }

@@ -114,12 +114,12 @@ pub(super) fn rate_of(channel: Channel) -> Option<Channel> {
     match channel {
         Channel::Displacement(freedom) => Some(Channel::Velocity(freedom)),
         Channel::Velocity(freedom) => Some(Channel::Acceleration(freedom)),
-        Channel::Housing {
-            bearing,
+        Channel::Body {
+            body,
             quantity,
             axis,
-        } => Some(Channel::Housing {
-            bearing,
+        } => Some(Channel::Body {
+            body,
             quantity: quantity.rate()?,
             axis,
         }),

@@ -214,7 +214,7 @@ impl Structure {
             },
             shaft: layout.point(0),
             rigid_motions: rigid_motions(&layout, &points),
-            housings: Vec::new(),
+            bodies: Vec::new(),
             followers: DMatrix::zeros(0, 0),
             attachments: Vec::new(),
             linear: Vec::new(),

@@ -174,6 +174,7 @@ fn everything() -> RotorDefinition {
         mass: 3.0,
         stiffness: [2e8, 3e8, 1e8],
         damping: [500.0, 400.0, 300.0],
+        resonator: None,
     });
     definition.initial.displacement[0] = Some(3e-6);
     definition.initial.velocity[1] = Some(2e-3);

@@ -362,12 +362,8 @@ impl JsonSchema for ChannelName {
 /// The channels of all freedoms, each kind together, of all housings and of all bearings.
 fn every_channel() -> impl Iterator<Item = Channel> {
     let freedoms = GROUPS.iter().flat_map(|(_, of)| (0..FREEDOMS).map(of));
-    let of_parts = |channel: &Channel| {
-        matches!(
-            channel,
-            Channel::Housing { .. } | Channel::BearingForce { .. }
-        )
-    };
+    let of_parts =
+        |channel: &Channel| matches!(channel, Channel::Body { .. } | Channel::BearingForce { .. });
     freedoms.chain(Channel::all().filter(of_parts))
 }
 

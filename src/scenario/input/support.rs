@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::components::{Axes, Components, PerFreedom};
-use crate::bearing::Housing;
+use crate::bearing::{Housing, Resonator};
 use crate::rotor::{FREEDOMS, Freedoms, LinearBearing};
 use crate::scenario::Issue;
 use crate::scenario::quantity::{
@@ -25,6 +25,24 @@ pub struct HousingInput {
     pub stiffness: Axes<Stiffness>,
     /// Damping to the ground along each axis, for instance { x = "500 N s/m", y = "500 N s/m" }. Default: none.
     pub damping: Option<Axes<Damping>>,
+    /// What vibrates on it: a sensor with its mount, whose resonance rings at every impact. Its motion has columns of its
+    /// own, `resonator1_x_acceleration` …
+    pub resonator: Option<ResonatorInput>,
+}
+
+/// A mass on a spring and a damper on the housing, alike along x, y and z.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ResonatorInput {
+    /// Mass, for instance "0.1 kg".
+    #[schemars(extend("examples" = ["0.1 kg"], "x-minimum" = 1e-6))]
+    pub mass: Quantity<Mass>,
+    /// Stiffness to the housing, for instance "1e8 N/m".
+    #[schemars(extend("examples" = ["1e8 N/m"], "x-minimum" = 1.0))]
+    pub stiffness: Quantity<Stiffness>,
+    /// Damping to the housing, for instance "500 N s/m". Default: none.
+    #[schemars(extend("x-minimum" = 0.0))]
+    pub damping: Option<Quantity<Damping>>,
 }
 
 impl HousingInput {
@@ -45,6 +63,11 @@ impl HousingInput {
             mass: self.mass.si(),
             stiffness,
             damping: self.damping.as_ref().map_or([0.0; 3], Axes::values),
+            resonator: self.resonator.as_ref().map(|own| Resonator {
+                mass: own.mass.si(),
+                stiffness: own.stiffness.si(),
+                damping: own.damping.as_ref().map_or(0.0, Quantity::si),
+            }),
         })
     }
 }

@@ -161,9 +161,8 @@ fn part_columns(rotor: &RotorDefinition) -> Vec<NumberColumn> {
         }));
         columns.extend(ORDERS.map(|order| line(part, order)));
     }
-    let housings = rotor.housed();
-    let velocities = housings.flat_map(|bearing| Channel::of_housing(bearing, 2));
-    let velocities = velocities.filter(|channel| channel.unit() == "m/s");
+    let bodies = Channel::of_bodies(rotor, 2);
+    let velocities = bodies.filter(|channel| channel.is_housing_velocity());
     columns.extend(velocities.map(housing_velocity));
     columns
 }

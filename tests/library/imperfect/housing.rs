@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Complex, Matrix2, Vector2};
 
-use crate::bearing::{ContactLaw, Housing, MountedBearing, Surface};
+use crate::bearing::{ContactLaw, Housing, MountedBearing, Resonator, Surface};
 use crate::integrate::{Method, Settings};
 use crate::rotor::load::{Harmonic, Load, LoadKind, Pace};
 use crate::rotor::{Damping, Freedoms, Rotor, RotorDefinition, Sample};
@@ -20,6 +20,7 @@ const HOUSING: Housing = Housing {
     mass: 3.0,
     stiffness: [3e7, 2e7, 5e7],
     damping: [400.0, 300.0, 500.0],
+    resonator: None,
 };
 /// Acceleration of the base, m/s², and its frequency, Hz.
 const SHAKEN: [f64; 2] = [2.0, 180.0];
@@ -48,6 +49,63 @@ fn two_masses() -> RotorDefinition {
                 ..mounted(bearing("7205C"))
             }],
         )
+    }
+}
+
+/// ω² of masses in a row, from the first spring, to the ground, outwards.
+fn in_a_row(masses: [f64; 3], springs: [f64; 3]) -> Vec<f64> {
+    let [outer, middle, inner] = springs;
+    let stiffness = nalgebra::Matrix3::new(
+        outer + middle + inner,
+        -middle,
+        -inner,
+        -middle,
+        middle,
+        0.0,
+        -inner,
+        0.0,
+        inner,
+    );
+    let scaled = nalgebra::Matrix3::from_fn(|row, column| {
+        stiffness[(row, column)] / (masses[row] * masses[column]).sqrt()
+    });
+    let mut squares: Vec<f64> = scaled.symmetric_eigenvalues().iter().copied().collect();
+    squares.sort_by(f64::total_cmp);
+    squares
+}
+
+/// A housing with a sensor of 0.4 kg on a spring of 6e8 N/m: the frequencies along each axis are those of three masses, of
+/// which the housing carries the other two.
+#[test]
+fn a_resonator_on_a_housing_is_a_third_mass() {
+    let mut definition = two_masses();
+    definition.damping = Damping::Undamped;
+    definition.bearings[0].housing = Some(Housing {
+        damping: [0.0; 3],
+        resonator: Some(Resonator {
+            mass: 0.4,
+            stiffness: 6e8,
+            damping: 0.0,
+        }),
+        ..HOUSING
+    });
+    let built = Rotor::assemble(&definition).expect("a rotor");
+    let stiffness = *built.equilibrium().stiffness();
+    let mut due: Vec<f64> = (0..3)
+        .flat_map(|axis| {
+            let masses = [HOUSING.mass, definition.shaft.mass, 0.4];
+            in_a_row(
+                masses,
+                [HOUSING.stiffness[axis], stiffness[(axis, axis)], 6e8],
+            )
+        })
+        .map(f64::sqrt)
+        .collect();
+    due.sort_by(f64::total_cmp);
+    let found = built.natural_frequencies();
+    assert_eq!(found.len(), due.len());
+    for (found, due) in found.iter().zip(due) {
+        assert_near("frequency", TAU * found.frequency, due, 1e-8);
     }
 }
 
@@ -85,7 +143,7 @@ fn a_shaken_housing_and_its_shaft_answer_as_two_masses_in_a_row() {
         ..model(definition, 0.6, rate)
     };
     let samples = try_run(&model, 0.6 - 1.0 / SHAKEN[1]).1;
-    let housed = |sample: &Sample| sample.housings.expect("a housing")[0].displacement[0];
+    let housed = |sample: &Sample| sample.bodies.expect("a housing")[0].displacement[0];
     for sample in samples {
         let turned = Complex::from_polar(1.0, omega * sample.time);
         let [shaft, housing] = [expected[0], expected[1]].map(|part| (part * turned).re);
@@ -197,7 +255,7 @@ fn a_spall_shakes_the_housing_that_its_bearing_stands_in() {
         let (run, samples) = try_run(&model, 0.05);
         let error = run.expect("a run").measured_error.expect("an error");
         assert!(error.relative < 3e-8, "{:e}", error.relative);
-        let velocity = |sample: &Sample| sample.housings.expect("a housing")[0].velocity[1];
+        let velocity = |sample: &Sample| sample.bodies.expect("a housing")[0].velocity[1];
         samples
             .iter()
             .map(|sample| velocity(sample).abs())
