@@ -5,6 +5,7 @@ mod model;
 mod observation;
 mod observers;
 pub(crate) mod passes;
+mod recorded;
 mod recorders;
 mod run;
 mod run_up;
@@ -24,18 +25,17 @@ pub(crate) use observation::{BeyondContact, PeakWatch, Spread};
 #[cfg(test)]
 pub(crate) use observation::{ConsumedLife, LifeHistory, LoadZone};
 pub(crate) use passes::{BareRun, Recorded, reference_settings};
+pub(crate) use recorded::LAST_BALLS;
+pub use recorded::{RecordedRun, UnknownColumn};
 pub use recorders::Maps;
-pub(crate) use run::LAST_BALLS;
-pub use run::{
-    MeasuredError, RecordedRun, Reduction, ReductionError, Run, StaticState, UnknownColumn,
-};
+pub use run::{MeasuredError, Reduction, ReductionError, Run, StaticState};
 pub use run_up::{Extreme, RunUp};
 pub(crate) use sampling::RunSize;
 pub(crate) use severity::Machine;
 pub(crate) use severity::VibrationSeverity;
 pub(crate) use spalls::SpallPassage;
 pub(crate) use tables::TableUse;
-pub(crate) use warnings::{assembled_warnings, speed_warnings};
+pub(crate) use warnings::{PROMISE, assembled_warnings, speed_warnings};
 pub use watch::{Monitor, SimulateError, TraceSink};
 
 pub use crate::integrate::{Counters, IntegrateError};

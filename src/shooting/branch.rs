@@ -12,7 +12,7 @@
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
-use super::continuation::Continuer;
+use super::corrector::Continuer;
 use super::{Multipliers, ReturnMap, ShootingError, SpecialKind};
 use crate::keys;
 

@@ -14,6 +14,7 @@
 mod branch;
 mod circle;
 mod continuation;
+mod corrector;
 mod map;
 mod multipliers;
 mod newton;

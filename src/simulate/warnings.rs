@@ -17,7 +17,7 @@ const COARSEST_BALANCE: f64 = 100.0;
 const INERTIA_FREE: f64 = 5e5;
 
 /// A measured error above this many tolerances is worth a warning.
-const PROMISE: f64 = 10.0;
+pub(crate) const PROMISE: f64 = 10.0;
 
 pub(super) fn warnings(
     model: &Model,

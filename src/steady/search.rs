@@ -5,8 +5,8 @@ use nalgebra::{DMatrix, DVector};
 use super::SteadyError;
 use super::rotor_map::RotorMap;
 use crate::shooting::{
-    Circle, MapError, Multipliers, ReturnMap, Returned, ShootingError, Slopes, mixed, multipliers,
-    solve,
+    Circle, MapError, Multipliers, ReturnMap, Returned, ShootingError, Slopes, Stability, mixed,
+    multipliers, solve,
 };
 
 /// Periods waited for before the search is tried again.
@@ -35,6 +35,40 @@ pub(super) struct Found {
     pub history: Vec<f64>,
     /// Periods integrated before the search.
     pub waited: u64,
+}
+
+/// The motion asked for; where none is, a stable one if there is one. Beside it the multipliers of the
+/// motion of a single period, where that is another one.
+pub(super) fn search(
+    map: &mut RotorMap<'_>,
+    multiple: Option<u32>,
+) -> Result<(Found, Option<Multipliers>), SteadyError> {
+    let asked = map.periods.clone();
+    if !asked.is_torus() {
+        map.periods = asked.times(1);
+    }
+    let single = find(map)?;
+    let stable = !matches!(map.stability(&single), Stability::Unstable(_));
+    if asked.is_torus() || multiple == Some(1) || (stable && multiple.is_none()) {
+        return Ok((single, None));
+    }
+    // what leaves a motion that is not stable begins near it; where a stable one has another beside it, at rest
+    let start = match stable {
+        true => DVector::zeros(map.size()),
+        false => single.states.clone(),
+    };
+    let fits = |found: u32| found > 1 && multiple.is_none_or(|asked| asked.is_multiple_of(found));
+    if let Some(found) = subharmonic(map, &start)?
+        && fits(map.periods.multiple)
+    {
+        return Ok((found, Some(single.multipliers)));
+    }
+    map.periods = asked;
+    if map.periods.multiple == 1 {
+        return Ok((single, None));
+    }
+    let again = found_from(map, single.states)?;
+    Ok((again, Some(single.multipliers)))
 }
 
 /// Finds the motion of a map, of one frequency or of two.
@@ -71,10 +105,7 @@ pub(super) fn find(map: &mut RotorMap<'_>) -> Result<Found, SteadyError> {
 }
 
 /// Finds the motion of a map near a guess.
-pub(super) fn found_from(
-    map: &mut RotorMap<'_>,
-    guess: DVector<f64>,
-) -> Result<Found, SteadyError> {
+fn found_from(map: &mut RotorMap<'_>, guess: DVector<f64>) -> Result<Found, SteadyError> {
     let (returned, waited) = returned_from(map, guess)?;
     finished(map, returned, waited)
 }
@@ -166,10 +197,7 @@ fn finished(map: &mut RotorMap<'_>, returned: Returned, waited: u64) -> Result<F
 
 /// Waits near some states until they nearly repeat after some periods, and finds the motion of that
 /// many periods: the map is then that of those; `None` where none is found that is stable.
-pub(super) fn subharmonic(
-    map: &mut RotorMap<'_>,
-    from: &DVector<f64>,
-) -> Result<Option<Found>, SteadyError> {
+fn subharmonic(map: &mut RotorMap<'_>, from: &DVector<f64>) -> Result<Option<Found>, SteadyError> {
     let (single, tolerance) = (map.periods.clone(), map.solver.settings.tolerance);
     let mut states = from.add_scalar(PERTURBATION);
     let mut waited = 0;
