@@ -186,7 +186,7 @@ impl Channel {
         Self::of_trace().chain(bodies).chain(forces).collect()
     }
 
-    /// The same, or time and the columns that the `[output]` of a scenario asks for.
+    /// The columns of the table `trace` of a shaft, or time and the columns that the `[output]` of a scenario asks for.
     pub(crate) fn of_trace_in(scenario: &Value, rotor: &RotorDefinition) -> Vec<Self> {
         let asked = Vec::deserialize(&scenario["output"]["channels"]).ok();
         let timed = |asked: Vec<Self>| [Self::Time].into_iter().chain(asked).collect();
@@ -398,6 +398,11 @@ impl Channel {
     /// The column of a measure of how it moves, in its unit: `x_rms_m`.
     pub(crate) fn measure(self, what: &'static str) -> Column {
         Column::measure(self.name(), what, self.unit())
+    }
+
+    /// The columns of its lines in a spectrum, amplitude and phase: `x_amplitude_m`, `x_phase_rad`.
+    pub(crate) fn lines(self) -> [Column; 2] {
+        [self.measure("amplitude"), Column::phase(self.name())]
     }
 
     /// The quantity that a column of a trace or of a spectrum is of, in the unit of the quantity itself.

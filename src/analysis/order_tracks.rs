@@ -61,7 +61,7 @@ pub struct OrderTracks {
     pub revolutions: f64,
     /// The orders that were asked for.
     pub orders: Vec<TrackedOrder>,
-    /// The same, those that the windows do not tell apart in one track at their mean.
+    /// The orders, those that the windows do not tell apart in one track at their mean.
     pub tracked: Vec<TrackedOrder>,
     /// The quantities.
     pub channels: Vec<Channel>,

@@ -161,7 +161,7 @@ impl HannSpectrum {
     }
 }
 
-/// The same angle within −π … π.
+/// An angle turned into −π … π.
 fn wrapped(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }

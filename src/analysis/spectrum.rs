@@ -162,7 +162,7 @@ impl Recording {
         })
     }
 
-    /// The same up to an order of the shaft, or all of it where the shaft does not turn; without peaks.
+    /// The spectrum up to an order of the shaft, or all of it where the shaft does not turn; without peaks.
     pub fn lines(
         &self,
         channels: &[Channel],

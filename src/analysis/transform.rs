@@ -33,7 +33,7 @@ impl Transform {
         Self::planned(samples, &mut RealFftPlanner::new())
     }
 
-    /// The same with a planner that remembers the lengths it has met.
+    /// The transform by a planner that remembers the lengths it has met.
     pub(super) fn planned(mut samples: Vec<f64>, planner: &mut RealFftPlanner<f64>) -> Self {
         let length = samples.len();
         if length == 0 {

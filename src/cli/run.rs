@@ -81,7 +81,7 @@ impl Arguments {
 /// Runs a checked scenario and writes its files; `opens` shows its page.
 pub fn run_motion(job: &Job, model: &Model, opens: bool) -> Result<Answer, Failure> {
     let started = Instant::now();
-    let mut report = RunReport::of(&job.scenario, model, &job.folder)?;
+    let mut report = RunReport::new(&job.scenario, model, &job.folder)?;
     tell_of_thinning(job, model);
     let progress: [Progress; 3] = Default::default();
     let mut monitor = Monitor {

@@ -215,7 +215,7 @@ fn frequencies(campbell: &Campbell) -> Panel {
             ..Curve::dots(colour(critical.whirl), vec![place])
         }
     }));
-    Panel::of(
+    Panel::holding(
         speeds(campbell),
         ("natural frequency", "Hz"),
         HEIGHT,
@@ -228,7 +228,7 @@ fn damping(campbell: &Campbell) -> Panel {
     let mut curves = branches(campbell, Mode::damping_ratio);
     let [first, _] = ends(campbell);
     curves.push(Curve::line(GREY, vec![(PER_MINUTE * first, 0.0)]));
-    Panel::of(speeds(campbell), "damping ratio", HEIGHT, curves)
+    Panel::holding(speeds(campbell), "damping ratio", HEIGHT, curves)
 }
 
 /// First and last speed, rad/s.

@@ -2,7 +2,7 @@
 
 /// Buckets of a curve: more cannot be seen on the width of a figure.
 pub(super) const BUCKETS: usize = 2048;
-/// The same of a wide screen.
+/// Buckets of a curve on a wide screen.
 pub(super) const SCREEN_BUCKETS: usize = 3072;
 
 /// Smallest and largest value of a segment of a curve, in the order in which they came.

@@ -170,12 +170,12 @@ impl RunFolder {
         })
     }
 
-    /// The same for another set of files.
+    /// The folder, for another set of files.
     pub(super) fn with_set(self, set: FileSet) -> Self {
         Self { set, ..self }
     }
 
-    /// The same with tables in these formats, which say what scenario they come from.
+    /// The folder with tables in these formats, which say what scenario they come from.
     pub(super) fn with_tables(self, formats: &[TableFormat], scenario: &Value) -> Self {
         let scenario = scenario.to_string();
         Self {
@@ -454,7 +454,7 @@ impl WholeFile {
         name.to_string_lossy().into_owned()
     }
 
-    /// The same file, to have another name.
+    /// The file, to have another name.
     pub(super) fn named(mut self, name: &str) -> Self {
         self.path.set_file_name(name);
         self

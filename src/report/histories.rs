@@ -27,7 +27,7 @@ struct History {
     envelope: Decimator,
     /// Times and values of the last samples.
     last: VecDeque<(f64, f64)>,
-    /// The same around events.
+    /// Times and values of the samples around events.
     segments: Vec<Vec<(f64, f64)>>,
 }
 
@@ -134,7 +134,7 @@ impl Histories {
         let panels = histories.iter().enumerate().map(|(index, history)| {
             let (label, scale) = shown_column(&history.channel.column());
             let time = Axis::over(("time", "s"), time.clone());
-            Panel::of(time, label, height, vec![history.curve(index, scale)])
+            Panel::holding(time, label, height, vec![history.curve(index, scale)])
         });
         Figure::new(name, title, 1, panels.collect())
     }

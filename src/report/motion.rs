@@ -138,7 +138,7 @@ fn velocity(motion: &Motion, channel: Channel) -> String {
     level.as_ref().map_or_else(String::new, rms_text)
 }
 
-/// The same and whose it is: `0.123 mm/s RMS from 10 to 1000 Hz of housing1 along x`.
+/// Velocity and whose it is: `0.123 mm/s RMS from 10 to 1000 Hz of housing1 along x`.
 fn level_text(channel: Channel, level: &VelocityLevel) -> String {
     let name = channel.name().trim_end_matches("_velocity");
     let (part, axis) = name.split_once('_').unwrap_or(("the shaft", name));

@@ -50,9 +50,7 @@ impl RunFindings {
 
     fn answer(&self) -> RunAnswer<'_> {
         RunAnswer {
-            title: &self.scenario.title,
-            scenario: &self.scenario.echo,
-            contact_choice: self.scenario.contact_choice.as_ref(),
+            scenario: &self.scenario,
             model: &self.model,
             run: &self.recorded.run,
             campbell: self.campbell.as_ref(),
@@ -61,12 +59,12 @@ impl RunFindings {
 
     /// What `summary.json` says.
     pub fn document(&self) -> Value {
-        self.answer().document()
+        self.answer().told().document
     }
 
     /// Key numbers and the strongest peaks, for people.
     pub fn text(&self) -> String {
-        self.answer().text().text(false)
+        self.answer().told().text(false)
     }
 
     /// Names of the tables that the run has, as those of its files.
@@ -146,7 +144,7 @@ impl RunFindings {
             histories: Some(&histories),
             film: None,
         };
-        self.answer().findings(&self.scenario.output, drawn)
+        self.answer().findings(drawn)
     }
 
     /// The spectra that another version of the scenario asks for, estimated from the samples of this run; of each
@@ -174,7 +172,7 @@ impl RunFindings {
     /// # Errors
     /// [`ReportError`] where a file cannot be written or drawn.
     pub fn write(&self, folder: &Path) -> Result<Vec<PathBuf>, ReportError> {
-        let mut report = RunReport::of(&self.scenario, &self.model, folder)?;
+        let mut report = RunReport::new(&self.scenario, &self.model, folder)?;
         let replayed = self.recorded.replay(&mut report);
         replayed.map_err(ReportError::file(FileAction::Write, folder))?;
         Ok(report.finish(&self.model, self.recorded.run.clone())?.files)

@@ -176,7 +176,7 @@ fn figure(title: &str, variable: &Variable, branches: &[Response]) -> Figure {
                 (variable.shown(point.value), MICRO * swing)
             })
         });
-        Panel::of(axis.clone(), name, HEIGHT, curves.collect())
+        Panel::holding(axis.clone(), name, HEIGHT, curves.collect())
     });
     let multiples = branches.iter().map(|branch| branch.multiple);
     let names = Name::each(multiples.map(|multiple| format!("{multiple} × the period")));

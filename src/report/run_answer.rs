@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use super::figure::Figure;
 use super::film::Film;
-use super::findings::{Findings, document, with_keys};
+use super::findings::{Findings, with_keys};
 use super::histories::Histories;
 use super::motion::{motion_json, orbit_figure, poincare_table};
 use super::run_up::{maps_figures, maps_json, run_up_json, tracks_table};
@@ -15,12 +15,10 @@ use super::spectra::{
     spectra_figures, spectrum_table, table_name,
 };
 use super::statics::balls_figure;
-use super::terminal::Lines;
-use super::text::{add_contact_choice, method_use_json, parted, text};
+use super::text::{method_use_json, parted, text};
 use super::{FileSet, campbell, defects, spectrum_figure};
-use crate::scenario::Output;
+use crate::scenario::Scenario;
 use crate::simulate::{Model, Run};
-use crate::study::ContactChoice;
 use crate::study::campbell::{Campbell, CriticalSpeed};
 use crate::table::Table;
 
@@ -34,12 +32,8 @@ pub(super) struct Drawn<'a> {
 /// A run, and what its answers rest on.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RunAnswer<'a> {
-    /// Title of the scenario.
-    pub title: &'a str,
-    /// The scenario with its defaults.
-    pub scenario: &'a Value,
-    /// The law of the contacts, where it was to be chosen.
-    pub contact_choice: Option<&'a ContactChoice>,
+    /// What it was made from.
+    pub scenario: &'a Scenario,
     /// What ran.
     pub model: &'a Model,
     /// What it gave.
@@ -49,47 +43,32 @@ pub(super) struct RunAnswer<'a> {
 }
 
 impl<'a> RunAnswer<'a> {
-    /// What `summary.json` says.
-    pub fn document(&self) -> Value {
-        document(self.title, self.scenario, RunSummary::new(self))
+    /// What is told of it, without tables and figures.
+    pub fn told(&self) -> Findings {
+        let text = text(&self.scenario.title, self.model, self.run, self.campbell);
+        Findings::new(FileSet::MOTION, self.scenario, RunSummary::new(self), text)
     }
 
-    /// Key numbers and the strongest peaks, for people.
-    pub fn text(&self) -> Lines {
-        let mut out = text(self.title, self.model, self.run, self.campbell);
-        if let Some(choice) = self.contact_choice {
-            add_contact_choice(&mut out, choice);
-        }
-        out
-    }
-
-    /// All of it but its tables, which are too large to be held twice; of these the peaks.
-    pub fn findings(&self, output: &Output, drawn: Drawn<'_>) -> Findings {
+    /// All of it but the tables that are too large to be held twice.
+    pub fn findings(&self, drawn: Drawn<'_>) -> Findings {
+        let peaks = self.peaks().map(|table| ("peaks", table));
         Findings {
-            set: FileSet::MOTION,
-            output: output.clone(),
-            tables: self
-                .peaks()
-                .map(|table| ("peaks", table))
-                .into_iter()
-                .collect(),
+            tables: peaks.into_iter().collect(),
             figures: self.figures(drawn.histories),
             film: drawn.film.and_then(|film| film.json(&self.model.rotor)),
-            document: self.document(),
-            text: self.text(),
-            incomplete: false,
+            ..self.told()
         }
     }
 
     /// What is drawn of a run, in the order of its page.
     fn figures(&self, histories: Option<&Histories>) -> Vec<Figure> {
         let Self {
-            title,
+            scenario,
             model,
             run,
             campbell,
-            ..
         } = *self;
+        let title = &scenario.title;
         let limit = frequency_limit_of(run);
         let mut figures = Vec::new();
         let spectrum = run.spectrum.as_ref();
@@ -159,8 +138,6 @@ struct RunSummary<'a> {
     maps: Option<Value>,
     spectra: Vec<Value>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    contact_choice: Option<&'a ContactChoice>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     critical_speeds: Option<&'a [CriticalSpeed]>,
 }
 
@@ -173,7 +150,6 @@ impl<'a> RunSummary<'a> {
         let RunAnswer {
             model,
             run,
-            contact_choice,
             campbell,
             ..
         } = *of;
@@ -198,7 +174,6 @@ impl<'a> RunSummary<'a> {
                 .map(|run_up| run_up_json(run_up, campbell)),
             maps: run.maps.as_ref().map(maps_json),
             spectra: run.spectra.iter().map(estimated_json).collect(),
-            contact_choice,
             critical_speeds: campbell.map(|campbell| &campbell.critical_speeds[..]),
         }
     }

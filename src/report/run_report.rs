@@ -4,7 +4,7 @@ use std::io;
 use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
 
-use serde_json::{Value, json};
+use serde_json::json;
 
 use super::film::Film;
 use super::findings::{WrittenFindings, document};
@@ -17,9 +17,8 @@ use super::{FileSet, ReportError, RunFolder};
 use crate::analysis::Channel;
 use crate::integrate::{Counters, IntegrateError};
 use crate::rotor::{BallContacts, Sample};
-use crate::scenario::{Output, Scenario};
+use crate::scenario::Scenario;
 use crate::simulate::{Event, Model, Run, TraceSink};
-use crate::study::ContactChoice;
 use crate::study::campbell::along_run_up;
 
 /// Takes the trace of a run and writes its files.
@@ -29,10 +28,8 @@ use crate::study::campbell::along_run_up;
 #[derive(Debug)]
 pub struct RunReport {
     folder: RunFolder,
-    title: String,
-    scenario: Value,
-    /// Which files are written besides `summary.json`.
-    output: Output,
+    /// What is run, and which files are written besides `summary.json`.
+    scenario: Scenario,
     /// Of how many samples one is written to the tables, the first; spectra and figures rest on all.
     every: NonZeroU64,
     /// The trace first, if it is written, then energy and drive.
@@ -43,25 +40,32 @@ pub struct RunReport {
     histories: Option<Histories>,
     film: Option<Film>,
     samples: u64,
-    contact_choice: Option<ContactChoice>,
 }
 
 impl RunReport {
-    /// Opens `folder` for a run of a model.
+    /// Opens `folder` for the run of a scenario's model, with the files that its `[output]` asks for.
     ///
-    /// `scenario` is echoed in `summary.json`.
+    /// ```no_run
+    /// use std::sync::atomic::AtomicBool;
+    /// use jeffcott::report::RunReport;
+    /// use jeffcott::simulate::{Monitor, simulate};
+    ///
+    /// let scenario = jeffcott::scenario::load("scenarios/steady-7205c.toml".as_ref())?;
+    /// let model = scenario.model.as_ref().ok_or("nothing moves")?;
+    /// let mut report = RunReport::new(&scenario, model, "output/steady".as_ref())?;
+    /// let stop = AtomicBool::new(false);
+    /// let mut monitor = Monitor { stop: &stop, progress: &mut |_part| {} };
+    /// let run = simulate(model, &mut report, &mut monitor)?;
+    /// let files = report.finish(model, run)?.files;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     /// [`ReportError::File`] where folder or trace cannot be created.
-    pub(crate) fn open(
-        folder: &Path,
-        output: Output,
-        model: &Model,
-        title: &str,
-        scenario: Value,
-    ) -> Result<Self, ReportError> {
+    pub fn new(scenario: &Scenario, model: &Model, folder: &Path) -> Result<Self, ReportError> {
+        let output = &scenario.output;
         let folder = RunFolder::open(folder, FileSet::MOTION)?;
-        let folder = folder.with_tables(&output.formats, &scenario);
+        let folder = folder.with_tables(&output.formats, &scenario.echo);
         let trace: Vec<Channel> = match &output.channels {
             Some(channels) => [Channel::Time].iter().chain(channels).copied().collect(),
             None => Channel::of_trace_of(&model.rotor),
@@ -84,12 +88,9 @@ impl RunReport {
             histories: (output.figures || output.report).then(histories),
             film: output.report.then(Film::default),
             every: output.written_of(model.samples()),
-            output,
             folder,
-            title: title.to_owned(),
-            scenario,
+            scenario: scenario.clone(),
             samples: 0,
-            contact_choice: None,
         })
     }
 
@@ -111,9 +112,10 @@ impl RunReport {
     ) -> Result<KeptFiles, ReportError> {
         let earlier = self.folder.whole_files();
         let trace = self.tables.into_iter().next();
-        let trace = trace.filter(|_| self.output.trace);
+        let output = &self.scenario.output;
+        let trace = trace.filter(|_| output.trace);
         let files = trace.map(|trace| trace.files.close()).transpose()?;
-        let formats = self.output.formats.iter();
+        let formats = output.formats.iter();
         let names = formats.map(|format| format!("trace.until-failure.{}", format.extension()));
         let files = files.into_iter().flatten().zip(names);
         let files: Vec<_> = files.map(|(file, name)| file.named(&name)).collect();
@@ -127,7 +129,7 @@ impl RunReport {
             "trace": trace.map(|name| name.to_string_lossy()),
             "of_an_earlier_run": earlier,
         });
-        let json = document(&self.title, &self.scenario, json);
+        let json = document(&self.scenario.title, &self.scenario.echo, json);
         let folder = self.folder.with_set(FileSet::FAILURE);
         Ok(KeptFiles {
             files: folder.commit(files, json)?.0,
@@ -142,9 +144,7 @@ impl RunReport {
     pub fn finish(self, model: &Model, mut run: Run) -> Result<WrittenFindings, ReportError> {
         let campbell = along_run_up(model, &mut run);
         let answer = RunAnswer {
-            title: &self.title,
             scenario: &self.scenario,
-            contact_choice: self.contact_choice.as_ref(),
             model,
             run: &run,
             campbell: campbell.as_ref(),
@@ -153,7 +153,7 @@ impl RunReport {
             histories: self.histories.as_ref(),
             film: self.film.as_ref(),
         };
-        let findings = answer.findings(&self.output, drawn);
+        let findings = answer.findings(drawn);
         let mut files = Vec::new();
         let streamed = self.tables.into_iter().map(|table| table.files);
         for table in streamed.chain(self.balls).chain(self.events) {
@@ -198,7 +198,7 @@ impl TraceSink for RunReport {
     }
 
     fn needs_contact_angles(&self) -> bool {
-        self.output.balls
+        self.scenario.output.balls
     }
 
     fn sample(&mut self, sample: &Sample) -> io::Result<()> {
@@ -217,7 +217,7 @@ impl TraceSink for RunReport {
         if let Some(film) = &mut self.film {
             film.take(sample, balls);
         }
-        if !self.output.balls || !self.keeps_sample() {
+        if !self.scenario.output.balls || !self.keeps_sample() {
             return Ok(());
         }
         let files = match &mut self.balls {
@@ -238,34 +238,5 @@ impl TraceSink for RunReport {
             None => Ok(()),
             Some(files) => files.row(&event_row(event)),
         }
-    }
-}
-
-impl RunReport {
-    /// Opens `folder` for the run of a scenario's model, with the files that its `[output]` asks for.
-    ///
-    /// ```no_run
-    /// use std::sync::atomic::AtomicBool;
-    /// use jeffcott::report::RunReport;
-    /// use jeffcott::simulate::{Monitor, simulate};
-    ///
-    /// let scenario = jeffcott::scenario::load("scenarios/steady-7205c.toml".as_ref())?;
-    /// let model = scenario.model.as_ref().ok_or("nothing moves")?;
-    /// let mut report = RunReport::of(&scenario, model, "output/steady".as_ref())?;
-    /// let stop = AtomicBool::new(false);
-    /// let mut monitor = Monitor { stop: &stop, progress: &mut |_part| {} };
-    /// let run = simulate(model, &mut report, &mut monitor)?;
-    /// let files = report.finish(model, run)?.files;
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`ReportError::File`] where folder or trace cannot be created.
-    pub fn of(scenario: &Scenario, model: &Model, folder: &Path) -> Result<Self, ReportError> {
-        let (output, echo) = (scenario.output.clone(), scenario.echo.clone());
-        Ok(Self {
-            contact_choice: scenario.contact_choice.clone(),
-            ..Self::open(folder, output, model, &scenario.title, echo)?
-        })
     }
 }

@@ -6,7 +6,6 @@ use serde_json::{Map as Object, Value, json};
 
 use super::figure::{Axis, Curve, Figure, Label, Map, Name, Panel, Point, WHITE, distinct};
 use super::findings::with_keys;
-use super::spectra::{amplitude_column, phase_column};
 use super::terminal::{Lines, MICRO, PER_MINUTE, PER_SECOND, listed, shown_unit, significant};
 use crate::analysis::{Channel, OrderTracks, Slice, Track, Waterfall};
 use crate::simulate::{Extreme, Maps, RunUp};
@@ -108,7 +107,12 @@ pub(super) fn waterfall_columns(waterfall: &Waterfall) -> Vec<Column> {
         .map(Channel::column)
         .to_vec();
     columns.push(Column::frequency());
-    columns.extend(waterfall.channels.iter().copied().map(amplitude_column));
+    columns.extend(
+        waterfall
+            .channels
+            .iter()
+            .map(|channel| channel.measure("amplitude")),
+    );
     columns
 }
 
@@ -220,7 +224,7 @@ pub(in crate::report) struct Raster {
 
 impl Raster {
     /// Of columns at even steps, each by rising frequency, m.
-    pub fn of(ends: [f64; 2], frequencies: [f64; 2], columns: Vec<Vec<f64>>) -> Self {
+    pub fn new(ends: [f64; 2], frequencies: [f64; 2], columns: Vec<Vec<f64>>) -> Self {
         Self {
             ends,
             frequencies,
@@ -346,8 +350,7 @@ pub(super) fn tracks_table(tracks: &OrderTracks) -> Table<'static> {
         for (index, order) in tracks.tracked.iter().enumerate() {
             let of = column(&order.name);
             let track = || points().map(|point| &point.tracks[row][index]);
-            let [amplitude, phase] = [amplitude_column(*channel), phase_column(*channel)]
-                .map(|column| column.of_part(&of));
+            let [amplitude, phase] = channel.lines().map(|column| column.of_part(&of));
             table.add(amplitude, track().map(|track| track.amplitude));
             table.add(phase, track().map(|track| track.phase));
         }
@@ -388,7 +391,7 @@ fn amplitudes(tracks: &OrderTracks, row: usize) -> Panel {
         Curve::line(distinct(order), points)
     };
     let curves = (0..tracks.tracked.len()).map(curve);
-    Panel::of(speeds(tracks), name, ORDERS_HEIGHT, curves.collect())
+    Panel::holding(speeds(tracks), name, ORDERS_HEIGHT, curves.collect())
 }
 
 /// Where an order is louder than `least`, m.

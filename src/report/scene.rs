@@ -44,7 +44,7 @@ struct Scale {
 
 /// The shaft of a scenario with all that stands on it.
 pub(crate) fn scene_figure(title: &str, rotor: &RotorDefinition) -> Figure {
-    let scale = Scale::of(rotor);
+    let scale = Scale::from_rotor(rotor);
     let mut drawing = Drawing::default();
     match &rotor.flexible {
         Some(flexible) => drawing.flexible(flexible, &scale),
@@ -85,7 +85,7 @@ pub(crate) fn scene_figure(title: &str, rotor: &RotorDefinition) -> Figure {
 }
 
 impl Scale {
-    fn of(rotor: &RotorDefinition) -> Self {
+    fn from_rotor(rotor: &RotorDefinition) -> Self {
         let bearings = || rotor.bearings.iter();
         let positions = bearings().map(|bearing| bearing.position);
         let positions = positions.chain(rotor.loads.iter().map(|load| load.position));

@@ -37,7 +37,7 @@ fn static_shape(title: &str, shape: &ShaftShape<f64>) -> Figure {
         let deflected = deflections.iter().map(|own| own * MICRO);
         let curves = vec![undeformed(shape), along(shape, deflected, index)];
         let deflection = (format!("deflection along {name}"), "µm");
-        Panel::of(positions(shape), deflection, HEIGHT, curves)
+        Panel::holding(positions(shape), deflection, HEIGHT, curves)
     });
     let names = [Name::new("undeformed", GREY)];
     Figure::new("deflection", title, 1, panels.collect()).with_names(names)
@@ -66,7 +66,7 @@ fn mode_shapes(title: &str, modes: &[(Mode, ShaftShape<Complex<f64>>)]) -> Figur
         let damping = mode.damping_ratio();
         Panel {
             title: format!("{frequency:.2} Hz, {whirl}, damping ratio {damping:.4}"),
-            ..Panel::of(positions(shape), "shape", HEIGHT, curves)
+            ..Panel::holding(positions(shape), "shape", HEIGHT, curves)
         }
     });
     let names = Name::each(["x", "y"]).into_iter();

@@ -331,7 +331,7 @@ fn panels(bearing: &str, state: &BearingState) -> [Panel; 2] {
             curve(&state.balls, 0, |line| value(&line.inner)),
         ];
         let label = (format!("{bearing}{name}"), unit);
-        Panel::of(Axis::azimuth(), label, HEIGHT, curves)
+        Panel::holding(Axis::azimuth(), label, HEIGHT, curves)
     };
     [
         panel("ball load Q", "N", |contact| contact.load),

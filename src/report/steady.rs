@@ -9,7 +9,6 @@ use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
 use super::findings::with_keys;
 use super::histories::Histories;
 use super::run_tables::sample_table;
-use super::spectra::{amplitude_column, phase_column};
 use super::terminal::{Lines, MICRO, digits, listed, measured_text, shown_unit};
 use super::text::reduction_text;
 use super::{FileSet, Findings};
@@ -78,7 +77,7 @@ fn line_table(steady: &Steady, speed: f64) -> Table<'static> {
         table.counts(*name, lines().map(|line| f64::from(line.multiples[index])));
     }
     for (index, channel) in steady.lines.channels.iter().enumerate() {
-        let [amplitude, phase] = [amplitude_column(*channel), phase_column(*channel)];
+        let [amplitude, phase] = channel.lines();
         table.add(amplitude, lines().map(|line| line.amplitude[index]));
         table.add(phase, lines().map(|line| line.phase[index]));
     }

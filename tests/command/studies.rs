@@ -403,7 +403,7 @@ fn runs_last_so_many_cycles_at_their_own_speed() {
         let output = study(&file, folder.path(), &["--restart"]);
         assert!(output.status.success(), "{}", told(&output));
         let table = folder.path().join("cycles").join("poincare.csv");
-        let (runs, times) = (column(&table, "run"), column(&table, "time_s"));
+        let (runs, times) = (column(&table, "run"), column(&table, "t_s"));
         for (run, speed) in [50.0, 100.0, 330.0].into_iter().enumerate() {
             let own = runs.iter().zip(&times);
             let own: Vec<f64> = own

@@ -19,7 +19,7 @@ use crate::rotor::{
     CageMotion, Damping, Freedoms, InitialPosition, InitialState, NaturalFrequency, Rotor,
     RotorDefinition, Sample, Shaft, Whirl,
 };
-use crate::scenario::Output;
+use crate::scenario::{Output, load};
 use crate::simulate::{
     Analyses, BearingHistory, ConsumedLife, Event, EventCount, EventKind, LifeHistory, LoadZone,
     MeasuredError, Model, Run, Sampling, Spread, StaticState, TraceSink,
@@ -210,8 +210,9 @@ fn run() -> Run {
 }
 
 fn open(folder: &Path, output: Output) -> RunReport {
-    let report = RunReport::open(folder, output, &model(), TITLE, "scenario".into());
-    let mut report = report.unwrap();
+    let mut scenario = load("scenarios/linear-7205c.toml".as_ref()).unwrap();
+    (scenario.title, scenario.output) = (TITLE.to_owned(), output);
+    let mut report = RunReport::new(&scenario, &model(), folder).unwrap();
     for sample in samples() {
         report.sample(&sample).unwrap();
     }
@@ -458,7 +459,7 @@ fn the_summary_names_units_and_causes() {
     let text = fs::read_to_string(folder.path().join("summary.json")).unwrap();
     let value: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!(value["jeffcott"], env!("CARGO_PKG_VERSION"));
-    assert_eq!(value["scenario"], "scenario");
+    assert_eq!(value["scenario"]["speed"]["constant"], "500 rad/s");
     assert_eq!(value["equilibrium"]["y_m"], -3.3e-6);
     assert_eq!(value["stiffness"]["rows"][3], "moment_x_N_m");
     assert_eq!(value["natural_frequencies"][0]["frequency_Hz"], 431.0);

@@ -68,7 +68,7 @@ fn vertex([before, highest, after]: [f64; 3]) -> f64 {
     0.5 * (before - after) / (before - 2.0 * highest + after)
 }
 
-/// The same of a line under the Hann window: (2a − 1)/(a + 1) towards a neighbour of a times the amplitude (Rife & Vincent, Bell
+/// The offset of a line under the Hann window: (2a − 1)/(a + 1) towards a neighbour of a times the amplitude (Rife & Vincent, Bell
 /// Syst. Tech. J. 49 (1970) 197–228).
 fn between_hann([before, highest, after]: [f64; 3]) -> f64 {
     let part = before.max(after) / highest;

@@ -38,7 +38,7 @@ impl Interpolation<'_> {
         self.over(index, 1, fraction)
     }
 
-    /// The same from samples `step` apart, of which `index` is one; at the ends of the record through the last nodes,
+    /// The value from samples `step` apart, of which `index` is one; at the ends of the record through the last nodes,
     /// and through the nearest sample where there are fewer.
     fn over(&self, index: usize, step: usize, fraction: f64) -> f64 {
         let samples = self.samples();

@@ -12,12 +12,12 @@ use crate::analysis::{Channel, ChannelCheck, Line, Window};
 pub enum SpectrumKind {
     /// One one-sided spectrum a channel.
     Plain,
-    /// The same of the channel's envelope.
+    /// The spectrum of the channel's envelope.
     Envelope {
         /// Lowest and highest frequency of what has the envelope, Hz.
         band: [f64; 2],
     },
-    /// The same of the band in which the first channel knocks most, which becomes that of an `Envelope`.
+    /// The spectrum of the envelope of the band in which the first channel knocks most, which becomes that of an `Envelope`.
     ImpulsiveEnvelope,
     /// Two-sided spectra of x + iy; channels come in pairs.
     Whirl,

@@ -112,8 +112,8 @@ fn both_panels(tables: &[Source<'_>; 2], column: &ColumnComparison) -> [Panel; 2
         Curve::envelope(distinct(index), points)
     });
     [
-        Panel::of(axis.clone(), values, HEIGHT, curves.collect()),
-        Panel::of(axis, format!("b − a{unit}"), HEIGHT, vec![change]),
+        Panel::holding(axis.clone(), values, HEIGHT, curves.collect()),
+        Panel::holding(axis, format!("b − a{unit}"), HEIGHT, vec![change]),
     ]
 }
 

@@ -34,7 +34,7 @@ pub(super) fn compare_lines(
     rules: &Rules,
 ) -> TableComparison {
     let mut differences = Source::alone(spectra, Column::has_lines);
-    let scales = Scales::of(spectra);
+    let scales = Scales::from_tables(spectra);
     let shared = spectra[0].columns().filter(|column| column.has_lines());
     let shared = shared.filter(|column| spectra[1].values(column).is_some());
     let mut columns = Vec::new();

@@ -12,7 +12,6 @@ use crate::analysis::Channel;
 use crate::report::envelope::Decimator;
 use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct, ends};
 use crate::report::page::Page;
-use crate::report::spectra::amplitude_column;
 use crate::report::terminal::{Lines, MILLI, digits, or_dash, shown_column};
 use crate::table::Column;
 
@@ -95,7 +94,7 @@ fn show_runs(folders: &[PathBuf], lines: &mut Lines) -> Result<Vec<Figure>, Comp
     let names = names(&runs, folders);
     tell_key_numbers(&runs, &names, lines);
     let traces = TRACES.map(Channel::column);
-    let spectra = [0, 1, 2].map(|axis| amplitude_column(Channel::Displacement(axis)));
+    let spectra = [0, 1, 2].map(|axis| Channel::Displacement(axis).measure("amplitude"));
     let figures = [
         figure("traces", ("time", "s"), &runs, &traces, |run| &run.trace),
         figure("spectra", ("frequency", "Hz"), &runs, &spectra, |run| {
@@ -192,7 +191,7 @@ fn figure(
         let curves: Vec<Curve> = curves.collect();
         let over = Axis::over(over, first..last);
         if !is_spectrum {
-            return Panel::of(over, label, HEIGHT, curves);
+            return Panel::holding(over, label, HEIGHT, curves);
         }
         let points = curves.iter().flat_map(|curve| &curve.points);
         let strongest = points.fold(0.0, |most: f64, point| most.max(point.1));

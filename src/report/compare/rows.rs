@@ -15,9 +15,9 @@ pub(super) fn compare_rows(
     rules: &Rules,
 ) -> TableComparison {
     let mut differences = Source::alone(tables, |_| true);
-    let rows = MatchedRows::of(tables);
+    let rows = MatchedRows::from_tables(tables);
     differences.extend(rows.difference(tables));
-    let scales = Scales::of(tables);
+    let scales = Scales::from_tables(tables);
     let shared = tables[0].columns();
     let shared = shared.filter_map(|column| Some((column, pair(tables, column)?)));
     let columns: Vec<_> = shared
@@ -51,7 +51,7 @@ struct MatchedRows {
 
 impl MatchedRows {
     /// More than one of a trace where the other is one of every so many of its samples.
-    fn of(tables: &[Source<'_>; 2]) -> Self {
+    fn from_tables(tables: &[Source<'_>; 2]) -> Self {
         let rows = tables.each_ref().map(|table| table.axis().1.len());
         let [first, second] = tables.each_ref().map(step);
         let steps = match first.zip(second) {
@@ -158,7 +158,7 @@ pub(super) struct Scales<'a> {
 
 impl<'a> Scales<'a> {
     /// Of all their columns.
-    pub fn of(tables: &'a [Source<'a>; 2]) -> Self {
+    pub fn from_tables(tables: &'a [Source<'a>; 2]) -> Self {
         let rates = tables.iter().filter_map(step).filter(|step| *step > 0.0);
         let rate = rates.map(f64::recip).fold(0.0, f64::max);
         let columns = tables.iter().flat_map(Source::columns);

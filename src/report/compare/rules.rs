@@ -70,7 +70,7 @@ pub struct Tolerances {
 }
 
 impl Tolerances {
-    /// The same tolerance for all columns.
+    /// One tolerance for all columns.
     pub fn uniform(default: Tolerance) -> Self {
         Self {
             default,

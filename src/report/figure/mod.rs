@@ -196,7 +196,7 @@ impl Panel {
     }
 
     /// Curves over `x`, with an axis called `y` that holds them.
-    pub fn of(x: Axis, y: impl Into<Label>, height: u32, curves: Vec<Curve>) -> Self {
+    pub fn holding(x: Axis, y: impl Into<Label>, height: u32, curves: Vec<Curve>) -> Self {
         let points = curves.iter().flat_map(|curve| &curve.points);
         let bands = curves.iter().flat_map(|curve| &curve.band).flatten();
         let y = Axis::around(y, points.map(|point| point.1).chain(bands.copied()));

@@ -400,7 +400,7 @@ mod tests {
             Curve::line(distinct(0), wave(2.3e8)),
             Curve::line(distinct(1), wave(1e8)),
         ];
-        let large = Panel::of(
+        let large = Panel::holding(
             Axis::over(("frequency of the outer race", "Hz"), 0.0..99_750.0),
             ("stiffness K_yy of the first bearing", "N/m"),
             120,
@@ -503,7 +503,7 @@ mod tests {
 
     #[test]
     fn what_is_absent_has_no_name() {
-        let panel = Panel::of(
+        let panel = Panel::holding(
             Axis::over("", 0.0..1.0),
             "",
             100,

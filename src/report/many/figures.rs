@@ -97,7 +97,7 @@ impl Digest {
         let panels = shown.into_iter().map(|shown| {
             let both = [false, true].into_iter();
             let curves = both.filter_map(|down| self.curve(&shown, down)).collect();
-            Panel::of(
+            Panel::holding(
                 Axis::spanning(axis.clone(), ends),
                 shown.label,
                 ROW_HEIGHT,

@@ -12,7 +12,7 @@ const MOST_FILES: usize = 1000;
 
 /// What one file holds: a bearing at one place of all axes but the speed.
 #[derive(Debug, PartialEq)]
-struct Table {
+struct Element {
     bearing: usize,
     /// Values of the axes but the speed, with their names.
     at: Vec<(String, f64)>,
@@ -29,33 +29,39 @@ pub(super) fn ross_files(digest: &Digest) -> Vec<(String, String)> {
     if digest.head.drawn || !digest.is_complete() {
         return Vec::new();
     }
-    let tables = tables(digest);
-    let bearings = tables.iter().map(|table| table.bearing).max().unwrap_or(0);
+    let elements = elements(digest);
+    let bearings = elements
+        .iter()
+        .map(|element| element.bearing)
+        .max()
+        .unwrap_or(0);
     let mut places = vec![0; bearings];
-    let alone = tables.len() <= bearings;
-    let files = tables.into_iter().map(|mut table| {
-        table.rows.sort_by(|a, b| a.speed.total_cmp(&b.speed));
-        table.rows.dedup_by(|a, b| a.speed == b.speed);
-        places[table.bearing - 1] += 1;
-        let name = match places[table.bearing - 1] {
-            _ if alone => format!("ross_bearing_{}.toml", table.bearing),
-            place => format!("ross_bearing_{}_{place}.toml", table.bearing),
+    let alone = elements.len() <= bearings;
+    let files = elements.into_iter().map(|mut element| {
+        element.rows.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+        element.rows.dedup_by(|a, b| a.speed == b.speed);
+        places[element.bearing - 1] += 1;
+        let name = match places[element.bearing - 1] {
+            _ if alone => format!("ross_bearing_{}.toml", element.bearing),
+            place => format!("ross_bearing_{}_{place}.toml", element.bearing),
         };
-        (name, table.text(&digest.head.title))
+        (name, element.text(&digest.head.title))
     });
     files.collect()
 }
 
-fn tables(digest: &Digest) -> Vec<Table> {
-    let mut tables: Vec<Table> = Vec::new();
+fn elements(digest: &Digest) -> Vec<Element> {
+    let mut elements: Vec<Element> = Vec::new();
     for row in digest.rows.iter().filter(|row| !is_down(row)) {
         let at = places(&digest.head, row);
         for entry in row.outcome.iter().flat_map(|outcome| &outcome.stiffness) {
-            let is_there = |table: &Table| table.bearing == entry.bearing && table.at == at;
-            match tables.iter().rposition(is_there) {
-                Some(table) => tables[table].rows.push(*entry),
-                None if (1..=MOST_FILES).contains(&entry.bearing) && tables.len() < MOST_FILES => {
-                    tables.push(Table {
+            let is_there = |element: &Element| element.bearing == entry.bearing && element.at == at;
+            match elements.iter().rposition(is_there) {
+                Some(element) => elements[element].rows.push(*entry),
+                None if (1..=MOST_FILES).contains(&entry.bearing)
+                    && elements.len() < MOST_FILES =>
+                {
+                    elements.push(Element {
                         bearing: entry.bearing,
                         at: at.clone(),
                         rows: vec![*entry],
@@ -65,7 +71,7 @@ fn tables(digest: &Digest) -> Vec<Table> {
             }
         }
     }
-    tables
+    elements
 }
 
 /// Values of a run's axes but the speed.
@@ -77,7 +83,7 @@ fn places(head: &StudyHead, row: &RunRecord) -> Vec<(String, f64)> {
         .collect()
 }
 
-impl Table {
+impl Element {
     fn text(&self, title: &str) -> String {
         let bearing = self.bearing;
         let title: String = title.chars().filter(|c| !c.is_control()).collect();

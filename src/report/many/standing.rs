@@ -55,7 +55,7 @@ impl Digest {
             let mut points: Vec<_> = points.collect();
             points.sort_by(|a, b| a.0.total_cmp(&b.0));
             let curve = Curve::marked(distinct(index), points, MOST_MARKS);
-            Panel::of(axis.clone(), label, HEIGHT, vec![curve])
+            Panel::holding(axis.clone(), label, HEIGHT, vec![curve])
         });
         Some(Figure::new(
             "stiffness",
@@ -142,11 +142,11 @@ impl<'a> Around<'a> {
 
     fn panel(&self, bearing: usize, name: &str, curves: Vec<Curve>) -> Panel {
         let name = of_bearing(bearing - 1, self.bearings) + name;
-        Panel::of(Axis::azimuth(), name, HEIGHT, curves)
+        Panel::holding(Axis::azimuth(), name, HEIGHT, curves)
     }
 }
 
-/// The same curves, each less its mean around the bearing: what the load across the shaft does,
+/// Curves, each less its mean around the bearing: what the load across the shaft does,
 /// however large the rest is.
 fn less_mean(curves: &[Curve], name: &str) -> Panel {
     let curve = |curve: &Curve| {
@@ -159,7 +159,7 @@ fn less_mean(curves: &[Curve], name: &str) -> Panel {
         Curve::line(curve.colour, points.collect())
     };
     let curves = curves.iter().map(curve).collect();
-    Panel::of(Axis::azimuth(), name, HEIGHT, curves)
+    Panel::holding(Axis::azimuth(), name, HEIGHT, curves)
 }
 
 /// How many of `count` names are shown: of many, as many as can be evenly spaced ones.

@@ -4,7 +4,7 @@ use std::io;
 use std::path::PathBuf;
 
 use super::rows::StudyHead;
-use crate::report::spectra::amplitude_column;
+use crate::analysis::Channel;
 use crate::report::table::{cell, number};
 use crate::report::variable::variable_column;
 use crate::report::{FileAction, PartialFile, ReportError, RunFolder, WholeFile};
@@ -67,29 +67,29 @@ impl Table {
         }
     }
 
-    /// The line of names.
-    fn names(self, head: &StudyHead) -> Cells {
-        let displacements = head.displacements.iter().copied();
-        let names: Cells = match self {
-            Self::Runs => return run_names(head),
-            Self::Spectra => ["frequency_Hz", "order"]
-                .map(str::to_owned)
-                .into_iter()
-                .chain(displacements.map(|of| amplitude_column(of).name()))
-                .collect(),
-            Self::Points => std::iter::once("time_s".to_owned())
-                .chain(displacements.map(|of| of.column().name()))
-                .collect(),
-            Self::Stiffness => stiffness_columns().collect(),
-            Self::Around => {
-                let places =
-                    AROUND.map(|(quantity, unit, _)| Column::number(quantity, unit).name());
-                let start = ["bearing", "position"].map(str::to_owned);
-                start.into_iter().chain(places).collect()
+    fn columns(self, head: &StudyHead) -> Vec<Column> {
+        let displacements = head.displacements.iter();
+        let own = match self {
+            Self::Runs => return run_columns(head),
+            Self::Spectra => {
+                let axes = [Column::frequency(), Column::order()];
+                let amplitudes = displacements.map(|channel| channel.measure("amplitude"));
+                axes.into_iter().chain(amplitudes).collect()
             }
-            Self::Traces => ["bytes", "checksum"].map(str::to_owned).to_vec(),
+            Self::Points => {
+                let time = [Channel::Time.column()].into_iter();
+                time.chain(displacements.map(|channel| channel.column()))
+                    .collect()
+            }
+            Self::Stiffness => stiffness_columns(),
+            Self::Around => {
+                let numbers = AROUND.map(|(quantity, unit, _)| Column::number(quantity, unit));
+                let start = [Column::count("bearing"), Column::count("position")];
+                start.into_iter().chain(numbers).collect()
+            }
+            Self::Traces => vec![Column::count("bytes"), Column::words("checksum", NO_WORDS)],
         };
-        std::iter::once("run".to_owned()).chain(names).collect()
+        [vec![Column::count("run")], own].concat()
     }
 
     /// The rows of a run, but for the table of runs, each without the number of the run.
@@ -130,16 +130,17 @@ impl Table {
     }
 }
 
-/// Names of the columns of the table of runs.
-fn run_names(head: &StudyHead) -> Cells {
-    let start = ["run", "direction"].map(str::to_owned);
-    let end = ["status", "error", "warnings"].map(str::to_owned);
-    let axes = head.axes.iter().map(|axis| variable_column(axis).name());
-    let names = start.into_iter().chain(axes);
-    names
-        .chain(head.numbers.iter().map(Column::name))
-        .chain(end)
-        .collect()
+/// The words of columns whose cells are texts.
+const NO_WORDS: [&str; 0] = [];
+
+/// The columns of the table of runs.
+fn run_columns(head: &StudyHead) -> Vec<Column> {
+    let text = |quantity: &'static str| Column::words(quantity, NO_WORDS);
+    let mut columns = vec![Column::count("run"), text("direction")];
+    columns.extend(head.axes.iter().map(variable_column));
+    columns.extend(head.numbers.iter().cloned());
+    columns.extend(["status", "error", "warnings"].map(text));
+    columns
 }
 
 /// A row of the table of runs.
@@ -164,14 +165,13 @@ fn run_row(head: &StudyHead, record: &RunRecord) -> Cells {
 }
 
 /// Bearing, speed, and the entries of K and C: `kxy_N_m`, `cxy_N_s_m`.
-fn stiffness_columns() -> impl Iterator<Item = String> {
-    let entries = |letter: char, unit: &'static str| {
-        let entries = BearingStiffness::ENTRIES.into_iter();
-        entries.map(move |(entry, ..)| format!("{letter}{entry}_{unit}"))
-    };
-    let start = ["bearing", "speed_rad_s"].map(str::to_owned);
-    let entries = entries('k', "N_m").chain(entries('c', "N_s_m"));
-    start.into_iter().chain(entries)
+fn stiffness_columns() -> Vec<Column> {
+    let mut columns = vec![Column::count("bearing"), Channel::Speed.column()];
+    for (letter, unit) in [('k', "N/m"), ('c', "N s/m")] {
+        let entries = BearingStiffness::ENTRIES.iter();
+        columns.extend(entries.map(|(entry, ..)| Column::number(format!("{letter}{entry}"), unit)));
+    }
+    columns
 }
 
 /// The tables of a study while they are written.
@@ -188,7 +188,7 @@ impl<'a> Tables<'a> {
             let file = folder.create(table.file())?;
             let path = file.path().to_owned();
             let mut writer = csv::Writer::from_writer(file);
-            let written = writer.write_record(table.names(head));
+            let written = writer.write_record(table.columns(head).iter().map(Column::name));
             written.map_err(refused(&path))?;
             Ok((table, path, writer))
         };

@@ -36,7 +36,7 @@ impl Digest {
         let raster = |place: usize| {
             let cells = nearest.iter().filter_map(|run| columns[run].as_ref());
             let cells = cells.map(|channels| channels[place].clone());
-            Raster::of(ends, [0.0, self.highest_frequency], cells.collect())
+            Raster::new(ends, [0.0, self.highest_frequency], cells.collect())
         };
         let named = channels.iter().enumerate();
         let drawn = named.map(|(place, (_, channel))| (channel.to_string(), raster(place)));

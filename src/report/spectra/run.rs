@@ -8,7 +8,7 @@ use std::io::Write;
 use serde::Serialize;
 
 use super::shown::{FREQUENCY, ShownPeak, ShownSpectrum};
-use crate::analysis::{Channel, Peak, Spectrum};
+use crate::analysis::{Peak, Spectrum};
 use crate::report::figure::Figure;
 use crate::report::table::CsvTable;
 use crate::report::terminal::{MICRO, MILLI, shown_column, shown_unit};
@@ -36,20 +36,11 @@ pub(in crate::report) fn spectrum_table(spectrum: &Spectrum) -> Table<'_> {
         table.add(Column::order(), bins().map(|k| spectrum.order(k)));
     }
     for entry in &spectrum.channels {
-        table.borrowed(amplitude_column(entry.channel), &entry.amplitude);
-        table.borrowed(phase_column(entry.channel), &entry.phase);
+        let [amplitude, phase] = entry.channel.lines();
+        table.borrowed(amplitude, &entry.amplitude);
+        table.borrowed(phase, &entry.phase);
     }
     table
-}
-
-/// `x_amplitude_m`, `force_x_amplitude_N`.
-pub(in crate::report) fn amplitude_column(channel: Channel) -> Column {
-    channel.measure("amplitude")
-}
-
-/// `x_phase_rad`, `force_x_phase_rad`.
-pub(in crate::report) fn phase_column(channel: Channel) -> Column {
-    Column::phase(channel.name())
 }
 
 /// One row a peak, channel by channel, strongest first.
@@ -236,7 +227,7 @@ pub(in crate::report) fn frequency_limit(spectrum: &Spectrum, peaks: &[Peak]) ->
     if wanted > 0.0 { wanted.min(end) } else { end }
 }
 
-/// The same of a run; no limit where it has no spectrum.
+/// Largest frequency shown of a run, Hz; no limit where it has no spectrum.
 pub(in crate::report) fn frequency_limit_of(run: &Run) -> f64 {
     let spectrum = run.spectrum.as_ref();
     spectrum.map_or(f64::INFINITY, |spectrum| {
