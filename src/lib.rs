@@ -26,8 +26,8 @@
 //! | [`bearing`] | geometry, catalogue, laws of a ball, the ring that sums over balls, equilibrium, life, friction |
 //! | [`physics`] | closed-form laws: material, curvature, Hertz contact, films, kinematics, friction |
 //!
-//! Below them `keys` names quantities in results, `panels` multiplies matrices that have blocks of zeros, and `registers`
-//! compiles steps for wide registers.
+//! Below them `keys` names quantities in results, and `numerics` has what knows nothing of bearings and shafts: roots,
+//! eigenvectors, products of matrices that have blocks of zeros, steps compiled for wide registers.
 //!
 //! A ball law, `bearing::BallLaw`, is a pure function from the position of a ball's inner groove centre to the force
 //! there, written once for plain numbers, for balls side by side and for numbers with slopes. A `bearing::Ring`
@@ -119,10 +119,8 @@ mod integrate;
 pub mod internals;
 mod keys;
 mod numerics;
-mod panels;
 pub mod physics;
 mod quasi_static;
-mod registers;
 #[cfg(feature = "command")]
 pub mod report;
 mod rotor;

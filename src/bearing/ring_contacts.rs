@@ -6,7 +6,7 @@ use super::number::{LANES, Lanes};
 use super::ring::{Balls, side_by_side};
 use super::ring_forces::ForceSums;
 use super::{BallContact, BallLaw, BearingRotation, ForceLaw, RaceFilms, Ring, Vector5};
-use crate::registers::in_wide_registers;
+use crate::numerics::registers::in_wide_registers;
 
 /// Loads of the balls of one bearing at an instant, ball 0 first.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -5,7 +5,7 @@ use fearless_simd::{Simd, SimdBase, SimdFloat};
 use super::number::{Dual, Lanes};
 use super::ring::{Balls, LaneVector, side_by_side};
 use super::{BallForce, BallLaw, BearingRotation, ForceLaw, Matrix5, Ring, Vector5};
-use crate::registers::in_wide_registers;
+use crate::numerics::registers::in_wide_registers;
 
 impl Ring {
     /// Force and moment that hold the inner ring at a displacement, in N and N m.

@@ -1,16 +1,14 @@
 //! Whether stability, rather than accuracy, holds the steps of an explicit method.
 
 use nalgebra::DMatrix;
-use nalgebra::linalg::Schur;
 
 use super::IntegrateError;
 use super::problem::Problem;
 use super::stepper::Reached;
+use crate::numerics::eigenvectors::largest_eigenvalue;
 
 /// Part of the stability limit from which on a step counts as held by it: step sizes vary below it.
 const NEAR: f64 = 0.5;
-/// Sweeps after which the search for eigenvalues gives up.
-const SWEEPS: usize = 1000;
 
 /// An explicit method whose steps are as long as its stability allows.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,13 +75,4 @@ pub(super) fn stiffness(
         step,
         eigenvalue,
     })
-}
-
-fn largest_eigenvalue(matrix: DMatrix<f64>) -> Option<f64> {
-    let schur = Schur::try_new(matrix, f64::EPSILON, SWEEPS)?;
-    let eigenvalues = schur.complex_eigenvalues();
-    eigenvalues
-        .iter()
-        .map(|value| value.norm())
-        .reduce(f64::max)
 }

@@ -9,8 +9,8 @@ use nalgebra::DMatrix;
 use super::{
     Counters, Grid, IntegrateError, Integration, Method, Scaling, Settings, States, System,
 };
-use crate::panels::Panels;
-use crate::registers::in_wide_registers;
+use crate::numerics::panels::Panels;
+use crate::numerics::registers::in_wide_registers;
 
 /// The end of a motion and its slopes by the start.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::panels::Panels;
+use crate::numerics::panels::Panels;
 
 /// A matrix of linear forces on the degrees of freedom, stored the way that its products are cheapest.
 #[derive(Debug, Clone, PartialEq)]

@@ -14,7 +14,7 @@ use super::structure::Structure;
 use super::unconstrained::FreeDirections;
 use super::{Freedoms, InitialPosition, Rotation, SpeedProfile};
 use crate::bearing::{BearingState, Support, Vector5};
-use crate::registers::in_wide_registers;
+use crate::numerics::registers::in_wide_registers;
 
 /// A shaft on its bearings, assembled and ready to move.
 ///

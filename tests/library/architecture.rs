@@ -5,12 +5,10 @@ use std::path::{Path, PathBuf};
 
 /// Lowest first; `simulate` and `quasi_static` are single files. The integrator knows no rotor: it is
 /// the rotor that implements the integrator's trait.
-const FLOORS: [&str; 19] = [
+const FLOORS: [&str; 17] = [
     "table",
     "keys",
     "numerics",
-    "registers",
-    "panels",
     "physics",
     "bearing",
     "integrate",

@@ -4,7 +4,7 @@ use super::{Matrix5, Support, Vector5};
 use crate::bearing::BearingRotation;
 use crate::bearing::law::with_law;
 use crate::bearing::ring::{quarter_turn, side_by_side};
-use crate::registers::in_wide_registers;
+use crate::numerics::registers::in_wide_registers;
 
 /// Rate at which the damping of a linear bearing is looked at, m/s: so slow that no contact parts.
 const SLOW: f64 = 1e-12;

@@ -9,7 +9,7 @@ use super::{ContactLaw, LinearForce, Matrix5, Seat, Support, Vector5};
 use crate::bearing::law::{Law, with_law};
 use crate::bearing::ring::{in_registers, quarter_turn, side_by_side};
 use crate::bearing::{BallLoads, BearingRotation};
-use crate::registers::in_wide_registers;
+use crate::numerics::registers::in_wide_registers;
 
 /// The force of a bearing at a displacement and its slopes.
 #[derive(Debug, Clone, PartialEq)]

@@ -12,7 +12,7 @@ use crate::integrate::chunks::{Padded, add_scaled, chunks_of};
 use crate::integrate::problem::{Control, Problem};
 use crate::integrate::stepper::{MethodStepper, Reached, Start};
 use crate::integrate::{Counters, IntegrateError};
-use crate::registers::in_wide_registers;
+use crate::numerics::registers::in_wide_registers;
 
 /// Times that a step looks for a better position to land on.
 const MOST_SEARCHES: u32 = 5;

@@ -11,7 +11,7 @@ use super::linear::{LinearPart, add, joined};
 use super::nodes::{NODES, POINTS, Points, PointsOfChunk, combined, no_points};
 use super::propagator::Functions;
 use crate::integrate::chunks::Padded;
-use crate::registers::in_wide_registers;
+use crate::numerics::registers::in_wide_registers;
 
 /// A sample within a step, and how to come to the next.
 #[derive(Debug, Clone)]

@@ -5,7 +5,7 @@ use nalgebra::{Complex, ComplexField};
 use super::linear::{Diagonal, LinearPart, add, joined};
 use super::nodes::{NODES, POINTS, Points};
 use crate::integrate::chunks::{Padded, add_scaled, chunks_of};
-use crate::registers::in_wide_registers;
+use crate::numerics::registers::in_wide_registers;
 
 /// Step sizes whose operators are kept.
 const KEPT: usize = 12;

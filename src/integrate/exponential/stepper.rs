@@ -13,9 +13,6 @@ use crate::integrate::problem::{Control, GROW, Problem};
 use crate::integrate::stepper::{MethodStepper, Reached, Start};
 use crate::integrate::{Counters, IntegrateError};
 
-/// Power of the size that the error estimate falls with.
-const ERROR_POWER: i32 = POINTS as i32;
-
 /// Sweeps that cost as much as a new linear part, by their operations: some 25 n³ for its modes and 7 · 2n² and more for
 /// each point of a sweep.
 fn renewal_cost(states: usize) -> u32 {
@@ -200,7 +197,8 @@ impl ExponentialStepper {
         std::mem::swap(&mut self.to, &mut self.sweeps.to);
         std::mem::swap(&mut self.remainder, &mut self.sweeps.remainder);
         self.remainder_size = self.span.size;
-        let growth = self.control.accepted(error, ERROR_POWER);
+        // the error falls with the power of the number of points
+        let growth = self.control.accepted(error, POINTS as i32);
         // sweeps that hardly converged would not over a longer step
         let proposed = match self.sweeps.count {
             count if count > sweeps::FEWEST + 1 => self.span.size * growth.min(1.0),
@@ -225,7 +223,7 @@ impl ExponentialStepper {
 
     fn reject(&mut self, error: f64) {
         self.counters.rejected += 1;
-        self.requested = self.span.size * self.control.rejected(error, ERROR_POWER);
+        self.requested = self.span.size * self.control.rejected(error, POINTS as i32);
     }
 
     /// After sweeps that did not converge: a new linear part once it pays, else a shorter step.

@@ -6,7 +6,7 @@ use super::propagator::Propagator;
 use crate::integrate::System;
 use crate::integrate::chunks::{Padded, add_scaled};
 use crate::integrate::problem::Problem;
-use crate::registers::in_wide_registers;
+use crate::numerics::registers::in_wide_registers;
 
 /// Error allowed in one step, as a part of the error aimed at over the run: measured.
 const LOCAL_PART: f64 = 0.05;
