@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicU64;
 
 use jeffcott::ask::{
     AccuracyQuestion, AskError, BearingQuestion, CampbellQuestion, Findings, Followed, Order,
-    ResponseQuestion, SteadyQuestion, record,
+    ResponseQuestion, RunQuestion, SteadyQuestion,
 };
 use jeffcott::bearing::CATALOGUE;
 use jeffcott::internals::{frequency, method, speed, time, tolerance, written};
@@ -118,13 +118,13 @@ impl Scene {
 
     /// Runs it.
     fn run(&self, py: Python<'_>, progress: Option<Py<PyAny>>) -> PyResult<RunAnswer> {
-        let scenario = self.scenario.clone();
+        let question = RunQuestion::new(&self.scenario);
+        let question = question.map_err(|error| ask_error(py, &error))?;
         let answer = watched(py, None, progress.as_ref(), |watch| {
-            let mut monitor = Monitor {
+            question.answer(&mut Monitor {
                 stop: watch.stop,
                 progress: watch.progress,
-            };
-            record(scenario, &mut monitor)
+            })
         })?;
         let answer = answer.map_err(|error| ask_error(py, &error))?;
         Ok(RunAnswer(answer))

@@ -8,13 +8,14 @@ mod accuracy;
 mod bearing;
 mod campbell;
 mod response;
+mod run;
 mod steady;
 mod study;
 
 use std::error::Error;
 
 use crate::scenario::{Issue, Scenario};
-use crate::simulate::{Model, Monitor};
+use crate::simulate::Model;
 
 pub use crate::report::WrittenFindings;
 pub use crate::report::findings::Findings;
@@ -23,6 +24,7 @@ pub use accuracy::AccuracyQuestion;
 pub use bearing::BearingQuestion;
 pub use campbell::{CampbellQuestion, Order};
 pub use response::{Followed, ResponseQuestion};
+pub use run::RunQuestion;
 pub use steady::SteadyQuestion;
 pub use study::{Asked, Making, StudyQuestion, StudyWatch, merge};
 
@@ -51,20 +53,11 @@ impl From<Issue> for AskError {
     }
 }
 
-/// Runs a scenario and keeps its samples.
-///
-/// # Errors
-/// [`AskError::Asked`] where nothing moves, [`AskError::Failed`] where the run fails.
-pub fn record(scenario: Scenario, monitor: &mut Monitor<'_>) -> Result<RunFindings, AskError> {
-    let model = motion(&scenario)?.clone();
-    RunFindings::new(scenario, model, monitor).map_err(AskError::failed)
-}
-
 /// How the shaft of a scenario moves.
 ///
 /// # Errors
 /// [`AskError::Asked`] where it has no `[time]`.
-pub(crate) fn motion(scenario: &Scenario) -> Result<&Model, AskError> {
+fn motion(scenario: &Scenario) -> Result<&Model, AskError> {
     let missing = || {
         Issue::new("time", "the scenario has no [time], so that nothing moves")
             .help("add one, with a duration; `jeffcott bearing` and `campbell` do without")

@@ -9,11 +9,10 @@ use super::jobs::{Answer, Failure, Files, Job};
 use super::pace::PaceWatch;
 use super::written::Written;
 use super::{Outcome, terminal};
-use crate::ask;
-use crate::integrate::{IntegrateError, Progress};
-use crate::report::{KeptFiles, RunReport};
+use crate::ask::RunQuestion;
+use crate::integrate::Progress;
 use crate::scenario::Scenario;
-use crate::simulate::{Model, Monitor, RunSize, SimulateError, simulate_watched};
+use crate::simulate::{Model, RunSize};
 
 /// Runs scenarios and writes their traces, spectra and figures.
 #[derive(Debug, clap::Args)]
@@ -55,75 +54,44 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     };
     arguments.files.answer(
         &jobs,
-        |job| arguments.motion(job),
-        |job, model| {
+        |job| arguments.question(job),
+        |job, question| {
             if terminal::stop().load(Ordering::Relaxed) {
                 return Err("interrupted before it began".into());
             }
-            run_motion(job, model, arguments.open)
+            run_motion(job, question, arguments.open)
         },
     )
 }
 
 impl Arguments {
     /// The motion of a job, where it fits into memory and has the columns that are asked for.
-    fn motion<'j>(&self, job: &'j Job) -> Result<&'j Model, Failure> {
-        let model = ask::motion(&job.scenario)?;
+    fn question<'j>(&self, job: &'j Job) -> Result<RunQuestion<'j>, Failure> {
+        let question = RunQuestion::new(&job.scenario)?;
         // what keeps a run from beginning it tells itself
-        if let Ok(size) = RunSize::from_model(model) {
+        if let Ok(size) = RunSize::from_model(question.model) {
             check_memory(&size, 1)?;
         }
-        self.written.check(&model.rotor)?;
-        Ok(model)
+        self.written.check(&question.model.rotor)?;
+        Ok(question)
     }
 }
 
 /// Runs a checked scenario and writes its files; `opens` shows its page.
-pub fn run_motion(job: &Job, model: &Model, opens: bool) -> Result<Answer, Failure> {
+pub fn run_motion(job: &Job, question: RunQuestion<'_>, opens: bool) -> Result<Answer, Failure> {
     let started = Instant::now();
-    let mut report = RunReport::new(&job.scenario, model, &job.folder)?;
-    tell_of_thinning(job, model);
+    tell_of_thinning(job, question.model);
     let progress: [Progress; 3] = Default::default();
-    let mut monitor = Monitor {
-        stop: terminal::stop(),
-        progress: &mut |_| {},
-    };
-    let mut watch = PaceWatch::new(job, model, &progress);
-    let watched = progress.each_ref().map(Some);
-    let result = terminal::watched(
+    let mut watch = PaceWatch::new(job, question.model, &progress);
+    let found = terminal::watched(
         move || watch.look(),
-        || simulate_watched(model, &mut report, &mut monitor, watched),
-    );
-    match result {
-        Ok(run) => {
-            let found = report.finish(model, run)?;
-            job.warn_besides(found.warnings());
-            if opens {
-                terminal::open_page(&found.files);
-            }
-            Ok(Answer::new(found).timed(started))
-        }
-        Err(SimulateError::Integrate(error @ IntegrateError::Interrupted { .. })) => {
-            Err(format!("{error}; nothing was written").into())
-        }
-        Err(SimulateError::Integrate(error)) => {
-            let [(_, counters), ..] = progress.each_ref().map(Progress::latest);
-            let kept = report.fail(&error, counters)?;
-            Err(failed(&error, &kept).into())
-        }
-        Err(other) => Err(other.into()),
+        || question.write(&job.folder, terminal::stop(), &progress),
+    )?;
+    job.warn_besides(found.warnings());
+    if opens {
+        terminal::open_page(&found.files);
     }
-}
-
-/// What is said of a run that cannot go on.
-fn failed(error: &IntegrateError, kept: &KeptFiles) -> String {
-    let files = kept.files.iter().map(|file| file.display().to_string());
-    let files = files.collect::<Vec<_>>().join(" and ");
-    let beside = match kept.beside_earlier {
-        true => "; the other results there are those of an earlier run",
-        false => "",
-    };
-    format!("{error}\n  kept {files}{beside}")
+    Ok(Answer::new(found).timed(started))
 }
 
 /// Says where the tables leave samples out though nobody asked for it.

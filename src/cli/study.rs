@@ -12,7 +12,8 @@ use super::run::run_motion;
 use super::terminal::Progress;
 use super::{Outcome, terminal};
 use crate::ask::{
-    AskError, Asked, BearingQuestion, Making, StudyQuestion, StudyWatch, WrittenFindings, merge,
+    AskError, Asked, BearingQuestion, Making, RunQuestion, StudyQuestion, StudyWatch,
+    WrittenFindings, merge,
 };
 use crate::scenario::{self, Issue, StudyFile};
 use crate::simulate::RunSize;
@@ -219,8 +220,8 @@ impl Make {
 /// Answers what one run is asked, with all its files.
 fn alone(job: &Job) -> Result<Answer, Failure> {
     job.warn(&job.scenario.warnings);
-    match &job.scenario.model {
-        Some(model) => run_motion(job, model, false),
+    match job.scenario.model {
+        Some(_) => run_motion(job, RunQuestion::new(&job.scenario)?, false),
         None => job.write(&BearingQuestion::new(&job.scenario, None, None).answer()?),
     }
 }

@@ -1,5 +1,6 @@
 //! The files of one run, from the opening of the folder to the last rename.
 
+use std::fmt;
 use std::io;
 use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
@@ -190,6 +191,18 @@ pub struct KeptFiles {
     pub files: Vec<PathBuf>,
     /// Whether the results of an earlier run stand in the same folder.
     pub beside_earlier: bool,
+}
+
+impl fmt::Display for KeptFiles {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let files = self.files.iter().map(|file| file.display().to_string());
+        let files = files.collect::<Vec<_>>().join(" and ");
+        let others = match self.beside_earlier {
+            true => "; the other results there are those of an earlier run",
+            false => "",
+        };
+        write!(f, "kept {files}{others}")
+    }
 }
 
 impl TraceSink for RunReport {
