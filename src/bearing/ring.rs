@@ -192,6 +192,7 @@ impl Ring {
         [cos, sin]: [T; 2],
     ) -> [T; 2] {
         let arm = self.arm;
+        // A1 = start + z + R_i (θx sin φ − θy cos φ), A2 = start + x cos φ + y sin φ
         [
             (*z + axial) + (*tilt_x * arm * sin - *tilt_y * arm * cos),
             (*x * cos + *y * sin) + radial,
@@ -251,6 +252,7 @@ impl Azimuths {
     fn turned<S: Simd>(&self, simd: S, cage: Angle) -> [Lanes<S>; 2] {
         let cos = simd.load_array_ref_f64x4(&self.cos);
         let sin = simd.load_array_ref_f64x4(&self.sin);
+        // cos(φ + ψ_c) and sin(φ + ψ_c)
         [
             cos * cage.cos - sin * cage.sin,
             sin * cage.cos + cos * cage.sin,

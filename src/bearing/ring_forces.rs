@@ -46,6 +46,10 @@ impl Ring {
     }
 
     /// Force as by [`Ring::force`] and its exact derivative K = ∂F/∂q.
+    ///
+    /// ```text
+    /// K = Σ_j B_jᵀ (∂(F_a, F_r, couple)/∂(A1, A2)) B_j        B_j = ∂(A1, A2)/∂q
+    /// ```
     pub fn force_and_stiffness(
         &self,
         law: &impl ForceLaw,
@@ -63,12 +67,15 @@ impl Ring {
                 rotation,
                 #[inline(always)]
                 |at| {
+                    // force of each ball and its slopes by A1 and A2
                     let force = law.force(&at.ball.with_slopes(), rotation.speed);
                     sums.add_force(at, law, &force.value());
+                    // N = R_i F_a + couple
                     let moment: Dual<_, 2> = force.axial * arm + force.couple;
-                    // ∂(A1, A2)/∂q
+                    // B_j: how A1 and A2 follow the ring
                     let axial_slopes = [zero, zero, at.weight, arm * at.sin, -arm * at.cos];
                     let radial_slopes = [at.cos, at.sin, zero, zero, zero];
+                    // rows of K: F_x, F_y, F_z, M_x, M_y
                     let rows = [
                         (at.cos, force.radial),
                         (at.sin, force.radial),
@@ -96,7 +103,13 @@ impl Ring {
     }
 
     /// Force as by [`Ring::force`], and the force that moves the ring at a rate against the damping of the contacts,
-    /// given in the frame that turns with the cage. The approaches change by the first D of A1, A2 and both drops: 2 on
+    /// given in the frame that turns with the cage:
+    ///
+    /// ```text
+    /// δ̇ = ∂δ/∂A1 Ȧ1 + ∂δ/∂A2 Ȧ2 + ∂δ/∂h_i ḣ_i + ∂δ/∂h_o ḣ_o        F_d = Σ_balls Σ_races Q max(c δ̇, −1) ∂δ/∂A
+    /// ```
+    ///
+    /// The approaches change by the first D of A1, A2 and both drops: 2 on
     /// perfect surfaces, 4 on others.
     #[inline(always)]
     pub(super) fn damped_force_by<S: Simd, const D: usize>(
@@ -115,10 +128,12 @@ impl Ring {
             rotation,
             #[inline(always)]
             |at| {
+                // loads, and elastic approaches with their slopes
                 let ball = at.ball.with_slopes::<D>();
                 let response = law.response(&ball, rotation.speed);
                 elastic.add_force(at, law, &response.force.value());
                 let approaches = law.elastic_approaches(&response);
+                // Ȧ1 and Ȧ2, and the rates of the drops
                 let [axial_rate, radial_rate] = self.components([0.0; 2], rate, [at.cos, at.sin]);
                 let drop_rates = match &self.surfaces {
                     Some(surfaces) if D == 4 => {
@@ -130,12 +145,12 @@ impl Ring {
                 };
                 let [mut axial, mut radial] = [zero; 2];
                 for (race, approach) in approaches.into_iter().enumerate() {
-                    // F_d = Σ Q max(c δ̇, −1) ∂δ/∂A
                     let [by_axial, by_radial] = [approach.slopes[0], approach.slopes[1]];
                     let mut rate = by_axial * axial_rate + by_radial * radial_rate;
                     for (slope, drop_rate) in approach.slopes[2..].iter().zip(&drop_rates) {
                         rate += *slope * *drop_rate;
                     }
+                    // no contact pulls: c δ̇ ≥ −1
                     let limited = (coefficients[race] * rate).max(Lanes::splat(simd, -1.0));
                     let damped = response.load[race].value * limited;
                     axial += damped * by_axial;

@@ -71,7 +71,7 @@ impl Seat {
             return None;
         }
         let stiffness = stiffness();
-        // the axial force stays: K_z q̇ = 0
+        // the axial force stays: K_z q̇ = 0, so ż = −(K_zx ẋ + K_zy ẏ + …)/K_zz
         let mut follows = Matrix5::identity();
         let by_shaft = -stiffness.row(AXIAL) / stiffness[(AXIAL, AXIAL)];
         follows.set_row(AXIAL, &by_shaft);
@@ -93,6 +93,7 @@ impl Seat {
         match self {
             Self::Fixed { .. } => stiffness,
             Self::Spring { .. } => {
+                // K − K_·z K_z·/K_zz
                 let axial = stiffness[(AXIAL, AXIAL)];
                 stiffness - stiffness.column(AXIAL) * stiffness.row(AXIAL) / axial
             }
@@ -103,7 +104,8 @@ impl Seat {
 /// Newton steps of a floating ring.
 const STEP_LIMIT: usize = 60;
 
-/// Moves `place` axially to where the ring carries `force`: Newton, its step at most `reach`.
+/// Moves `place` axially to where the ring carries `force`: Newton's method `z ← z + (F − F_z(z))/K_zz`, its step at most
+/// `reach`.
 fn press(
     tangent: impl Fn(&Vector5) -> (Vector5, Matrix5),
     place: &mut Vector5,
@@ -113,6 +115,7 @@ fn press(
     for _ in 0..STEP_LIMIT {
         let (carried, stiffness) = tangent(place);
         let step = ((force - carried[AXIAL]) / stiffness[(AXIAL, AXIAL)]).clamp(-reach, reach);
+        // nothing bears and nothing resists: press on
         let next = place[AXIAL] + if step.is_nan() { reach } else { step };
         if (next - place[AXIAL]).abs() <= f64::EPSILON * reach {
             break;
@@ -139,6 +142,7 @@ fn thrust_displacement(
     let (free_axial, distance) = (geometry.free_axial(), geometry.groove_centre_distance());
     let (mut low, mut high) = (-free_axial, distance);
     let balls = geometry.balls() as f64;
+    // Z F_a − F and its slope
     let excess = |z: f64| {
         let (ball, tangent) = law.force_and_tangent(free_axial + z, geometry.free_radial(), 0.0);
         (balls * ball.axial - force, balls * tangent[0][0])
@@ -148,12 +152,14 @@ fn thrust_displacement(
     }
     let mut z = 0.1 * high;
     for _ in 0..200 {
+        // the force rises with z: narrow the bracket
         let (residual, slope) = excess(z);
         if residual > 0.0 {
             high = z;
         } else {
             low = z;
         }
+        // Newton's step where it stays inside, else the middle
         let newton = z - residual / slope;
         let next = if newton > low && newton < high {
             newton

@@ -75,7 +75,7 @@ fn factors(degrees: f64, relative: f64) -> [f64; 3] {
 }
 
 /// Straight lines between rows that rise; the first and the last row beyond them.
-fn between<const M: usize>(rows: &[(f64, [f64; M])], at: f64) -> [f64; M] {
+pub(super) fn between<const M: usize>(rows: &[(f64, [f64; M])], at: f64) -> [f64; M] {
     match rows.partition_point(|(place, _)| *place <= at) {
         0 => rows[0].1,
         above if above == rows.len() => rows[above - 1].1,

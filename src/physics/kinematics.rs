@@ -96,12 +96,7 @@ pub fn ball_pass_frequencies(
     pitch_diameter: f64,
     gamma: f64,
 ) -> BallPass {
-    let shaft = shaft_speed / TAU;
     let cage = nominal_cage_speed(shaft_speed, gamma) / TAU;
-    BallPass {
-        outer: balls as f64 * cage,
-        inner: balls as f64 * (shaft - cage),
-        spin: 0.5 * shaft * (1.0 - gamma * gamma) * pitch_diameter / ball_diameter,
-        cage,
-    }
+    let rolling_ratio = (1.0 + gamma) * pitch_diameter / ball_diameter;
+    BallPass::from_rings([shaft_speed / TAU, 0.0], cage, balls, rolling_ratio)
 }

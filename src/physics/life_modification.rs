@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::equivalent_load::between;
+
 /// Largest viscosity ratio that counts.
 const HIGHEST_RATIO: f64 = 4.0;
 
@@ -83,14 +85,10 @@ pub fn life_modification_factor(viscosity_ratio: f64, contamination: f64) -> f64
 /// ```
 pub fn reliability_factor(per_cent: f64) -> f64 {
     #[rustfmt::skip]
-    const FACTORS: [(f64, f64); 6] =
-        [(90.0, 1.0), (95.0, 0.64), (96.0, 0.55), (97.0, 0.47), (98.0, 0.37), (99.0, 0.25)];
-    let wanted = per_cent.clamp(90.0, 99.0);
-    let between = FACTORS.windows(2).find(|pair| wanted <= pair[1].0);
-    between.map_or(0.25, |pair| {
-        let [(from, high), (to, low)] = [pair[0], pair[1]];
-        high + (low - high) * (wanted - from) / (to - from)
-    })
+    const FACTORS: [(f64, [f64; 1]); 6] =
+        [(90.0, [1.0]), (95.0, [0.64]), (96.0, [0.55]), (97.0, [0.47]), (98.0, [0.37]), (99.0, [0.25])];
+    let [factor] = between(&FACTORS, per_cent);
+    factor
 }
 
 /// How clean the lubricant is.

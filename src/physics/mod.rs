@@ -31,7 +31,7 @@ pub use fits::{
 };
 pub use friction::{FrictionFactors, MINERAL_OIL_DENSITY, SMALLEST_ANGULAR_CONTACT};
 pub use hertz::{ContactEllipse, HertzContact, HertzError, series_stiffness};
-pub use inertia::{ball_inertia, ball_mass, centrifugal_force, gyroscopic_moment};
+pub use inertia::{ball_mass, centrifugal_force};
 pub use kinematics::{BallPass, ball_pass_frequencies, nominal_cage_speed};
 pub use life_modification::{
     Contamination, life_modification_factor, reference_viscosity, reliability_factor,

@@ -33,15 +33,17 @@ pub trait BallLaw: ForceLaw {
     /// Contact with the inner race, behind its film where there is one.
     type Spring: ContactSpring;
 
-    /// Exponent n of the elastic contacts, `Q = K δ^n`: with it the force sets in where a ball meets the inner race.
-    const EXPONENT: f64 = 1.5;
-
     /// Force, loads and approach of a ball at a shaft speed in rad/s. Free of branches where its speed counts.
     fn response<T: Number>(&self, ball: &Ball<T>, speed: f64) -> BallResponse<T>;
 
     /// Load by the approach of [`BallContact::approach`] at a speed in rad/s: of both races in series under a law
     /// without ball inertia.
     fn spring(&self, speed: f64) -> Self::Spring;
+
+    /// Exponent n of the elastic contacts, `Q = K δ^n`: with it the force sets in where a ball meets the inner race.
+    fn exponent(&self) -> f64 {
+        1.5
+    }
 
     /// Elastic approaches of a ball and both races under its loads, m, inner first.
     fn elastic_approaches<T: Number>(&self, response: &BallResponse<T>) -> [T; 2];
@@ -67,7 +69,8 @@ pub trait BallLaw: ForceLaw {
     /// Energies, J, that the elastic contacts with both races store: `∫ Q dδ = Q δ/(1 + n)`.
     fn elastic_energies(&self, response: &BallResponse) -> [f64; 2] {
         let approaches = self.elastic_approaches(response);
-        [0, 1].map(|race| 1.0 / (1.0 + Self::EXPONENT) * response.load[race] * approaches[race])
+        let share = 1.0 / (1.0 + self.exponent());
+        [0, 1].map(|race| share * response.load[race] * approaches[race])
     }
 }
 

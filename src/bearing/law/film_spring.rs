@@ -134,6 +134,7 @@ fn reduced_load(sigma: f64) -> (f64, f64) {
     // e^(y/3), of which the Hertz term is the square and the load the cube, and e^(−0.067 y)
     let mut third = (start * (1.0 / 3.0)).exp();
     let mut film = (-FILM * start).exp();
+    // f(y) = e^(2y/3) − e^(−0.067 y) − σ and its derivatives
     for _ in 0..2 {
         let hertz = third * third;
         // Halley: Δy = −2 f f'/(2 f'² − f f'')
@@ -141,6 +142,7 @@ fn reduced_load(sigma: f64) -> (f64, f64) {
         let slope = HERTZ * hertz + FILM * film;
         let curvature = HERTZ * HERTZ * hertz - FILM * FILM * film;
         let step = -2.0 * f * slope / (2.0 * slope * slope - f * curvature);
+        // y ← y + Δy, both exponentials by factors
         third *= exp_of_small(step * (1.0 / 3.0));
         film *= exp_of_small(-FILM * step);
     }

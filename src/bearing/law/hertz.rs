@@ -129,9 +129,11 @@ impl<C: PreparedContact> BallLaw for HertzLaw<C> {
 
     #[inline(always)]
     fn response<T: Number>(&self, ball: &Ball<T>, speed: f64) -> BallResponse<T> {
+        // d and δ, then Q(δ)
         let (distance, approach) = self.distance_and_approach(ball);
         let load = self.contact.at_speed(speed).load(approach);
-        // along the line of the groove centres; centres that meet have none, and any serves, for they press on nothing
+        // F = Q A/d along the line of the groove centres; centres that meet have none, and any serves, for they press on
+        // nothing
         let lateral = load / (distance + f64::MIN_POSITIVE);
         BallResponse {
             force: BallForce {

@@ -100,6 +100,7 @@ impl Support {
         rate: &Vector5,
         rotation: &BearingRotation,
     ) -> (Vector5, Vector5, Option<Matrix5>) {
+        // a floating ring settles axially, and its rate follows that of the shaft
         let place = self.settled(displacement, rotation);
         let follows = self.seat.follows(|| self.ring_tangent(&place, rotation).1);
         let rate = match &follows {
@@ -110,7 +111,7 @@ impl Support {
     }
 }
 
-/// The rate of a displacement in the frame that turns with the cage.
+/// The rate of a displacement in the frame that turns with the cage: `q̇ − ψ̇_c S q`.
 fn seen_from_cage(displacement: &Vector5, rate: &Vector5, rotation: &BearingRotation) -> Vector5 {
     let turn = quarter_turn(displacement);
     std::array::from_fn(|axis| rate[axis] - rotation.cage_speed * turn[axis])

@@ -5,7 +5,6 @@
 //! is known of it in one place.
 
 mod assessment;
-mod contact_band;
 mod damping;
 mod force;
 mod lift_off;
@@ -14,7 +13,7 @@ mod surfaces;
 mod table;
 
 pub(crate) use assessment::LOADED_SHARE;
-pub(crate) use contact_band::ContactBand;
+pub(crate) use lift_off::ContactBand;
 
 use super::bearing_friction::BearingFriction;
 use super::cage::Cage;

@@ -246,6 +246,7 @@ impl RaceSurface {
         let [cos, sin] = direction;
         for on_race in &self.slots {
             let (middle, radius) = (on_race.middle, on_race.radius);
+            // angle of the ball from the middle of the slot, worked out only where it is over it
             let along = cos * middle.cos + sin * middle.sin;
             if along > on_race.least_cos {
                 let angle = (sin * middle.cos - cos * middle.sin).atan2(along);
@@ -286,13 +287,16 @@ impl BallSurface {
 
     /// Drop at the inner (0) or the outer race (1), and its slope by the angle that the ball has turned by.
     fn at(&self, race: usize, angle: f64) -> [f64; 2] {
+        // the inner race meets the side opposite to the outer one
         let angle = if race == 0 { angle + PI } else { angle };
+        // −Δ/2 and what dents and waves add
         let mut sum = [-0.5 * self.oversize, 0.0];
         let mut add = |[drop, slope]: [f64; 2]| {
             sum[0] += drop;
             sum[1] += slope;
         };
         for (middle, slots) in &self.dents {
+            // distance along the ball, −πR … πR
             let apart = angle - middle;
             let place = (apart - TAU * (apart / TAU).round()) * self.radius;
             let [drop, slope] = slots[race].at(place);

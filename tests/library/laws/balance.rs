@@ -1,9 +1,7 @@
 //! The equations of a ball hold at every state that a law returns, computed anew from the state.
 
 use crate::bearing::{Ball, BallLaw, BallState, ForceLaw, JonesFilmLaw, JonesLaw, RaceFilms};
-use crate::physics::{
-    BallMotion, RaceControl, ball_inertia, ball_mass, centrifugal_force, gyroscopic_moment,
-};
+use crate::physics::{BallMotion, RaceControl, ball_mass, centrifugal_force};
 
 use super::OIL;
 use super::random::{Case, Random};
@@ -166,12 +164,9 @@ impl<'a> Check<'a> {
             motion.orbital_ratio * case.speed,
             motion.rolling_ratio * case.speed,
         );
-        let moment = gyroscopic_moment(
-            ball_inertia(mass, diameter),
-            rolling,
-            orbital,
-            motion.pitch_angle,
-        );
+        // M_g = J |ω_R| ω_m sin β, J = m_b D²/10
+        let inertia = mass * diameter * diameter / 10.0;
+        let moment = inertia * rolling.abs() * orbital * motion.pitch_angle.sin();
         let force = centrifugal_force(mass, pitch, orbital);
         let share = match control {
             RaceControl::Outer => 0.0,

@@ -77,13 +77,16 @@ impl Ball {
             groove: [axial, radial],
             drop,
         } = *positions;
+        // both contacts: L, α, Q(L)
         let free = [drop[0] + self.free[0], drop[1] + self.free[1]];
         let contacts = [
             Contact::new([axial - x, radial - y], free[0], 0, &load),
             Contact::new([x, y], free[1], 1, &load),
         ];
+        // F_c, T_i and T_o at these angles
         let inertia = self.inertia.forces(&contacts, force_scale);
         let [inner, outer] = inertia.friction;
+        // Q n + T t at both races
         let [ring_force, outer_force] =
             [(&contacts[0], inner), (&contacts[1], outer)].map(|(contact, friction)| {
                 [

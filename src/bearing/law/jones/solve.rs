@@ -35,6 +35,7 @@ impl Ball {
         springs: &[impl ContactSpring; 2],
         force_scale: f64,
     ) -> Rest {
+        // r(X) and ∂r/∂X at the start
         let (mut positions, mut trials) = (start, 1);
         let mut balance = self.linearised(&start, springs, force_scale);
         let ended = |positions, balance: Balance<Dual<f64, 2>>, step, trials| Rest {
@@ -45,6 +46,7 @@ impl Ball {
         while trials < MOST_TRIALS
             && let Some(inverse) = balance.slopes_inverse()
         {
+            // Newton's step ΔX = −(∂r/∂X)⁻¹ r
             let centre = positions.centre;
             let mut step = apply(&inverse, balance.residual.map(|part| -part.value));
             let newton = square(step);
@@ -53,12 +55,14 @@ impl Ball {
                 positions.centre = [centre[0] + step[0], centre[1] + step[1]];
                 return ended(positions, balance, step, trials);
             }
+            // not beyond where the slopes hold
             let longest = self.longest_step(&balance);
             if newton > longest {
                 let part = (longest / newton).sqrt();
                 step = step.map(|step| part * step);
             }
             loop {
+                // the step is taken where the next one, (∂r/∂X)⁻¹ r(X + ΔX), is shorter
                 let trial = Positions {
                     centre: [centre[0] + step[0], centre[1] + step[1]],
                     ..positions
@@ -74,6 +78,7 @@ impl Ball {
                 if is_round_off || trials >= MOST_TRIALS {
                     return ended(positions, balance, [0.0; 2], trials);
                 }
+                // else half of it is tried
                 step = step.map(|step| 0.5 * step);
             }
         }
@@ -264,15 +269,19 @@ impl Ball {
             return (axial * axial + radial * radial).sqrt() - free_inner - free_outer;
         }
         let orbit = 0.5 * (1.0 - self.inertia.diameter_ratio);
+        // s under F_c of a ball that orbits at the nominal cage speed
         let mut approach = axial.constant(outer.approach(force_scale * orbit * orbit));
         for _ in 0..ROUNDS {
+            // cos α_i of the ball so far inside the outer race
             let height = radial - (free_outer + approach);
             let length = (axial * axial + height * height).sqrt();
             let cosine = height / (length + f64::MIN_POSITIVE);
+            // s ← s/3 + 2/3 F_c/(K_o √s)
             let centrifugal = self.inertia.thrown(cosine) * force_scale;
             let pressed = centrifugal / (approach.sqrt() * outer.stiffness);
             approach = approach * (1.0 / 3.0) + pressed * (2.0 / 3.0);
         }
+        // distance to the inner groove centre less that at first touch
         let height = radial - (free_outer + approach);
         (axial * axial + height * height).sqrt() - free_inner
     }
