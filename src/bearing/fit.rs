@@ -1,8 +1,6 @@
 //! Fits and temperatures of a mounted bearing: what they leave of its clearance, contact angle and preload.
 
-use serde::Serialize;
-
-use super::{Bearing, BearingError, Facing, MountedBearing, Preload, Support};
+use super::{Bearing, BearingError, Facing, FitState, MountedBearing, Preload, Support};
 use crate::physics::{
     Material, STEEL_EXPANSION, inner_ring_fit, outer_ring_fit, thermal_clearance_change,
 };
@@ -24,36 +22,6 @@ pub struct Fit {
     pub rings: [f64; 3],
     /// Temperatures of shaft and housing above the reference, K.
     pub around: [f64; 2],
-}
-
-/// What fits and temperatures have done to a bearing.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[non_exhaustive]
-pub struct FitState {
-    /// Interference in operation of inner and outer ring; negative where the ring is loose, m.
-    #[serde(rename = "interference_m")]
-    pub interference: [f64; 2],
-    /// Pressure in the seats of inner and outer ring, Pa.
-    #[serde(rename = "pressure_Pa")]
-    pub pressure: [f64; 2],
-    /// Clearance taken by the fits of inner and outer ring, m, diametral.
-    #[serde(rename = "clearance_loss_m")]
-    pub clearance_loss: [f64; 2],
-    /// Change of the clearance by the temperatures of rings and balls, m, diametral.
-    #[serde(rename = "thermal_change_m")]
-    pub thermal_change: f64,
-    /// Change of the clearance altogether, m, diametral.
-    #[serde(rename = "clearance_change_m")]
-    pub clearance_change: f64,
-    /// Free contact angle as made, rad.
-    #[serde(rename = "contact_angle_before_rad")]
-    pub angle_before: f64,
-    /// Free contact angle in operation, rad.
-    #[serde(rename = "contact_angle_rad")]
-    pub angle: f64,
-    /// Axial preset of the inner ring before and in operation, m; none of a spring preload.
-    #[serde(rename = "axial_offset_m")]
-    pub axial_offset: Option<[f64; 2]>,
 }
 
 impl Fit {

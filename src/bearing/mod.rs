@@ -38,7 +38,6 @@ pub use error::BearingError;
 pub(crate) use estimate::REFERENCE_GROOVES;
 pub use estimate::{Candidate, CatalogueLine, Estimate, EstimateError};
 pub use fit::Fit;
-pub(crate) use fit::FitState;
 pub use geometry::{FreePosition, Geometry, GeometryError};
 pub(crate) use law::{
     Ball, BallForce, BallLaw, ContactLaw, ForceLaw, RaceContacts, RaceFilms, TableError,
@@ -55,7 +54,7 @@ pub use ring::{Matrix5, Vector5};
 pub(crate) use ring::{Ring, quarter_turn};
 pub use ring_contacts::BallLoads;
 pub(crate) use rotation::{Angle, BearingRotation};
-pub(crate) use state::{Around, GeometryState, StiffnessShares};
+pub(crate) use state::{Around, FitState, GeometryState, StiffnessShares};
 pub use state::{
     BallLine, BearingState, FilmState, FrictionMoment, InternalGeometry, RaceContact, SkfMoment,
 };

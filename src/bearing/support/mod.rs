@@ -1,14 +1,15 @@
 //! A mounted bearing as a restoring force on the shaft.
 //!
 //! `force` has the entries for its force and slopes, `damping` what resists the rate of the contacts, `lift_off` where
-//! balls part from a race, `surfaces` what imperfect surfaces add, `table` the law as polynomials, `assessment` all that
-//! is known of it in one place.
+//! balls part from a race, `rolling` how they go round, `surfaces` what imperfect surfaces add, `table` the law as
+//! polynomials, `assessment` all that is known of it in one place.
 
 mod assessment;
 mod damping;
 mod force;
 mod lift_off;
 mod linear_force;
+mod rolling;
 mod surfaces;
 mod table;
 
