@@ -1,9 +1,9 @@
 //! How the balls of a mounted bearing go round.
 
 use super::{Cage, CageJitter, MountedBearing, Support, Vector5};
-use crate::bearing::{BearingRotation, CageMotion};
 use crate::bearing::cage::rolling_ratio;
 use crate::bearing::surface::ImperfectSurfaces;
+use crate::bearing::{BearingRotation, CageMotion};
 use crate::physics::{BallPass, Race};
 
 impl Support {
