@@ -351,11 +351,7 @@ const ANGLES: [&str; 2] = ["angle", "azimuth"];
 /// What a column is called in figures, with the unit that it is drawn in, and how many of that make one of its own:
 /// `θx`, `force x`, `amplitude of x`, `x, order 1`.
 pub(super) fn shown_column(column: &Column) -> ((String, String), f64) {
-    let freedom = AXES.iter().position(|axis| *axis == column.quantity);
-    let quantity = freedom.map_or_else(
-        || column.quantity.replace('_', " "),
-        |freedom| NAMES[freedom].to_owned(),
-    );
+    let quantity = shown_quantity(&column.quantity);
     let mut words = column.quantity.split('_');
     let (unit, factor) = match words.any(|word| ANGLES.contains(&word)) {
         true => ("deg".to_owned(), 1f64.to_degrees()),
@@ -369,6 +365,17 @@ pub(super) fn shown_column(column: &Column) -> ((String, String), f64) {
         _ => quantity,
     };
     ((name, unit), factor)
+}
+
+/// What a quantity is called in figures: `θx`, `force x`, `frequency`.
+pub(super) fn shown_quantity(quantity: &str) -> String {
+    let freedom = AXES.iter().position(|axis| *axis == quantity);
+    match (freedom, quantity) {
+        (Some(freedom), _) => NAMES[freedom].to_owned(),
+        (_, "t") => "time".to_owned(),
+        (_, "f") => "frequency".to_owned(),
+        _ => quantity.replace('_', " "),
+    }
 }
 
 /// m → µm, rad → µrad.

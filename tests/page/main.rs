@@ -527,7 +527,7 @@ fn further_spectra_are_drawn() {
     for text in [
         "density in m²/s²/Hz",
         "density in rad²/s²/Hz",
-        "tilt_y_velocity",
+        "tilt y velocity",
     ] {
         assert!(figure.contains(text), "{text}");
     }

@@ -1,17 +1,15 @@
 //! The spectra that a scenario asks for: a table each, how each was made, and what is shown of it.
 
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
 use serde_json::{Value, json};
 
-use super::shown::{FREQUENCY, ORDER, ShownPeak, ShownSpectrum};
+use super::shown::{NamedLine, ShownSpectrum};
 use crate::analysis::{
     Axis, EstimatedSpectrum, Resampling, Scaling, SpectrumKind, SpectrumQuantity,
 };
 use crate::report::figure::{Figure, Panel};
-use crate::report::terminal::shown_unit;
 use crate::table::{Column, Table};
 
 /// Name of the table of a spectrum, without the ending of its format.
@@ -61,19 +59,21 @@ fn column(spectrum: &EstimatedSpectrum, quantity: SpectrumQuantity) -> Column {
     }
 }
 
-/// Unit of a column as text.
+/// Unit of a column as text; phases and coherences are not scaled.
 fn unit(spectrum: &EstimatedSpectrum, quantity: SpectrumQuantity) -> String {
     let unit = spectrum.unit(quantity);
-    match curve_name(quantity) {
-        Some(_) => unit + &per_axis(spectrum, "/"),
-        None => unit,
+    match quantity {
+        SpectrumQuantity::Value(_) | SpectrumQuantity::Rotary(..) | SpectrumQuantity::Cross(..) => {
+            unit + &per_axis(spectrum)
+        }
+        _ => unit,
     }
 }
 
 /// The unit of the axis that a density is divided by.
-fn per_axis(spectrum: &EstimatedSpectrum, per: &str) -> String {
+fn per_axis(spectrum: &EstimatedSpectrum) -> String {
     match spectrum.request.scaling {
-        Scaling::Density => format!("{per}{}", spectrum.request.axis.unit()),
+        Scaling::Density => format!("/{}", spectrum.request.axis.unit()),
         _ => String::new(),
     }
 }
@@ -87,54 +87,21 @@ pub(in crate::report) fn estimated_figure(
     spectrum: &EstimatedSpectrum,
     limit: f64,
 ) -> Figure {
-    let groups = shown_estimates(spectrum, limit);
+    let table = estimated_table(spectrum);
+    let lines = spectrum.lines.iter().map(|line| NamedLine {
+        column: column(spectrum, spectrum.columns[line.column].quantity),
+        at: line.place,
+        value: line.value,
+        name: line.line.kind.to_string(),
+    });
+    let shown = shown_places(spectrum, limit);
+    let groups = ShownSpectrum::grouped(&table, &lines.collect::<Vec<_>>(), &shown);
     let panels = groups.iter().map(|group| Panel {
         names: group.names(),
         ..group.panel(HEIGHT)
     });
     let title = format!("{title}: {}", spectrum.request.name);
     Figure::new(&table_name(spectrum), &title, 1, panels.collect())
-}
-
-/// What is shown, `limit` in Hz at first: powers or amplitudes, columns of one unit together.
-fn shown_estimates(spectrum: &EstimatedSpectrum, limit: f64) -> Vec<ShownSpectrum<'_>> {
-    let request = &spectrum.request;
-    let mut groups = Vec::<ShownSpectrum<'_>>::new();
-    for (index, column) in spectrum.columns.iter().enumerate() {
-        let Some(name) = curve_name(column.quantity) else {
-            continue;
-        };
-        let (unit, factor) = shown_unit(&unit(spectrum, column.quantity));
-        let known = groups.iter().position(|group| group.unit == unit);
-        let place = known.unwrap_or_else(|| {
-            groups.push(ShownSpectrum {
-                name: request.name.clone(),
-                quantity: request.scaling.name().replace('_', " "),
-                unit,
-                factor,
-                over: match request.axis {
-                    Axis::Frequency => FREQUENCY,
-                    Axis::Order => ORDER,
-                },
-                first: spectrum.first,
-                resolution: spectrum.resolution,
-                shown: shown_places(spectrum, limit),
-                columns: Vec::new(),
-                peaks: Vec::new(),
-            });
-            groups.len() - 1
-        });
-        let group = &mut groups[place];
-        let lines = spectrum.lines.iter().filter(|line| line.column == index);
-        group.peaks.extend(lines.map(|line| ShownPeak {
-            column: group.columns.len(),
-            at: line.place,
-            height: factor * line.value,
-            name: line.line.kind.to_string(),
-        }));
-        group.columns.push((name, Cow::Borrowed(&column.values)));
-    }
-    groups
 }
 
 /// Places that are shown at first: those that lines are found at, `limit` in Hz, if the axis has any.
@@ -149,16 +116,6 @@ fn shown_places(spectrum: &EstimatedSpectrum, limit: f64) -> Range<f64> {
     match spectrum.request.kind {
         SpectrumKind::Whirl => spectrum.place(0).max(-end)..end,
         _ => 0.0..end,
-    }
-}
-
-/// What the curve of a scaled quantity is called; phases and coherences are neither scaled nor shown.
-fn curve_name(quantity: SpectrumQuantity) -> Option<String> {
-    match quantity {
-        SpectrumQuantity::Value(channel) => Some(channel.name().to_owned()),
-        SpectrumQuantity::Rotary(x, y) => Some(format!("{x} + i {y}")),
-        SpectrumQuantity::Cross(reference, other) => Some(format!("{reference} to {other}")),
-        _ => None,
     }
 }
 

@@ -7,11 +7,11 @@ use std::io::Write;
 
 use serde::Serialize;
 
-use super::shown::{FREQUENCY, ShownPeak, ShownSpectrum};
+use super::shown::{NamedLine, ShownPeak, ShownSpectrum};
 use crate::analysis::{Peak, Spectrum};
 use crate::report::figure::Figure;
 use crate::report::table::CsvTable;
-use crate::report::terminal::{MICRO, MILLI, shown_column, shown_unit};
+use crate::report::terminal::{MICRO, MILLI};
 use crate::simulate::Run;
 use crate::table::{Column, Table};
 
@@ -140,24 +140,46 @@ pub(in crate::report) fn spectra_figures(
     spectrum: &Spectrum,
     peaks: &[Peak],
 ) -> Vec<Figure> {
-    let groups = GROUPS.iter();
-    let groups = groups.filter_map(|(name, unit)| shown_group(spectrum, peaks, name, unit));
-    let shown = groups.map(|group| match &*group.name {
-        "displacement" => velocity_of(spectrum, &group),
-        _ => group,
-    });
-    let figures = shown.map(|group| {
-        let name = format!("{}_spectrum", group.name);
-        figure(&name, title, &group, PAGE_HEIGHT).only_on_page()
+    let table = spectrum_table(spectrum);
+    let figures = shown_groups(&table, spectrum, peaks).map(|(name, group)| {
+        let (name, group) = match name {
+            "displacement" => ("velocity", velocity_of(group)),
+            name => (name, group),
+        };
+        figure(&format!("{name}_spectrum"), title, name, group, PAGE_HEIGHT).only_on_page()
     });
     figures.collect()
 }
 
+/// Amplitudes of channels of one unit together, each group with its name.
+fn shown_groups<'a>(
+    table: &'a Table<'_>,
+    spectrum: &Spectrum,
+    peaks: &[Peak],
+) -> impl Iterator<Item = (&'static str, ShownSpectrum<'a>)> {
+    let lines = peaks.iter().filter_map(|peak| {
+        let [column, _] = peak.channel.lines();
+        Some(NamedLine {
+            column,
+            at: peak.frequency,
+            value: peak.amplitude,
+            name: peak.line?.kind.to_string(),
+        })
+    });
+    let shown = 0.0..frequency_limit(spectrum, peaks);
+    let groups = ShownSpectrum::grouped(table, &lines.collect::<Vec<_>>(), &shown);
+    let named = groups.into_iter().filter_map(|group| {
+        let (name, _) = GROUPS.iter().find(|(_, unit)| *unit == group.of)?;
+        Some((*name, group))
+    });
+    named
+}
+
 /// Velocities of displacements: 2πf times their amplitudes.
-fn velocity_of<'a>(spectrum: &Spectrum, group: &ShownSpectrum<'a>) -> ShownSpectrum<'a> {
+fn velocity_of(group: ShownSpectrum<'_>) -> ShownSpectrum<'_> {
+    let rate = |(at, value): (&f64, &f64)| TAU * at * value;
     let columns = group.columns.iter().map(|(name, values)| {
-        let values = values.iter().enumerate();
-        let rates = values.map(|(k, value)| TAU * spectrum.frequency(k) * value);
+        let rates = group.over.1.iter().zip(values.iter()).map(rate);
         (name.clone(), Cow::Owned(rates.collect()))
     });
     let peaks = group.peaks.iter().map(|peak| ShownPeak {
@@ -165,54 +187,12 @@ fn velocity_of<'a>(spectrum: &Spectrum, group: &ShownSpectrum<'a>) -> ShownSpect
         ..peak.clone()
     });
     ShownSpectrum {
-        name: "velocity".to_owned(),
-        quantity: "velocity amplitude".to_owned(),
         unit: "mm/s".to_owned(),
         factor: MILLI,
-        shown: group.shown.clone(),
         columns: columns.collect(),
         peaks: peaks.collect(),
-        ..*group
+        ..group
     }
-}
-
-fn shown_group<'a>(
-    spectrum: &'a Spectrum,
-    peaks: &[Peak],
-    name: &str,
-    unit: &str,
-) -> Option<ShownSpectrum<'a>> {
-    let all = spectrum.channels.iter();
-    let members: Vec<_> = all.filter(|entry| entry.channel.unit() == unit).collect();
-    members.first()?;
-    let (unit, factor) = shown_unit(unit);
-    let named = peaks.iter().filter_map(|peak| {
-        let column = members
-            .iter()
-            .position(|entry| entry.channel == peak.channel)?;
-        Some(ShownPeak {
-            column,
-            at: peak.frequency,
-            height: factor * peak.amplitude,
-            name: peak.line?.kind.to_string(),
-        })
-    });
-    let columns = members.iter().map(|entry| {
-        let values = Cow::Borrowed(&entry.amplitude[..]);
-        (shown_column(&entry.channel.column()).0.0, values)
-    });
-    Some(ShownSpectrum {
-        name: name.to_owned(),
-        quantity: format!("{name} amplitude"),
-        unit,
-        factor,
-        over: FREQUENCY,
-        first: 0,
-        resolution: spectrum.resolution,
-        shown: 0.0..frequency_limit(spectrum, peaks),
-        columns: columns.collect(),
-        peaks: named.collect(),
-    })
 }
 
 /// Largest frequency shown, Hz: a little above the highest peak, at least ten shaft orders.
@@ -242,13 +222,16 @@ const PAGE_HEIGHT: u32 = 280;
 
 /// Amplitudes of x, y and z (those that move) against frequency.
 pub(crate) fn spectrum_figure(title: &str, spectrum: &Spectrum, peaks: &[Peak]) -> Figure {
-    match shown_group(spectrum, peaks, "displacement", "m") {
-        Some(shown) => figure("spectrum", title, &shown, HEIGHT),
+    let table = spectrum_table(spectrum);
+    let mut groups = shown_groups(&table, spectrum, peaks);
+    match groups.find(|(name, _)| *name == "displacement") {
+        Some((name, shown)) => figure("spectrum", title, name, shown, HEIGHT),
         None => Figure::new("spectrum", title, 1, Vec::new()),
     }
 }
 
-fn figure(name: &str, title: &str, shown: &ShownSpectrum<'_>, height: u32) -> Figure {
+fn figure(name: &str, title: &str, of: &str, mut shown: ShownSpectrum<'_>, height: u32) -> Figure {
+    shown.quantity = format!("{of} {}", shown.quantity);
     let figure = Figure::new(name, title, 1, vec![shown.panel(height)]);
     figure.with_names(shown.names())
 }

@@ -5,30 +5,23 @@ use std::collections::HashSet;
 use std::ops::Range;
 
 use crate::report::envelope::{Decimator, SCREEN_BUCKETS};
-use crate::report::figure::{Axis, Curve, Name, Panel, Point, distinct};
-
-/// What most spectra are drawn over.
-pub(super) const FREQUENCY: (&str, &str) = ("frequency", "Hz");
-/// What the others are drawn over.
-pub(super) const ORDER: (&str, &str) = ("order", "");
+use crate::report::figure::{Axis, Curve, Name, Panel, Point, distinct, ends};
+use crate::report::terminal::{shown_column, shown_quantity, shown_unit};
+use crate::table::{Column, ColumnKind, Table};
 
 /// Columns of one unit over one axis.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(in crate::report) struct ShownSpectrum<'a> {
-    /// What they are called together.
-    pub name: String,
+    /// Unit of the columns.
+    pub of: &'a str,
     /// What is shown of them: amplitude, density ….
     pub quantity: String,
     /// Unit that they are shown in.
     pub unit: String,
     /// How many of it make one of the columns'.
     pub factor: f64,
-    /// Quantity and unit of the axis.
-    pub over: (&'static str, &'static str),
-    /// Number of the first bin.
-    pub first: isize,
-    /// Distance of neighbouring bins.
-    pub resolution: f64,
+    /// What they stand over, and its places.
+    pub over: (&'a Column, &'a [f64]),
     /// Places that are shown at first.
     pub shown: Range<f64>,
     /// Each with its name.
@@ -47,15 +40,62 @@ pub(in crate::report) struct ShownPeak {
     pub name: String,
 }
 
-impl ShownSpectrum<'_> {
-    fn place(&self, row: usize) -> f64 {
-        (self.first + row as isize) as f64 * self.resolution
+/// A line of a column of a table that has a name: where it is, and its value there.
+#[derive(Debug, Clone)]
+pub(super) struct NamedLine {
+    pub column: Column,
+    pub at: f64,
+    pub value: f64,
+    pub name: String,
+}
+
+impl<'a> ShownSpectrum<'a> {
+    /// The columns of a table that have lines, those of one unit together, over its first column.
+    pub(super) fn grouped(
+        table: &'a Table<'_>,
+        lines: &[NamedLine],
+        shown: &Range<f64>,
+    ) -> Vec<Self> {
+        let mut groups = Vec::<Self>::new();
+        for (column, values) in table.iter() {
+            let (ColumnKind::Measure(what), Some(over)) = (&column.kind, table.iter().next())
+            else {
+                continue;
+            };
+            let known = groups.iter().position(|group| group.of == column.unit);
+            let place = known.unwrap_or_else(|| {
+                let (unit, factor) = shown_unit(&column.unit);
+                groups.push(Self {
+                    of: &column.unit,
+                    quantity: what.replace('_', " "),
+                    unit,
+                    factor,
+                    over,
+                    shown: shown.clone(),
+                    columns: Vec::new(),
+                    peaks: Vec::new(),
+                });
+                groups.len() - 1
+            });
+            let group = &mut groups[place];
+            let own = lines.iter().filter(|line| line.column == *column);
+            group.peaks.extend(own.map(|line| ShownPeak {
+                column: group.columns.len(),
+                at: line.at,
+                height: group.factor * line.value,
+                name: line.name.clone(),
+            }));
+            let name = shown_quantity(&column.quantity);
+            group.columns.push((name, Cow::Borrowed(values)));
+        }
+        groups
     }
 
     /// Places and values of a column but the mean.
     fn points(&self, column: usize) -> impl Iterator<Item = Point> {
-        let all = self.columns[column].1.iter().enumerate();
-        let placed = all.map(|(row, value)| (self.place(row), self.factor * value));
+        let places = self.over.1.iter().copied();
+        let placed = places.zip(self.columns[column].1.iter());
+        let placed = placed.map(|(place, value)| (place, self.factor * value));
         placed.filter(|(place, _)| *place != 0.0)
     }
 
@@ -65,11 +105,11 @@ impl ShownSpectrum<'_> {
         let values = columns.clone().flat_map(|column| self.points(column));
         let strongest = values.fold(0.0, |most: f64, (_, value)| most.max(value));
         let curves = columns.map(|column| Curve::line(distinct(column), self.envelope(column)));
-        let count = self.columns.first().map_or(0, |(_, values)| values.len());
-        let reach = [self.place(0), self.place(count.saturating_sub(1))];
+        let (over, places) = self.over;
+        let (label, _) = shown_column(over);
         let x = Axis {
-            reach: Some(reach),
-            ..Axis::over(self.over, self.shown.clone())
+            reach: ends(places.iter().copied()),
+            ..Axis::over(label, self.shown.clone())
         };
         let y = Axis::below((self.quantity.as_str(), self.unit.as_str()), strongest);
         Panel {
@@ -103,10 +143,10 @@ impl ShownSpectrum<'_> {
         peaks.retain(|peak| seen.insert(&peak.name));
         let placed = peaks.into_iter().map(|peak| {
             // less than the peak itself where it lies between two bins
-            let row = peak.at / self.resolution - self.first as f64;
+            let above = self.over.1.partition_point(|place| *place < peak.at);
             let values = &self.columns[peak.column].1;
-            let [below, above] = [row.floor(), row.ceil()]
-                .map(|row| values.get(row as usize).copied().unwrap_or(0.0));
+            let [below, above] =
+                [above.saturating_sub(1), above].map(|row| values.get(row).copied().unwrap_or(0.0));
             ((peak.at, self.factor * below.max(above)), peak.name.clone())
         });
         placed.collect()
