@@ -65,7 +65,7 @@ fn main() {
     let stop = AtomicBool::new(false);
     let integration = shortest(|| {
         for _ in 0..RUNS {
-            bare.integrate(&stop, None).expect("a motion");
+            bare.integrate(&stop).expect("a motion");
         }
     });
     let per_run = |seconds: f64| 1e3 * seconds / RUNS as f64;

@@ -97,7 +97,7 @@ fn times(models: &[Model]) -> Vec<f64> {
     while begin.elapsed().as_secs_f64() < REPEATED * runs.len() as f64 {
         for (run, best) in runs.iter().zip(&mut best) {
             let start = Instant::now();
-            run.integrate(&stop, None).expect("it ran before");
+            run.integrate(&stop).expect("it ran before");
             *best = best.min(start.elapsed().as_secs_f64());
         }
     }

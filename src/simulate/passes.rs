@@ -304,19 +304,15 @@ impl<'a> BareRun<'a> {
     }
 
     /// Integrates over all samples of the model by its method and forgets the states: no second pass, no
-    /// observation of the bearings, no spectra. `progress` is that of the integration.
+    /// observation of the bearings, no spectra.
     ///
     /// # Errors
     /// [`SimulateError`] as a run.
-    pub fn integrate(
-        &self,
-        stop: &AtomicBool,
-        progress: Option<&Progress>,
-    ) -> Result<Counters, SimulateError> {
+    pub fn integrate(&self, stop: &AtomicBool) -> Result<Counters, SimulateError> {
         let (model, rotor) = (self.model, &self.rotor);
         let grid = sampling::grid(model, rotor)?;
         let scale = motion_scale(model, rotor);
-        let begun = |scale| pass(rotor, scale, grid, model.integrator, (stop, progress));
+        let begun = |scale| pass(rotor, scale, grid, model.integrator, (stop, None));
         let mut integration = begun(&scale);
         let mut states = States::with_capacity(rotor.states(), BLOCK);
         integration.advance(BLOCK, &mut states)?;

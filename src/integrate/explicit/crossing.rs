@@ -7,8 +7,8 @@
 use super::plan::Plan;
 use super::stepper::ExplicitStepper;
 use super::verner76::{FACTORS, LAST, error_over_surface};
-use crate::integrate::System;
 use crate::integrate::problem::Problem;
+use crate::integrate::stepper::Start;
 use crate::numerics::root::root;
 
 /// Error of a landing that misses its surface, over the tolerance, up to which it is good.
@@ -64,12 +64,20 @@ pub(super) struct Crossings {
 }
 
 impl Crossings {
-    pub fn new(system: &dyn System) -> Self {
+    /// At the start of a run.
+    pub fn new(problem: &Problem<'_>, start: &Start) -> Self {
+        let system = problem.system;
         let (events, states) = (system.event_count(), system.states());
+        let (mut state, mut values) = (vec![0.0; states], vec![0.0; events]);
+        problem.write_state(&start.deviation, &mut state);
+        system.events(start.time, &state, &mut values);
         let is_broken = |event| system.event_exponent(event).fract() != 0.0;
         Self {
             broken: (0..events).map(is_broken).collect(),
-            past: vec![false; events],
+            past: values
+                .iter()
+                .map(|value| value.is_sign_positive())
+                .collect(),
             latest: f64::NEG_INFINITY,
             fresh: false,
             due: vec![f64::INFINITY; events],
@@ -78,8 +86,8 @@ impl Crossings {
             ends: [vec![0.0; events], vec![0.0; events]],
             is_end_known: false,
             found: vec![f64::INFINITY; events],
-            state: vec![0.0; states],
-            values: vec![0.0; events],
+            state,
+            values,
         }
     }
 
@@ -91,14 +99,6 @@ impl Crossings {
             time,
             ends: (0..self.due.len()).any(ends),
         })
-    }
-
-    /// Checks the events in the first state of a run.
-    pub fn begin(&mut self, problem: &Problem<'_>, time: f64, state: &[f64]) {
-        problem.system.events(time, state, &mut self.values);
-        for (past, value) in self.past.iter_mut().zip(&self.values) {
-            *past = value.is_sign_positive();
-        }
     }
 }
 

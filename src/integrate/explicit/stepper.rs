@@ -52,8 +52,6 @@ pub(in crate::integrate) struct ExplicitStepper {
     pub(super) control: Control,
     /// Whether a trial since the latest good step was not finite.
     pub(super) fault: bool,
-    /// Whether the event functions at the start are known.
-    events_known: bool,
     pub(super) counters: Counters,
 }
 
@@ -81,12 +79,11 @@ impl ExplicitStepper {
             end_rate: zeros(),
             stages: vec![[[0.0; 4]; STAGES]; chunks_of(states)],
             substitution: Substitution::default(),
-            crossing: Crossings::new(problem.system),
+            crossing: Crossings::new(problem, start),
             ended: false,
             extended: false,
             control: Control::default(),
             fault: false,
-            events_known: false,
             counters: start.counters,
         }
     }
@@ -98,10 +95,6 @@ impl ExplicitStepper {
         std::mem::swap(&mut self.start_rate, &mut self.end_rate);
         if self.time >= self.limit {
             problem.write_state(&self.from, &mut self.argument);
-            if !self.events_known {
-                self.crossing.begin(problem, self.time, &self.argument);
-                self.events_known = true;
-            }
             self.crossing.due.fill(f64::INFINITY);
             self.limit = problem.limit_after(self.time);
             // the derivative after a break, or the very first

@@ -1,7 +1,7 @@
 //! The modes of a linear part as a basis of its states.
 //!
-//! What a state adds up without acting back, such as works, hangs on the modes of the others: its own eigenvalue
-//! is zero, and it follows them as its rate does.
+//! States that act on no other, such as works, are quadratures: the eigenvalue of each is zero, and the modes of the
+//! others go on in it as in its rate.
 
 use nalgebra::{Complex, DMatrix};
 
@@ -10,8 +10,8 @@ use crate::numerics::eigenvectors::modes;
 /// Product of the norms of the basis and its inverse, over the number of modes, up to which round-off in the
 /// coordinates is no matter: it comes to this many times that of the state.
 const WORST_CONDITION: f64 = 1e4;
-/// Least size of an eigenvalue, over the largest, where anything hangs on the modes: far slower ones pile up
-/// in what they add to.
+/// Least size of an eigenvalue, over the largest, where there are quadratures: far slower modes pile up in
+/// them.
 const SLOWEST: f64 = 1e-9;
 
 /// A basis V with J V = V Λ.
@@ -30,14 +30,14 @@ impl Basis {
         if !jacobian.iter().all(|entry| entry.is_finite()) {
             return None;
         }
-        // what acts on any; none where some act on what hangs on them alone
+        // states that act on others; no basis where some act on quadratures alone
         let acts = |&position: &usize| jacobian.column(position).iter().any(|entry| *entry != 0.0);
         let acting: Vec<usize> = (0..jacobian.nrows()).filter(acts).collect();
         if acting.is_empty() || !acting.iter().all(|&position| units[position].is_finite()) {
             return None;
         }
         let basis = Self::from_acting(&acting, jacobian, units)?;
-        let basis = basis.with_hanging(&acting, jacobian)?;
+        let basis = basis.with_quadratures(&acting, jacobian)?;
         let mut all = basis.shapes.iter().chain(basis.parts.iter());
         all.all(|entry| entry.is_finite()).then_some(basis)
     }
@@ -83,45 +83,48 @@ impl Basis {
         })
     }
 
-    /// This basis with what hangs on it, of which a mode has what it adds up, H = R X Λ⁻¹:
+    /// This basis with quadratures of rates R y, in which a mode X has the part H = R X Λ⁻¹:
     /// V = (X 0, H 1), V⁻¹ = (X⁻¹ 0, −H X⁻¹ 1).
-    fn with_hanging(mut self, acting: &[usize], jacobian: &DMatrix<f64>) -> Option<Self> {
+    fn with_quadratures(mut self, acting: &[usize], jacobian: &DMatrix<f64>) -> Option<Self> {
         let count = acting.len();
         let sizes = self.eigenvalues[..count].iter().map(|value| value.norm());
         let [least, most] = sizes.fold([f64::INFINITY, 0.0], |[least, most], size| {
             [size.min(least), size.max(most)]
         });
-        let hanging = (0..jacobian.nrows()).filter(|row| !acting.contains(row));
-        for (own, hanging) in (count..).zip(hanging) {
+        let quadratures = (0..jacobian.nrows()).filter(|row| !acting.contains(row));
+        for (own, quadrature) in (count..).zip(quadratures) {
             if least < SLOWEST * most {
                 return None;
             }
             for coordinate in 0..count {
-                self.shapes[(hanging, coordinate)] =
-                    self.added_up(acting, jacobian, hanging, coordinate);
+                self.shapes[(quadrature, coordinate)] =
+                    self.integral(acting, jacobian, quadrature, coordinate);
             }
             for &position in acting {
                 let products = (0..count).map(|coordinate| {
-                    self.shapes[(hanging, coordinate)] * self.parts[(coordinate, position)]
+                    self.shapes[(quadrature, coordinate)] * self.parts[(coordinate, position)]
                 });
                 self.parts[(own, position)] = -products.sum::<f64>();
             }
-            (self.shapes[(hanging, own)], self.parts[(own, hanging)]) = (1.0, 1.0);
+            (
+                self.shapes[(quadrature, own)],
+                self.parts[(own, quadrature)],
+            ) = (1.0, 1.0);
         }
         Some(self)
     }
 
-    /// What a coordinate's mode adds up in a component: of a pair the real or the imaginary part of R x/λ.
-    fn added_up(
+    /// The part of a coordinate's mode in a quadrature: of a pair the real or the imaginary part of R x/λ.
+    fn integral(
         &self,
         acting: &[usize],
         jacobian: &DMatrix<f64>,
-        hanging: usize,
+        quadrature: usize,
         coordinate: usize,
     ) -> f64 {
         let rate = |coordinate: usize| -> f64 {
             let rates = acting.iter().map(|&position| {
-                jacobian[(hanging, position)] * self.shapes[(position, coordinate)]
+                jacobian[(quadrature, position)] * self.shapes[(position, coordinate)]
             });
             rates.sum()
         };

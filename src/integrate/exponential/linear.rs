@@ -269,7 +269,7 @@ mod tests {
         }
     }
 
-    /// V Λ V⁻¹ is next to J: at critical damping, of a body that nothing holds, and of what hangs on it.
+    /// V Λ V⁻¹ is next to J: at critical damping, of a body that nothing holds, and of its quadratures.
     #[test]
     fn where_modes_are_no_basis_those_of_a_matrix_next_to_it_are() {
         let held = [[0.0, -1e8, 0.0], [1.0, -2e4, 3e3], [0.0; 3]];

@@ -123,7 +123,7 @@ impl Cost {
         let mut total = 0.0;
         while cost.repeats == 0 || (cost.repeats < MOST_REPEATS && total < LONG_ENOUGH) {
             let started = Instant::now();
-            cost.counters = bare.integrate(stop, None)?;
+            cost.counters = bare.integrate(stop)?;
             let seconds = started.elapsed().as_secs_f64();
             cost.seconds = cost.seconds.min(seconds);
             cost.repeats += 1;

@@ -219,7 +219,7 @@ fn a_lightly_damped_scene_needs_a_tenth_of_the_work() {
         waiting.integrator.method = Method::Verner76;
         let run = BareRun::new(&waiting)
             .expect("a rotor")
-            .integrate(&stop, None)
+            .integrate(&stop)
             .expect("a run");
         let steady = found(model);
         let ratio = run.evaluations as f64 / steady.counters.evaluations as f64;
