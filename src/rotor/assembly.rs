@@ -81,7 +81,8 @@ impl Rotor {
         Ok(rotor)
     }
 
-    /// The same of a structure with that shaft, its damping as it follows from the stiffness at the start.
+    /// Builds the rotor on a structure with the shaft of the definition, its damping as it follows from the stiffness at
+    /// the start.
     pub(super) fn from_structure(
         structure: Structure,
         definition: &RotorDefinition,

@@ -55,7 +55,7 @@ impl Freedoms {
         self.moves(3)
     }
 
-    /// The same with z held.
+    /// Those of them that are left with z held.
     pub fn without_z(self) -> Self {
         if self.tilts() {
             Self::Lateral
@@ -267,7 +267,7 @@ impl RotorDefinition {
         bearings.any(|bearing| bearing.bearing.rotating_ring == Race::Outer)
     }
 
-    /// The same shaft with so many modes of bending in each plane.
+    /// This shaft with so many modes of bending in each plane.
     pub(crate) fn with_modes(&self, modes: usize) -> Self {
         let mut other = self.clone();
         if let Some(flexible) = &mut other.flexible {
@@ -276,7 +276,7 @@ impl RotorDefinition {
         other
     }
 
-    /// The same shaft at a constant speed in rad/s.
+    /// This shaft at a constant speed in rad/s.
     pub(crate) fn at_constant_speed(&self, speed: f64) -> Self {
         Self {
             speed,

@@ -188,22 +188,13 @@ impl Elements {
         rotation: &Rotation,
         phases: &Phases,
     ) -> Vector5 {
-        let force = |own: &AttachedElement| match &own.element {
-            Element::BallBearing(support) => {
-                let displacement = own.attachment.displacement_by_shaft(shaft);
-                let seen = seen_by(support, rotation, phases);
-                own.attachment
-                    .on_shaft(&support.force_by(simd, &displacement, &seen))
-            }
-            Element::Linear(_) => [0.0; FREEDOMS],
-        };
         // one by itself, so that no sum has to be kept in memory from bearing to bearing
         if let [only] = &self.all[..] {
-            return force(only);
+            return only.force_of_rigid_shaft(simd, shaft, rotation, phases);
         }
         let mut sum = [0.0; FREEDOMS];
         for own in &self.all {
-            let force = force(own);
+            let force = own.force_of_rigid_shaft(simd, shaft, rotation, phases);
             for axis in 0..FREEDOMS {
                 sum[axis] += force[axis];
             }
@@ -213,6 +204,26 @@ impl Elements {
 }
 
 impl AttachedElement {
+    /// Force of a rigid shaft onto it and the ground as one on the shaft; none where it is in the linear part.
+    #[inline(always)]
+    fn force_of_rigid_shaft<S: Simd>(
+        &self,
+        simd: S,
+        shaft: &Vector5,
+        rotation: &Rotation,
+        phases: &Phases,
+    ) -> Vector5 {
+        match &self.element {
+            Element::BallBearing(support) => {
+                let displacement = self.attachment.displacement_by_shaft(shaft);
+                let seen = seen_by(support, rotation, phases);
+                let force = support.force_by(simd, &displacement, &seen);
+                self.attachment.on_shaft(&force)
+            }
+            Element::Linear(_) => [0.0; FREEDOMS],
+        }
+    }
+
     /// Its motion at an instant.
     fn motion(&self, at: &Instant<'_>) -> ElementMotion {
         match &self.element {

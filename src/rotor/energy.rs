@@ -54,37 +54,33 @@ pub struct Works {
 
 impl Works {
     /// Number of works.
-    pub(super) const COUNT: usize = 9;
+    pub(super) const COUNT: usize = Self::PARTS.len();
+
+    /// Each of them, in the order of the states.
+    const PARTS: [fn(&mut Self) -> &mut f64; 9] = [
+        |works| &mut works.loads,
+        |works| &mut works.unbalance,
+        |works| &mut works.rotation,
+        |works| &mut works.viscous,
+        |works| &mut works.contact,
+        |works| &mut works.bearings,
+        |works| &mut works.drive,
+        |works| &mut works.load_torque,
+        |works| &mut works.friction,
+    ];
 
     /// From values in the order of [`Works::values`]; what is missing is zero.
     pub(super) fn from_values(values: &[f64]) -> Self {
-        let value = |index: usize| values.get(index).copied().unwrap_or(0.0);
-        Self {
-            loads: value(0),
-            unbalance: value(1),
-            rotation: value(2),
-            viscous: value(3),
-            contact: value(4),
-            bearings: value(5),
-            drive: value(6),
-            load_torque: value(7),
-            friction: value(8),
+        let mut works = Self::default();
+        for (part, value) in Self::PARTS.iter().zip(values) {
+            *part(&mut works) = *value;
         }
+        works
     }
 
-    /// All of them, in the order in which they stand.
-    pub(crate) fn values(&self) -> [f64; Self::COUNT] {
-        [
-            self.loads,
-            self.unbalance,
-            self.rotation,
-            self.viscous,
-            self.contact,
-            self.bearings,
-            self.drive,
-            self.load_torque,
-            self.friction,
-        ]
+    /// All of them, in the order of the states.
+    pub(crate) fn values(mut self) -> [f64; Self::COUNT] {
+        Self::PARTS.map(|part| *part(&mut self))
     }
 
     /// Supplied less dissipated.

@@ -103,8 +103,8 @@ impl StaticProblem<'_> {
         Ok(self.on(&structure, &load)?.equilibrium(&structure))
     }
 
-    /// The same of a structure with more coordinates than those of its shaft, under loads on all of them; those that are
-    /// not of its observed point are free.
+    /// Finds the equilibrium of a structure with more coordinates than those of its shaft, under loads on all of them;
+    /// those that are not of its observed point are free.
     pub(super) fn on(
         &self,
         structure: &Structure,
@@ -253,7 +253,7 @@ pub(crate) fn static_place(
     )?)
 }
 
-/// The same of a structure with that shaft.
+/// The equilibrium of a structure with the shaft of the definition.
 pub(super) fn static_place_of(
     structure: Structure,
     definition: &RotorDefinition,

@@ -6,6 +6,7 @@
 
 mod action;
 mod assembly;
+mod bodies;
 mod coefficients;
 mod coordinate;
 mod damping;
@@ -42,6 +43,9 @@ mod unconstrained;
 pub(crate) use crate::bearing::CageMotion;
 pub use assembly::RotorError;
 pub(crate) use assembly::build_supports;
+#[cfg(test)]
+pub(crate) use bodies::BodyMotion;
+pub use bodies::{Body, BodyMotions, MOST_HOUSINGS};
 pub use definition::{
     Damping, FREEDOMS, Freedoms, InitialPosition, InitialState, RotorDefinition, STANDARD_GRAVITY,
     Shaft,
@@ -57,9 +61,7 @@ pub use load::{Load, LoadKind};
 pub use modes::{Mode, NaturalFrequency, Whirl};
 pub use motion::Rotor;
 pub use motion_scale::MotionScale;
-#[cfg(test)]
-pub(crate) use observation::BodyMotion;
-pub use observation::{BallContacts, Body, MOST_BEARINGS, MOST_HOUSINGS, Sample};
+pub use observation::{BallContacts, MOST_BEARINGS, Sample};
 pub(crate) use point::Attachment;
 pub(crate) use shaft_shapes::ShaftShape;
 pub use speed_profile::{Rotation, SpeedPoint, SpeedProfile};

@@ -85,16 +85,16 @@ impl Rotor {
 
     /// Place of all coordinates where some have no mass and follow, else that of the degrees of freedom.
     pub(super) fn place_of_all<'a>(&self, dofs: &'a [f64]) -> Cow<'a, [f64]> {
-        self.of_all(dofs, Some(&self.start.rest))
+        self.all_coordinates(dofs, Some(&self.start.rest))
     }
 
     /// Rates likewise.
     pub(super) fn rate_of_all<'a>(&self, rates: &'a [f64]) -> Cow<'a, [f64]> {
-        self.of_all(rates, None)
+        self.all_coordinates(rates, None)
     }
 
     /// Values of all coordinates by those of the degrees of freedom, about `rest` or zero.
-    fn of_all<'a>(&self, dofs: &'a [f64], rest: Option<&[f64]>) -> Cow<'a, [f64]> {
+    fn all_coordinates<'a>(&self, dofs: &'a [f64], rest: Option<&[f64]>) -> Cow<'a, [f64]> {
         let followers = &self.structure.followers;
         if followers.is_empty() {
             return Cow::Borrowed(dofs);

@@ -1,9 +1,7 @@
 //! What can be seen of the shaft in motion.
 
-use std::fmt;
-
 use super::element::{Element, ElementMotion, Instant};
-use super::{DriveMoments, EnergyBalance, FREEDOMS, Rotor};
+use super::{BodyMotions, DriveMoments, EnergyBalance, FREEDOMS, Rotor};
 use crate::bearing::{BallLoads, BearingRotation, LOADED_SHARE, Support, Vector5};
 
 impl Rotor {
@@ -181,107 +179,10 @@ impl Rotor {
             })
         })
     }
-
-    /// Indices of the degrees of freedom of housings and what vibrates on them.
-    pub(crate) fn body_freedoms(&self) -> std::ops::Range<usize> {
-        let bodies = self.structure.bodies.iter();
-        let firsts = bodies.map(|body| body.point.coordinates[0]);
-        firsts.min().unwrap_or(self.dofs())..self.dofs()
-    }
-
-    /// Motion of housings, and what vibrates on them, of the first bearings; none without any.
-    pub(super) fn body_motions(&self, place: &[f64], velocity: &[f64]) -> Option<BodyMotions> {
-        let mut motions = BodyMotions::default();
-        for own in &self.structure.bodies {
-            if let Some(motion) = motions.get_mut(own.body.index()) {
-                let [x, y, z, ..] = own.point.displacement(place, &[]);
-                motion.displacement = [x, y, z];
-                let [x, y, z, ..] = own.point.rate(velocity);
-                motion.velocity = [x, y, z];
-            }
-        }
-        (!self.structure.bodies.is_empty()).then_some(motions)
-    }
-
-    /// Writes their accelerations, taken from the derivative of a state.
-    fn accelerate_bodies(&self, rate: &[f64], motions: &mut Option<BodyMotions>) {
-        let (Some(motions), dofs) = (motions, self.dofs()) else {
-            return;
-        };
-        for own in &self.structure.bodies {
-            if let Some(motion) = motions.get_mut(own.body.index()) {
-                let [x, y, z, ..] = own.point.rate(&rate[dofs..2 * dofs]);
-                motion.acceleration = Some([x, y, z]);
-            }
-        }
-    }
 }
-
-/// Housings are observed of so many bearings, the first ones.
-pub const MOST_HOUSINGS: usize = 4;
 
 /// Most bearings of a shaft.
 pub const MOST_BEARINGS: usize = 64;
-
-/// A mass that moves besides the shaft, by the bearing that it belongs to, from 0, in the order of the scene.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Body {
-    /// The housing of a bearing.
-    Housing(usize),
-    /// What vibrates on the housing of a bearing.
-    Resonator(usize),
-}
-
-impl Body {
-    /// All that are observed.
-    pub(crate) fn all() -> impl Iterator<Item = Self> {
-        let housings = (0..MOST_HOUSINGS).map(Self::Housing);
-        housings.chain((0..MOST_HOUSINGS).map(Self::Resonator))
-    }
-
-    /// Name in columns: `housing1`, `resonator1`.
-    pub(crate) fn name(self) -> String {
-        match self {
-            Self::Housing(bearing) => format!("housing{}", bearing + 1),
-            Self::Resonator(bearing) => format!("resonator{}", bearing + 1),
-        }
-    }
-
-    /// Its place in [`BodyMotions`]; beyond them where it is not observed.
-    pub(crate) fn index(self) -> usize {
-        match self {
-            Self::Housing(bearing) if bearing < MOST_HOUSINGS => bearing,
-            Self::Resonator(bearing) if bearing < MOST_HOUSINGS => MOST_HOUSINGS + bearing,
-            _ => usize::MAX,
-        }
-    }
-}
-
-/// `housing of bearing 1`, `resonator on the housing of bearing 1`.
-impl fmt::Display for Body {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Housing(bearing) => write!(f, "housing of bearing {}", bearing + 1),
-            Self::Resonator(bearing) => {
-                write!(f, "resonator on the housing of bearing {}", bearing + 1)
-            }
-        }
-    }
-}
-
-/// Motions of the housings of the first bearings, then of what vibrates on them.
-pub type BodyMotions = [BodyMotion; 2 * MOST_HOUSINGS];
-
-/// Motion of a housing, or of what vibrates on it, at one instant.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct BodyMotion {
-    /// x, y, z from where weight has put it, m.
-    pub displacement: [f64; 3],
-    /// m/s.
-    pub velocity: [f64; 3],
-    /// m/s², where asked for.
-    pub acceleration: Option<[f64; 3]>,
-}
 
 /// State of the shaft and of its bearings at one instant, SI units. What was not observed is none.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -318,7 +219,7 @@ pub struct Sample {
 }
 
 impl Sample {
-    /// The same without the forces of single bearings.
+    /// This sample without the forces of single bearings.
     pub(crate) fn without_bearings(&self) -> Self {
         Self {
             bearing_forces: Vec::new(),

@@ -2,13 +2,14 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::bodies::BodyPoint;
 use super::coordinate::Coordinate;
 use super::flexible::Bending;
 use super::linear_bearing::LinearElement;
 use super::point::{Attachment, Place, Point};
 use super::static_search::Restoring;
 use super::{Body, FREEDOMS, Freedoms, PlaneUnbalance, RotorDefinition, ShaftError};
-use crate::bearing::{BearingRotation, Facing, Matrix5, Support, Vector5};
+use crate::bearing::{BearingRotation, Facing, Support, Vector5};
 
 /// An unbalance at a point of the shaft.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -90,15 +91,6 @@ pub(super) struct Structure {
     /// Where each of the loads acts; accelerations of the base act on all masses.
     pub load_places: Vec<Place>,
     pub unbalances: Vec<UnbalancedPoint>,
-}
-
-/// A mass that moves besides the shaft.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct BodyPoint {
-    pub body: Body,
-    /// Mass, kg.
-    pub mass: f64,
-    pub point: Point,
 }
 
 impl Structure {
@@ -221,44 +213,6 @@ impl Structure {
             .collect();
         self.dofs += room - massless.len();
         self
-    }
-
-    /// Places housings and their resonators on the last of the degrees of freedom. They move along the first `axes` of x, y,
-    /// z, as the shaft does; the displacement of a housing counts from where its own weight has put it.
-    fn add_bodies(&mut self, definition: &RotorDefinition, axes: usize) {
-        let mut index = self.dofs - axes * definition.bodies().len();
-        for (bearing, housing) in definition.housings() {
-            let body = Body::Housing(bearing);
-            let own = self.add_body(body, housing.mass, &mut index, axes);
-            for (axis, own) in own.coordinates.into_iter().enumerate().take(axes) {
-                self.matrices.stiffness[(own, own)] = housing.stiffness[axis];
-                self.matrices.damping[(own, own)] = housing.damping[axis];
-            }
-            if let Some(resonator) = housing.resonator {
-                let body = Body::Resonator(bearing);
-                let point = self.add_body(body, resonator.mass, &mut index, axes);
-                let [inner, outer] = [point, own].map(|point| Place { point, arm: 0.0 });
-                let attachment = Attachment::new(inner, Some(outer), Facing::PlusZ, 0.0);
-                let along = |value| Matrix5::from_diagonal(&[value, value, value, 0.0, 0.0].into());
-                let matrices = &mut self.matrices;
-                attachment.add_stiffness(&along(resonator.stiffness), &mut matrices.stiffness);
-                attachment.add_stiffness(&along(resonator.damping), &mut matrices.damping);
-            }
-        }
-    }
-
-    /// Places a body on the degrees of freedom from `index` on.
-    fn add_body(&mut self, body: Body, mass: f64, index: &mut usize, axes: usize) -> Point {
-        let mut coordinates = [usize::MAX; 5];
-        for (axis, own) in coordinates.iter_mut().enumerate().take(axes) {
-            *own = *index;
-            self.matrices.mass[(*index, *index)] = mass;
-            self.coordinates[*index] = Coordinate::from_axis(axis, &format!(" of the {body}"));
-            *index += 1;
-        }
-        let point = Point { coordinates };
-        self.bodies.push(BodyPoint { body, mass, point });
-        point
     }
 
     /// Places bearings, loads and unbalances on shaft and housings.

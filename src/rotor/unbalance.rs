@@ -91,7 +91,7 @@ impl PlaneUnbalance {
         [x, y, 0.0, -along_x, along_y]
     }
 
-    /// The same force at a constant speed in rad/s as complex amplitudes, N and N m.
+    /// Force and moment at a constant speed in rad/s as complex amplitudes, N and N m.
     pub(super) fn phasor(&self, speed: f64) -> [Complex<f64>; 5] {
         let square = speed * speed;
         let of = |[u, v]: [f64; 2]| {

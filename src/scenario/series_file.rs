@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::rotor::load::Column;
+use crate::rotor::load::SeriesComponent;
 
 /// Most bytes of a file.
 const LARGEST: u64 = 512 << 20;
@@ -15,7 +15,7 @@ const COLUMNS: [&str; 5] = ["x_N", "y_N", "z_N", "tilt_x_N_m", "tilt_y_N_m"];
 ///
 /// # Errors
 /// What is wrong with the file. Rows count from the first below the header.
-pub(super) fn read(path: &Path) -> Result<(Vec<f64>, Vec<Column>), String> {
+pub(super) fn read(path: &Path) -> Result<(Vec<f64>, Vec<SeriesComponent>), String> {
     let known = std::fs::metadata(path).map_err(|error| format!("it cannot be read: {error}"))?;
     if !known.is_file() {
         return Err("it is not a file".to_owned());
@@ -57,14 +57,14 @@ pub(super) fn read(path: &Path) -> Result<(Vec<f64>, Vec<Column>), String> {
 }
 
 /// The empty columns that a header promises.
-fn columns(header: &[&str]) -> Result<Vec<Column>, String> {
+fn columns(header: &[&str]) -> Result<Vec<SeriesComponent>, String> {
     // a file from a spreadsheet may begin with a byte order mark
     let first = header.first().unwrap_or(&"").trim_start_matches('\u{feff}');
     if first != TIME {
         return Err(format!("its first column must be `{TIME}`, not `{first}`"));
     }
     let known = COLUMNS.join(", ");
-    let mut columns: Vec<Column> = Vec::new();
+    let mut columns: Vec<SeriesComponent> = Vec::new();
     for name in &header[1..] {
         let Some(axis) = COLUMNS.iter().position(|known| known == name) else {
             return Err(format!(
@@ -75,7 +75,7 @@ fn columns(header: &[&str]) -> Result<Vec<Column>, String> {
             return Err(format!("it has two columns `{name}`"));
         }
         let values = Vec::new();
-        columns.push(Column { axis, values });
+        columns.push(SeriesComponent { axis, values });
     }
     match columns.is_empty() {
         true => Err(format!(

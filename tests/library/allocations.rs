@@ -14,8 +14,8 @@ use crate::bearing::{BallLoads, BearingRotation};
 use crate::integrate::{Method, System};
 use crate::report::TraceCsv;
 use crate::rotor::load::{
-    ChainDrive, Column, Interpolation, Noise, NoiseBand, RandomShocks, Series, ShockStatistics,
-    Sprocket,
+    ChainDrive, Interpolation, Noise, NoiseBand, RandomShocks, Series, SeriesComponent,
+    ShockStatistics, Sprocket,
 };
 use crate::rotor::{Damping, Freedoms, Load, LoadKind, Rotor, RotorDefinition, Sample, SpeedPoint};
 use crate::simulate::{EventKind, Model, TraceSink};
@@ -114,7 +114,7 @@ fn varying_loads() -> Vec<Load> {
         lines: 8,
         seed: 1,
     };
-    let column = Column {
+    let column = SeriesComponent {
         axis: 1,
         values: vec![0.0, 5.0, 1.0],
     };

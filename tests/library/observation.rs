@@ -7,7 +7,7 @@ use crate::bearing::{
     BallContact, BallLoads, ContactLaw, MountedBearing, Oil, Preload, Support, Vector5,
 };
 use crate::physics::RaceControl;
-use crate::rotor::load::{Column, Interpolation, Series, Shock};
+use crate::rotor::load::{Interpolation, Series, SeriesComponent, Shock};
 use crate::rotor::{
     BallContacts, CageMotion, Damping, Freedoms, Load, LoadKind, RotorDefinition, Sample,
     SpeedPoint,
@@ -485,7 +485,7 @@ fn two_levels_of_load_add_up_by_miner() {
     extra.push(0.0);
     let series = Series::new(
         times,
-        vec![Column {
+        vec![SeriesComponent {
             axis: 2,
             values: extra,
         }],

@@ -10,7 +10,7 @@ use crate::bearing::{
 };
 use crate::integrate::{Grid, Integration, Method, Settings, States, System};
 use crate::physics::{BeamElement, Material};
-use crate::rotor::load::{Harmonic, Pace};
+use crate::rotor::load::{Harmonic, HarmonicRate};
 use crate::rotor::{
     CageMotion, Damping, Disc, Drive, FlexibleShaft, Freedoms, InitialPosition, InitialState,
     LinearBearing, Load, LoadKind, PlaneUnbalance, PointUnbalance, Rotor, RotorDefinition, Shaft,
@@ -142,9 +142,9 @@ fn integrated(rotor: &Rotor, method: Method, count: usize) -> (Grid, States) {
 
 /// All that may act: two loads at their places, a base that shakes, a housing, damping of both kinds.
 fn everything() -> RotorDefinition {
-    let harmonic = |amplitude, pace| Harmonic {
+    let harmonic = |amplitude, rate| Harmonic {
         amplitude,
-        pace,
+        rate,
         phase: 0.3,
     };
     let mut definition = on_bearings(FlexibleShaft {
@@ -156,14 +156,14 @@ fn everything() -> RotorDefinition {
         Load {
             kind: LoadKind::Harmonic(harmonic(
                 [100.0, 50.0, 20.0, 0.5, 0.2],
-                Pace::Frequency(700.0),
+                HarmonicRate::Frequency(700.0),
             )),
             position: 0.1,
         },
         Load {
             kind: LoadKind::Base(Box::new(LoadKind::Harmonic(harmonic(
                 [3.0, 5.0, 1.0, 0.0, 0.0],
-                Pace::Order(1.5),
+                HarmonicRate::Order(1.5),
             )))),
             position: 0.0,
         },

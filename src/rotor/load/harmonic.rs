@@ -7,7 +7,7 @@ use crate::bearing::Vector5;
 
 /// What the phase of a harmonic load runs with.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Pace {
+pub enum HarmonicRate {
     /// Frequency f, Hz.
     Frequency(f64),
     /// Number n of periods per revolution of the shaft.
@@ -24,7 +24,7 @@ pub struct Harmonic {
     /// Amplitudes P̂, N and N m.
     pub amplitude: Vector5,
     /// Frequency or order.
-    pub pace: Pace,
+    pub rate: HarmonicRate,
     /// Phase φ, rad.
     pub phase: f64,
 }
@@ -33,9 +33,9 @@ impl Harmonic {
     /// The load at a time in s and an angle of the shaft in rad.
     #[inline]
     pub fn at(&self, time: f64, angle: f64) -> Vector5 {
-        let turned = match self.pace {
-            Pace::Frequency(frequency) => TAU * frequency * time,
-            Pace::Order(order) => order * angle,
+        let turned = match self.rate {
+            HarmonicRate::Frequency(frequency) => TAU * frequency * time,
+            HarmonicRate::Order(order) => order * angle,
         };
         let cos = (turned + self.phase).cos();
         self.amplitude.map(|amplitude| amplitude * cos)
@@ -49,9 +49,11 @@ impl Harmonic {
 
     /// Its amplitude and frequency.
     pub fn main_vibration(&self) -> MainVibration {
-        match self.pace {
-            Pace::Frequency(frequency) => MainVibration::at(TAU * frequency, self.amplitude),
-            Pace::Order(order) => MainVibration {
+        match self.rate {
+            HarmonicRate::Frequency(frequency) => {
+                MainVibration::at(TAU * frequency, self.amplitude)
+            }
+            HarmonicRate::Order(order) => MainVibration {
                 amplitude: self.amplitude,
                 frequency: 0.0,
                 order,
@@ -68,7 +70,7 @@ mod tests {
     fn half_a_period_turns_the_load() {
         let load = Harmonic {
             amplitude: [10.0, 0.0, 0.0, 0.0, 0.0],
-            pace: Pace::Frequency(50.0),
+            rate: HarmonicRate::Frequency(50.0),
             phase: 0.0,
         };
         assert!((load.at(0.01, 0.0)[0] + 10.0).abs() < 1e-12); // half a period later

@@ -9,9 +9,9 @@ mod series;
 mod shock;
 mod sprocket;
 
-pub use harmonic::{Harmonic, Pace};
+pub use harmonic::{Harmonic, HarmonicRate};
 pub use noise::{Noise, NoiseBand, SplitMix64};
-pub use series::{Column, Interpolation, Series, SeriesError};
+pub use series::{Interpolation, Series, SeriesComponent, SeriesError};
 pub use shock::{RandomShocks, Shock, ShockStatistics};
 pub use sprocket::{ChainDrive, Sprocket};
 

@@ -19,7 +19,7 @@ pub enum Interpolation {
 
 /// A component of a series.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Column {
+pub struct SeriesComponent {
     /// Number of the freedom it acts on: x, y, z, θx, θy.
     pub axis: usize,
     /// One value a row, N or N m.
@@ -79,7 +79,7 @@ pub enum SeriesError {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
     times: Vec<f64>,
-    columns: Vec<Column>,
+    columns: Vec<SeriesComponent>,
     /// Slopes d_k of each column; none for straight lines.
     slopes: Vec<Vec<f64>>,
 }
@@ -91,7 +91,7 @@ impl Series {
     /// [`SeriesError`] with the row that is wrong.
     pub fn new(
         times: Vec<f64>,
-        columns: Vec<Column>,
+        columns: Vec<SeriesComponent>,
         interpolation: Interpolation,
     ) -> Result<Self, SeriesError> {
         check(&times, &columns)?;
@@ -153,7 +153,7 @@ impl Series {
     }
 }
 
-fn check(times: &[f64], columns: &[Column]) -> Result<(), SeriesError> {
+fn check(times: &[f64], columns: &[SeriesComponent]) -> Result<(), SeriesError> {
     let rows = times.len();
     if rows < 2 {
         return Err(SeriesError::TooFew { rows });

@@ -10,8 +10,8 @@ use super::number;
 use crate::bearing::Vector5;
 use crate::rotor;
 use crate::rotor::load::{
-    ChainDrive, Harmonic, Interpolation, Noise, NoiseBand, Pace, RandomShocks, Series, SeriesError,
-    Shock, ShockStatistics, Sprocket,
+    ChainDrive, Harmonic, HarmonicRate, Interpolation, Noise, NoiseBand, RandomShocks, Series,
+    SeriesError, Shock, ShockStatistics, Sprocket,
 };
 use crate::rotor::{FREEDOMS, Freedoms, LoadKind};
 use crate::scenario::problems::Problems;
@@ -221,7 +221,9 @@ impl<A: PerFreedom> HarmonicInput<A> {
         let frequency = si(&self.frequency).unwrap_or(0.0);
         Harmonic {
             amplitude: moving(&self.amplitude, ".amplitude", freedoms, problems),
-            pace: self.order.map_or(Pace::Frequency(frequency), Pace::Order),
+            rate: self
+                .order
+                .map_or(HarmonicRate::Frequency(frequency), HarmonicRate::Order),
             phase: self.phase.si(),
         }
     }

@@ -4,7 +4,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::bearing::ContactLaw;
-use crate::rotor::load::{Harmonic, Pace};
+use crate::rotor::load::{Harmonic, HarmonicRate};
 use crate::rotor::{
     CageMotion, Damping, Freedoms, InitialPosition, InitialState, Load, LoadKind, Rotor,
     RotorDefinition, Sample, UnconstrainedError,
@@ -144,7 +144,7 @@ fn a_start_that_is_one_of_many_and_that_nothing_drives_is_refused() {
     }
     let shaken = Harmonic {
         amplitude: [1.0, 1.0, 0.0, 0.0, 0.0],
-        pace: Pace::Frequency(50.0),
+        rate: HarmonicRate::Frequency(50.0),
         phase: 0.0,
     };
     let shaken = Load {

@@ -6,7 +6,7 @@ use nalgebra::{Complex, Matrix2, Vector2};
 
 use crate::bearing::{ContactLaw, Housing, MountedBearing, Resonator, Surface};
 use crate::integrate::{Method, Settings};
-use crate::rotor::load::{Harmonic, Load, LoadKind, Pace};
+use crate::rotor::load::{Harmonic, HarmonicRate, Load, LoadKind};
 use crate::rotor::{Damping, Freedoms, Rotor, RotorDefinition, Sample};
 use crate::simulate::Model;
 
@@ -29,7 +29,7 @@ fn base() -> Load {
     Load {
         kind: LoadKind::Base(Box::new(LoadKind::Harmonic(Harmonic {
             amplitude: [SHAKEN[0], 0.0, 0.0, 0.0, 0.0],
-            pace: Pace::Frequency(SHAKEN[1]),
+            rate: HarmonicRate::Frequency(SHAKEN[1]),
             phase: 0.0,
         }))),
         position: 0.0,

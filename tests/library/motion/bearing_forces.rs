@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::bearing::{ContactDamping, ContactLaw, MountedBearing};
-use crate::rotor::load::{Harmonic, Pace};
+use crate::rotor::load::{Harmonic, HarmonicRate};
 use crate::rotor::{Damping, Freedoms, LinearBearing, Load, LoadKind, RotorDefinition, Sample};
 use crate::simulate::RecordedRun;
 
@@ -46,7 +46,7 @@ fn mixed(freedoms: Freedoms, law: ContactLaw) -> RotorDefinition {
     };
     let shaken = LoadKind::Harmonic(Harmonic {
         amplitude: [30.0, 20.0, 10.0, 0.3, 0.2],
-        pace: Pace::Frequency(210.0),
+        rate: HarmonicRate::Frequency(210.0),
         phase: 0.0,
     });
     RotorDefinition {

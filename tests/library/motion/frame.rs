@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use crate::bearing::{Facing, MountedBearing};
-use crate::rotor::load::{Harmonic, Pace};
+use crate::rotor::load::{Harmonic, HarmonicRate};
 use crate::rotor::{Damping, Freedoms, Load, LoadKind, RotorDefinition, Sample};
 
 use super::{LAWS, apart, with_law};
@@ -17,7 +17,7 @@ fn turning(force: f64, phase: f64) -> [Load; 2] {
         Load {
             kind: LoadKind::Harmonic(Harmonic {
                 amplitude,
-                pace: Pace::Order(1.0),
+                rate: HarmonicRate::Order(1.0),
                 phase,
             }),
             position: 0.02,

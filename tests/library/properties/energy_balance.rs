@@ -2,7 +2,7 @@
 
 use crate::bearing::{ContactDamping, ContactLaw, MountedBearing, Oil, Preload};
 use crate::physics::RaceControl;
-use crate::rotor::load::{Harmonic, Load, LoadKind, Pace};
+use crate::rotor::load::{Harmonic, HarmonicRate, Load, LoadKind};
 use crate::rotor::{CageMotion, Damping, Freedoms, RotorDefinition, SpeedPoint};
 use crate::scenario::Scenario;
 use crate::simulate::{EnergyReport, Model};
@@ -28,7 +28,7 @@ fn busy(bearings: Vec<MountedBearing>) -> RotorDefinition {
     unbalanced.gravity = true;
     let harmonic = Harmonic {
         amplitude: [50.0, -20.0, 10.0, 0.1, 0.2],
-        pace: Pace::Frequency(130.0),
+        rate: HarmonicRate::Frequency(130.0),
         phase: 0.3,
     };
     RotorDefinition {

@@ -3,7 +3,7 @@
 use crate::bearing::{ContactDamping, ContactLaw, MountedBearing, Oil};
 use crate::integrate::System;
 use crate::physics::RaceControl;
-use crate::rotor::load::{Harmonic, Load, LoadKind, Pace};
+use crate::rotor::load::{Harmonic, HarmonicRate, Load, LoadKind};
 use crate::rotor::{Damping, Freedoms, Rotor, RotorDefinition, SpeedPoint};
 
 use crate::tests::support::{back_to_back_pair, constant, linearisation, rotor, shaft, under};
@@ -87,7 +87,7 @@ fn check(rotor: &Rotor, words: &str) {
 fn linearisation_knows_a_run_up_and_varying_loads() {
     let harmonic = Harmonic {
         amplitude: [50.0, -20.0, 10.0, 0.1, 0.2],
-        pace: Pace::Frequency(130.0),
+        rate: HarmonicRate::Frequency(130.0),
         phase: 0.3,
     };
     let definition = RotorDefinition {

@@ -4,8 +4,8 @@ use std::f64::consts::{PI, TAU};
 
 use crate::integrate::System;
 use crate::rotor::load::{
-    ChainDrive, Column, Harmonic, Interpolation, Noise, NoiseBand, Pace, RandomShocks, Series,
-    SeriesError, Shock, ShockStatistics, Sprocket,
+    ChainDrive, Harmonic, HarmonicRate, Interpolation, Noise, NoiseBand, RandomShocks, Series,
+    SeriesComponent, SeriesError, Shock, ShockStatistics, Sprocket,
 };
 use crate::rotor::{Damping, Load, LoadKind, Rotor, RotorDefinition, Sample};
 
@@ -21,10 +21,10 @@ fn at_centre(kind: LoadKind) -> Load {
     }
 }
 
-fn harmonic(pace: Pace) -> Harmonic {
+fn harmonic(rate: HarmonicRate) -> Harmonic {
     Harmonic {
         amplitude: [3.0, 0.0, -2.0, 0.0, 1.0],
-        pace,
+        rate,
         phase: 0.4,
     }
 }
@@ -40,9 +40,9 @@ fn shock(every: Option<f64>) -> Shock {
 
 #[test]
 fn a_harmonic_load_is_a_cosine_of_time_or_of_the_angle() {
-    let of_time = harmonic(Pace::Frequency(50.0)).at(0.013, 7.0);
+    let of_time = harmonic(HarmonicRate::Frequency(50.0)).at(0.013, 7.0);
     assert_near("x", of_time[0], 3.0 * (TAU * 0.65 + 0.4).cos(), 1e-14);
-    let of_angle = harmonic(Pace::Order(2.5)).at(0.013, 7.0);
+    let of_angle = harmonic(HarmonicRate::Order(2.5)).at(0.013, 7.0);
     assert_near("z", of_angle[2], -2.0 * (17.5_f64 + 0.4).cos(), 1e-14);
 }
 
@@ -198,7 +198,7 @@ fn noise_has_its_root_mean_square_and_comes_by_its_seed() {
 
 fn series(values: &[f64], interpolation: Interpolation) -> Series {
     let times = vec![0.0, 1.0, 1.5, 3.0, 4.0];
-    let column = Column {
+    let column = SeriesComponent {
         axis: 1,
         values: values.to_vec(),
     };
@@ -239,7 +239,7 @@ fn a_series_is_straight_or_cubic_without_overshoot_between_its_rows() {
 #[test]
 fn rows_that_make_no_series_are_errors() {
     let make = |times: &[f64], values: &[f64]| {
-        let column = Column {
+        let column = SeriesComponent {
             axis: 0,
             values: values.to_vec(),
         };
@@ -258,12 +258,12 @@ fn rows_that_make_no_series_are_errors() {
 
 #[test]
 fn loads_add_up() {
-    let kind = LoadKind::Harmonic(harmonic(Pace::Frequency(0.0)));
+    let kind = LoadKind::Harmonic(harmonic(HarmonicRate::Frequency(0.0)));
     let load = Load {
         kind,
         position: 0.5,
     };
-    let force = harmonic(Pace::Frequency(0.0)).at(0.0, 0.0);
+    let force = harmonic(HarmonicRate::Frequency(0.0)).at(0.0, 0.0);
     let rotor = Rotor::assemble(&at_rest(vec![load.clone(), load]));
     let rotor = rotor.expect("a rotor");
     let unloaded = Rotor::assemble(&at_rest(Vec::new())).expect("a rotor");
@@ -367,7 +367,7 @@ fn the_equilibrium_carries_mean_pulls_and_first_rows_but_no_vibration() {
     };
     let still = place(Vec::new());
     let vibration = vec![
-        at_centre(LoadKind::Harmonic(harmonic(Pace::Frequency(10.0)))),
+        at_centre(LoadKind::Harmonic(harmonic(HarmonicRate::Frequency(10.0)))),
         at_centre(LoadKind::Shock(shock(None))),
     ];
     assert_eq!(place(vibration), still);

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use std::sync::atomic::{AtomicBool, AtomicU64};
 
 use crate::bearing::MountedBearing;
-use crate::rotor::load::{Harmonic, Pace};
+use crate::rotor::load::{Harmonic, HarmonicRate};
 use crate::rotor::{CageMotion, Damping, Freedoms, Load, LoadKind, Rotor, RotorDefinition};
 use crate::shooting::SpecialKind;
 use crate::simulate::Model;
@@ -19,7 +19,7 @@ use crate::tests::support::{
 fn definition(speed: f64) -> RotorDefinition {
     let swinging = Harmonic {
         amplitude: [0.0, 0.0, 25.0, 0.0, 0.0],
-        pace: Pace::Order(1.0),
+        rate: HarmonicRate::Order(1.0),
         phase: 0.0,
     };
     RotorDefinition {

@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64};
 
 use crate::bearing::MountedBearing;
 use crate::integrate::IntegrateError;
-use crate::rotor::load::{Harmonic, Pace};
+use crate::rotor::load::{Harmonic, HarmonicRate};
 use crate::rotor::{
     CageMotion, Damping, Freedoms, Load, LoadKind, Rotor, RotorDefinition, RotorError, Unrepeated,
 };
@@ -47,7 +47,7 @@ fn harmonic(frequency: f64) -> Load {
     Load {
         kind: LoadKind::Harmonic(Harmonic {
             amplitude: [1.0, 0.0, 0.0, 0.0, 0.0],
-            pace: Pace::Frequency(frequency),
+            rate: HarmonicRate::Frequency(frequency),
             phase: 0.0,
         }),
         position: 0.0,
