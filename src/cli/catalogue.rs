@@ -3,13 +3,12 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use comfy_table::{Table, presets};
 use serde_json::{Value, json};
 
 use super::{Outcome, terminal};
 use crate::bearing::catalogue::{self, CatalogueEntry};
 use crate::bearing::{Bearing, Estimate};
-use crate::report::{entry_json, entry_text, versioned, wrapped};
+use crate::report::{catalogue_text, entry_json, entry_text, versioned};
 use crate::scenario::catalogue_file;
 
 /// Lists the bearings that a scenario can name, or shows one of them, with the source of every number.
@@ -93,69 +92,14 @@ fn found() -> Vec<(&'static CatalogueEntry, Bearing, Estimate)> {
 }
 
 fn all(json: bool) -> String {
+    let found = found();
     if json {
-        let entries = found()
-            .into_iter()
-            .map(|(entry, bearing, estimate)| entry_json(entry, &bearing, &estimate));
+        let entries = found.iter();
+        let entries =
+            entries.map(|(entry, bearing, estimate)| entry_json(entry, bearing, estimate));
         let all = json!({ "bearings": entries.collect::<Value>() });
         return format!("{:#}\n", versioned(all));
     }
-    let mut table = Table::new();
-    table.load_style(presets::UTF8_HORIZONTAL_ONLY).set_header([
-        "name",
-        "balls",
-        "ball\nmm",
-        "pitch\nmm",
-        "angle\ndeg",
-        "grooves\nin, out",
-        "bore × outside\nmm",
-        "C\nN",
-        "C0\nN",
-        "inside",
-    ]);
-    let mut sources: Vec<(&str, Vec<&str>)> = Vec::new();
-    for (entry, _, estimate) in found() {
-        let (line, inside) = (&entry.line, &estimate.internal);
-        let length = |length: f64| format!("{}", (1e6 * length).round() / 1e3);
-        let or_dash =
-            |value: Option<f64>| value.map_or("–".to_owned(), |value| value.to_string());
-        let angle = line.contact_angle.to_degrees().round();
-        let [inner, outer] = [inside.groove_factor_inner, inside.groove_factor_outer];
-        let origin = if estimate.is_estimated() {
-            "estimated"
-        } else {
-            "given"
-        };
-        table.add_row([
-            entry.designation.clone(),
-            inside.balls.to_string(),
-            length(inside.ball_diameter),
-            length(inside.pitch_diameter),
-            or_dash(Some(angle).filter(|angle| *angle > 0.0)),
-            format!("{inner}, {outer}"),
-            format!("{} × {}", length(line.bore), length(line.outside_diameter)),
-            line.dynamic_rating.to_string(),
-            or_dash(line.static_rating),
-            origin.to_owned(),
-        ]);
-        let names = sources
-            .iter_mut()
-            .find(|(source, _)| *source == entry.source);
-        match names {
-            Some((_, names)) => names.push(&entry.designation),
-            None => sources.push((&entry.source, vec![&entry.designation])),
-        }
-    }
-    let sources = sources.iter().map(|(source, names)| {
-        let names = match names[..] {
-            [first, .., last] if names.len() > 2 => format!("{first} … {last}"),
-            _ => names.join(", "),
-        };
-        wrapped(&format!("  {names}: {source}"), 4) + "\n"
-    });
-    format!(
-        "{}\n\nSources\n{}",
-        table.trim_fmt(),
-        sources.collect::<String>()
-    )
+    let bearings = found.iter().map(|(entry, _, estimate)| (*entry, estimate));
+    catalogue_text(bearings).text(terminal::details())
 }

@@ -2,6 +2,7 @@
 
 pub(crate) mod accuracy;
 pub(crate) mod campbell;
+mod catalogue;
 mod checksum;
 pub mod compare;
 mod defects;
@@ -34,6 +35,7 @@ mod variable;
 
 pub(crate) use accuracy::accuracy_findings;
 pub(crate) use campbell::campbell_findings;
+pub(crate) use catalogue::catalogue_text;
 #[cfg(test)]
 pub(crate) use envelope::Decimator;
 pub(crate) use error::FileAction;
@@ -60,4 +62,4 @@ pub(crate) use steady::steady_findings;
 pub(crate) use table::CsvTable;
 #[cfg(all(test, feature = "parquet"))]
 pub(crate) use table::{Origin, ParquetTable};
-pub(crate) use terminal::{wrapped, wrote};
+pub(crate) use terminal::wrote;

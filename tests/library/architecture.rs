@@ -35,7 +35,7 @@ const LIBRARIES: [(&str, &[&str]); 17] = [
     ("parquet", &["report"]),
     ("ryu", &["report"]),
     ("png", &["report"]),
-    ("comfy_table", &["report", "cli"]),
+    ("comfy_table", &["report"]),
     ("clap", &["cli"]),
     ("clap_complete", &["cli"]),
     ("clap_mangen", &["cli"]),
