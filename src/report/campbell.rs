@@ -6,12 +6,13 @@ use serde_json::{Value, json};
 
 use super::figure::{Axis, Colour, Curve, Figure, GREY, Name, Panel, distinct};
 use super::shaft_shapes::shapes_at;
-use super::terminal::{Lines, PER_MINUTE, PER_SECOND, decimal, or_dash, rounded};
+use super::terminal::{Lines, PER_MINUTE, PER_SECOND, decimal, or_dash, rounded, shown_column};
 use super::{FileSet, Findings};
+use crate::analysis::Channel;
 use crate::rotor::{Mode, RotorDefinition, Whirl};
 use crate::scenario::Scenario;
-use crate::study::campbell::{Branch, Campbell};
-use crate::table::Table;
+use crate::study::campbell::{Branch, Campbell, CriticalSpeed};
+use crate::table::{Column, Table};
 
 /// Branches and critical speeds.
 ///
@@ -128,30 +129,42 @@ fn end_modes(branch: &Branch) -> [Option<&Mode>; 2] {
     [branch.modes.first(), branch.modes.last()].map(|mode| mode?.as_ref())
 }
 
-fn add_critical(out: &mut Lines, campbell: &Campbell) {
-    let header = [
-        "order",
-        "branch",
-        "whirl",
-        "critical speed\n1/min",
-        "rad/s",
+/// The critical speeds, each of a branch.
+fn critical_table(campbell: &Campbell) -> Table<'static> {
+    let found = || campbell.critical_speeds.iter();
+    let whirl = |critical: &CriticalSpeed| {
+        let branch = campbell.branches.get(critical.branch);
+        branch.map_or(critical.whirl, Branch::whirl)
+    };
+    let branches = found().map(|critical| (critical.branch + 1) as f64);
+    let mut table = Table::default();
+    table.add(Column::order(), found().map(|critical| critical.order));
+    table.counts("branch", branches);
+    table.words("whirl", found().map(whirl));
+    table.numbers("speed", "rad/s", found().map(|critical| critical.speed));
+    table.numbers(
+        "frequency",
         "Hz",
-        "damping ratio",
+        found().map(|critical| critical.frequency),
+    );
+    table.numbers(
+        "damping_ratio",
+        "",
+        found().map(|critical| critical.damping_ratio),
+    );
+    table
+}
+
+fn add_critical(out: &mut Lines, campbell: &Campbell) {
+    let shown = [
+        ("order", "order"),
+        ("branch", "branch"),
+        ("whirl", "whirl"),
+        ("critical speed", "speed"),
+        ("frequency", "frequency"),
+        ("damping ratio", "damping_ratio"),
     ];
-    let rows = campbell.critical_speeds.iter().map(|found| {
-        let branch = campbell.branches.get(found.branch);
-        let whirl = branch.map_or(found.whirl, Branch::whirl);
-        vec![
-            rounded(found.order, 4).to_string(),
-            (found.branch + 1).to_string(),
-            whirl.to_string(),
-            format!("{:.1}", PER_MINUTE * found.speed),
-            format!("{:.3}", found.speed),
-            format!("{:.3}", found.frequency),
-            decimal(found.damping_ratio),
-        ]
-    });
-    out.table(header, rows);
+    out.show(&critical_table(campbell), &shown, 5);
     let errors = campbell.critical_speeds.iter();
     let errors = errors.filter_map(|critical| critical.reduction_error);
     if let Some(largest) = errors.max_by(f64::total_cmp) {
@@ -239,7 +252,8 @@ fn ends(campbell: &Campbell) -> [f64; 2] {
 
 fn speeds(campbell: &Campbell) -> Axis {
     let [first, last] = ends(campbell).map(|speed| PER_MINUTE * speed);
-    Axis::over(("speed", "1/min"), first..last)
+    let (label, _) = shown_column(&Channel::Speed.column());
+    Axis::over(label, first..last)
 }
 
 /// Every branch, cut where it has no mode.

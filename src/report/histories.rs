@@ -133,7 +133,7 @@ impl Histories {
         let height = HEIGHT / histories.len().clamp(1, 4) as u32;
         let panels = histories.iter().enumerate().map(|(index, history)| {
             let (label, scale) = shown_column(&history.channel.column());
-            let time = Axis::over(("time", "s"), time.clone());
+            let time = Axis::over(shown_column(&Channel::Time.column()).0, time.clone());
             Panel::holding(time, label, height, vec![history.curve(index, scale)])
         });
         Figure::new(name, title, 1, panels.collect())

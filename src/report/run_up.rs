@@ -6,7 +6,9 @@ use serde_json::{Map as Object, Value, json};
 
 use super::figure::{Axis, Curve, Figure, Label, Map, Name, Panel, Point, WHITE, distinct};
 use super::findings::with_keys;
-use super::terminal::{Lines, MICRO, PER_MINUTE, PER_SECOND, listed, shown_unit, significant};
+use super::terminal::{
+    Lines, MICRO, PER_MINUTE, PER_SECOND, listed, shown_column, shown_unit, significant,
+};
 use crate::analysis::{Channel, OrderTracks, Slice, Track, Waterfall};
 use crate::simulate::{Extreme, Maps, RunUp};
 use crate::study::campbell::{Campbell, CriticalSpeed};
@@ -156,8 +158,11 @@ fn waterfall_figure(title: &str, maps: &Maps) -> Figure {
     let panels = moving(&loudest).flat_map(|channel| {
         let (name, loudest) = (waterfall.channels[channel].name(), loudest[channel]);
         let [time, speed] = [&over_time[channel], &Raster::over_speed(waterfall, channel)];
-        let seconds = Axis::over(("time", "s"), time.range(1.0));
-        let speeds = Axis::over(("speed", "1/min"), speed.range(PER_MINUTE));
+        let [seconds, speeds] =
+            [(Channel::Time, time), (Channel::Speed, speed)].map(|(of, raster)| {
+                let (label, factor) = shown_column(&of.column());
+                Axis::over(label, raster.range(factor))
+            });
         let time = panel(time, name, loudest, seconds);
         let mut speed = panel(speed, name, loudest, speeds);
         draw_orders(&mut speed, maps);
@@ -169,7 +174,7 @@ fn waterfall_figure(title: &str, maps: &Maps) -> Figure {
 /// A raster over an axis that it fills.
 fn panel(raster: &Raster, name: &str, loudest: f64, x: Axis) -> Panel {
     let [low, high] = raster.frequencies;
-    let y = Axis::over(("frequency", "Hz"), low..high);
+    let y = Axis::over(shown_column(&Column::frequency()).0, low..high);
     let is_seen = x.ends[1] > x.ends[0] && loudest > 0.0;
     let top = (MICRO * loudest).log10();
     let amplitudes =
@@ -422,5 +427,5 @@ fn over_speed(
 
 fn speeds(tracks: &OrderTracks) -> Axis {
     let speeds = tracks.points.iter().map(|point| PER_MINUTE * point.speed);
-    Axis::spanning(("speed", "1/min"), speeds)
+    Axis::spanning(shown_column(&Channel::Speed.column()).0, speeds)
 }

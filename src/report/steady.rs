@@ -9,7 +9,7 @@ use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
 use super::findings::with_keys;
 use super::histories::Histories;
 use super::run_tables::sample_table;
-use super::terminal::{Lines, MICRO, digits, listed, measured_text, shown_unit};
+use super::terminal::{Lines, MICRO, digits, listed, measured_text, shown_column, shown_unit};
 use super::text::reduction_text;
 use super::{FileSet, Findings};
 use crate::analysis::Channel;
@@ -111,7 +111,7 @@ fn spectrum(title: &str, lines: &SteadyLines) -> Figure {
     let panel = Panel {
         curves: strokes.collect(),
         ..Panel::new(
-            Axis::over(("frequency", "Hz"), 0.0..limit),
+            Axis::over(shown_column(&Column::frequency()).0, 0.0..limit),
             amplitudes,
             HEIGHT,
         )
@@ -235,7 +235,7 @@ fn search(steady: &Steady) -> String {
 }
 
 fn add_swings(out: &mut Lines, steady: &Steady) {
-    let header = ["swing", "mean", "peak to peak", "rms", "unit"];
+    let header = ["channel", "mean", "peak to peak", "rms", "unit"];
     let of_shaft = |swing: &&MotionRange| {
         matches!(swing.channel, Channel::Displacement(_) | Channel::Force(_))
     };

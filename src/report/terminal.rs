@@ -353,9 +353,12 @@ const ANGLES: [&str; 2] = ["angle", "azimuth"];
 pub(super) fn shown_column(column: &Column) -> ((String, String), f64) {
     let quantity = shown_quantity(&column.quantity);
     let mut words = column.quantity.split('_');
-    let (unit, factor) = match words.any(|word| ANGLES.contains(&word)) {
-        true => ("deg".to_owned(), 1f64.to_degrees()),
-        false => shown_unit(&column.unit),
+    let (unit, factor) = match (&*column.quantity, &*column.unit) {
+        ("speed", "rad/s") => ("1/min".to_owned(), PER_MINUTE),
+        (_, "rad") if words.any(|word| ANGLES.contains(&word)) => {
+            ("deg".to_owned(), 1f64.to_degrees())
+        }
+        (_, unit) => shown_unit(unit),
     };
     let name = match column.kind {
         ColumnKind::Phase => format!("phase of {quantity}"),

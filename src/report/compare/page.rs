@@ -96,10 +96,8 @@ fn show_runs(folders: &[PathBuf], lines: &mut Lines) -> Result<Vec<Figure>, Comp
     let traces = TRACES.map(Channel::column);
     let spectra = [0, 1, 2].map(|axis| Channel::Displacement(axis).measure("amplitude"));
     let figures = [
-        figure("traces", ("time", "s"), &runs, &traces, |run| &run.trace),
-        figure("spectra", ("frequency", "Hz"), &runs, &spectra, |run| {
-            &run.spectrum
-        }),
+        figure("traces", &runs, &traces, |run| &run.trace),
+        figure("spectra", &runs, &spectra, |run| &run.spectrum),
     ];
     let names = || Name::each(names.iter().map(String::as_str));
     let figures = figures.into_iter().flatten();
@@ -164,7 +162,6 @@ fn tell_key_numbers(runs: &[Folder], names: &[String], out: &mut Lines) {
 /// A panel a column that any of the runs has, a curve a run; none where no run has such a table.
 fn figure(
     file: &str,
-    over: (&str, &str),
     runs: &[Folder],
     columns: &[Column],
     table: fn(&Folder) -> &Option<Source<'static>>,
@@ -177,6 +174,7 @@ fn figure(
     });
     let axes = tables.iter().flatten().flat_map(|table| table.axis().1);
     let [first, last] = ends(axes.copied())?;
+    let (over, _) = shown_column(tables.iter().flatten().next()?.axis().0);
     let panels = shown.map(|column| {
         let (label, factor) = shown_column(column);
         let curves = tables.iter().enumerate().filter_map(|(index, table)| {
@@ -189,7 +187,7 @@ fn figure(
             Some(Curve::line(distinct(index), points))
         });
         let curves: Vec<Curve> = curves.collect();
-        let over = Axis::over(over, first..last);
+        let over = Axis::over(over.clone(), first..last);
         if !is_spectrum {
             return Panel::holding(over, label, HEIGHT, curves);
         }
