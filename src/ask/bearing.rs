@@ -1,11 +1,11 @@
-//! Where the shaft stands.
+//! Where the shaft rests.
 
 use super::AskError;
 use crate::quasi_static::quasi_static;
 use crate::report::{Findings, answer_findings};
 use crate::scenario::Scenario;
 
-/// Where the shaft stands.
+/// Where the shaft rests.
 #[derive(Debug, Clone)]
 pub struct BearingQuestion<'a> {
     scenario: &'a Scenario,

@@ -1,7 +1,7 @@
 //! The questions of the verbs: a checked scenario and what is asked of it in, findings out.
 //!
 //! Every question is checked when it is made and answered later, so that whoever asks several is told first what is
-//! wrong with any of them. The command and the Python package both stand on this floor: their answers, documents and
+//! wrong with any of them. The command and the Python package both rest on this floor: their answers, documents and
 //! warnings are the same.
 
 mod accuracy;

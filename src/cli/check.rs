@@ -31,7 +31,7 @@ pub struct Arguments {
     /// Scenario or study files, .toml or .json; "-" is standard input
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// Draw the shaft of the scenario to scale, with all that stands on it
+    /// Draw the shaft of the scenario to scale, with all its parts
     #[arg(long, value_name = "FILE.svg")]
     figure: Option<PathBuf>,
     /// Print the findings as JSON
