@@ -153,6 +153,8 @@ impl MethodStepper for LibraryStepper {
         }
         let block = self.next_block(problem);
         let record = RefCell::new(Record::new(&self.scaled));
+        // the samples behind are given back before the library keeps the next ones
+        self.samples = States::new(self.scaled.len());
         let (samples, result) = self.solve(&block, &record);
         let record = record.into_inner();
         self.counters.steps += record.accepted;
@@ -160,7 +162,6 @@ impl MethodStepper for LibraryStepper {
         self.counters.rejected += record.rejected(&result);
         self.step = record.longest_late_step() * problem.scaling.time;
         self.start = self.time;
-        self.samples.clear();
         let finite = |state: &&DVector<f64>| state.iter().all(|value| value.is_finite());
         for state in samples.iter().take_while(finite) {
             self.samples.push(without_time(state));
