@@ -168,11 +168,10 @@ fn shown_groups<'a>(
     });
     let shown = 0.0..frequency_limit(spectrum, peaks);
     let groups = ShownSpectrum::grouped(table, &lines.collect::<Vec<_>>(), &shown);
-    let named = groups.into_iter().filter_map(|group| {
+    groups.into_iter().filter_map(|group| {
         let (name, _) = GROUPS.iter().find(|(_, unit)| *unit == group.of)?;
         Some((*name, group))
-    });
-    named
+    })
 }
 
 /// Velocities of displacements: 2πf times their amplitudes.
