@@ -103,9 +103,9 @@ impl Ring {
                 |at| {
                     let response = law.response(&at.ball, rotation.speed);
                     sums.add_force(at, law, &response.force);
-                    for race in 0..2 {
-                        largest[race] = (response.load[race] * at.weight).max(largest[race]);
-                        store(response.load[race], at.first, &mut loads.load[race]);
+                    for (race, load) in response.load.into_iter().enumerate() {
+                        largest[race] = (load * at.weight).max(largest[race]);
+                        store(load, at.first, &mut loads.load[race]);
                     }
                     store(response.approach, at.first, &mut loads.approach);
                     if !loads.angle[0].is_empty() {
@@ -113,10 +113,10 @@ impl Ring {
                     }
                 },
             );
-            for race in 0..2 {
-                let [a, b, c, d] = *largest[race];
-                loads.largest[race] = a.max(b).max(c.max(d));
-            }
+            loads.largest = largest.map(|lanes| {
+                let [a, b, c, d] = *lanes;
+                a.max(b).max(c.max(d))
+            });
             sums.force()
         })
     }
