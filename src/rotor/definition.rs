@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::{
     Attachment, Body, Drive, FlexibleShaft, LinearBearing, Load, PlaneUnbalance, SpeedPoint,
 };
-use crate::bearing::{CageMotion, Housing};
+use crate::bearing::{CageMotion, Housing, MountedBearing};
 use crate::physics::Race;
 
 /// Standard acceleration of gravity, m/s² (ISO 80000-3).
@@ -111,7 +111,7 @@ pub enum Damping {
 }
 
 /// Where the motion starts.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct InitialState {
     /// State that the given values below replace.
     pub from: InitialPosition,
@@ -155,7 +155,7 @@ pub struct RotorDefinition {
     /// State at t = 0.
     pub(crate) initial: InitialState,
     /// Ball bearings that carry the shaft.
-    pub(crate) bearings: Vec<crate::bearing::MountedBearing>,
+    pub(crate) bearings: Vec<MountedBearing>,
     /// Bearings of constant stiffness that carry it besides, or instead.
     pub(crate) linear_bearings: Vec<LinearBearing>,
     /// The shaft that bends, in place of the concentrated mass.
@@ -165,6 +165,32 @@ pub struct RotorDefinition {
 }
 
 impl RotorDefinition {
+    /// A shaft on ball bearings that stands still at its static equilibrium, undamped and without loads; its cages roll.
+    pub(crate) fn new(shaft: Shaft, bearings: Vec<MountedBearing>) -> Self {
+        Self {
+            shaft,
+            speed: 0.0,
+            speed_points: Vec::new(),
+            drive: None,
+            cage: CageMotion::Rolling,
+            damping: Damping::Undamped,
+            loads: Vec::new(),
+            initial: InitialState::default(),
+            bearings,
+            linear_bearings: Vec::new(),
+            flexible: None,
+            warnings: Vec::new(),
+        }
+    }
+
+    /// Positions along the shaft at which something sits or acts, m.
+    pub(crate) fn positions(&self) -> impl Iterator<Item = f64> {
+        let balls = self.bearings.iter().map(|own| own.position);
+        let linear = self.linear_bearings.iter().map(|own| own.position);
+        let loads = self.loads.iter().filter(|load| !load.acts_on_mass());
+        balls.chain(linear).chain(loads.map(|load| load.position))
+    }
+
     /// What the reader of an answer about it should know: its own warnings first, each once.
     pub(crate) fn warnings_with(&self, further: impl IntoIterator<Item = String>) -> Vec<String> {
         let mut warnings = self.warnings.clone();
@@ -221,7 +247,7 @@ impl RotorDefinition {
     /// the main vibrations of the loads.
     pub(crate) fn highest_excitation(&self) -> f64 {
         let speed = self.highest_speed();
-        let passing = |bearing: &crate::bearing::MountedBearing| {
+        let passing = |bearing: &MountedBearing| {
             let geometry = &bearing.bearing.geometry;
             geometry.ball_pass(speed).inner.abs()
         };

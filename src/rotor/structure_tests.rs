@@ -9,10 +9,7 @@ use crate::bearing::{
     ContactDamping, ContactLaw, Facing, Imperfections, MountedBearing, Preload, catalogue,
 };
 use crate::integrate::{Grid, Integration, Method, Settings, States, System};
-use crate::rotor::{
-    CageMotion, Damping, Freedoms, InitialPosition, InitialState, Load, Rotor, RotorDefinition,
-    Shaft,
-};
+use crate::rotor::{Freedoms, Load, Rotor, RotorDefinition, Shaft};
 
 /// Mass of the shaft and of the housing, kg.
 const MASSES: [f64; 2] = [5.0, 12.0];
@@ -34,32 +31,21 @@ fn definition(law: ContactLaw, freedoms: Freedoms) -> RotorDefinition {
         imperfections: Imperfections::default(),
         housing: None,
     };
+    let shaft = Shaft {
+        mass: MASSES[0],
+        inertia_transverse: 0.01,
+        inertia_polar: 0.004,
+        eccentricity: 2e-6,
+        unbalance: Default::default(),
+        freedoms,
+        gravity: true,
+        held_tilt: [0.0; 2],
+    };
+    let bearings = vec![mounted(-0.03, Facing::PlusZ), mounted(0.04, Facing::MinusZ)];
     RotorDefinition {
-        shaft: Shaft {
-            mass: MASSES[0],
-            inertia_transverse: 0.01,
-            inertia_polar: 0.004,
-            eccentricity: 2e-6,
-            unbalance: Default::default(),
-            freedoms,
-            gravity: true,
-            held_tilt: [0.0; 2],
-        },
         speed: 700.0,
-        speed_points: Vec::new(),
-        drive: None,
-        cage: CageMotion::Rolling,
-        damping: Damping::Undamped,
         loads: vec![Load::constant([0.0, 0.0, 300.0, 0.0, 0.0], 0.0)],
-        initial: InitialState {
-            from: InitialPosition::Equilibrium,
-            displacement: [None; 5],
-            velocity: [None; 5],
-        },
-        bearings: vec![mounted(-0.03, Facing::PlusZ), mounted(0.04, Facing::MinusZ)],
-        linear_bearings: Vec::new(),
-        flexible: None,
-        warnings: Vec::new(),
+        ..RotorDefinition::new(shaft, bearings)
     }
 }
 

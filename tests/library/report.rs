@@ -16,8 +16,8 @@ use crate::report::{
     write_spectrum,
 };
 use crate::rotor::{
-    CageMotion, Damping, Freedoms, InitialPosition, InitialState, NaturalFrequency, Rotor,
-    RotorDefinition, Sample, Shaft, Whirl,
+    Damping, Freedoms, NaturalFrequency, PlaneUnbalance, Rotor, RotorDefinition, Sample, Shaft,
+    Whirl,
 };
 use crate::scenario::{Output, load};
 use crate::simulate::{
@@ -32,34 +32,27 @@ const PER_REVOLUTION: u32 = 32;
 /// A title that a figure must escape.
 const TITLE: &str = "7205C & <1000 N>\u{1}";
 
+const SHAFT: Shaft = Shaft {
+    mass: 5.0,
+    inertia_transverse: 0.0,
+    inertia_polar: 0.0,
+    eccentricity: 1e-5,
+    unbalance: PlaneUnbalance {
+        moment: [0.0; 2],
+        couple: [0.0; 2],
+    },
+    freedoms: Freedoms::Translational,
+    gravity: true,
+    held_tilt: [0.0; 2],
+};
+
 fn model() -> Model {
     Model {
         rotor: RotorDefinition {
-            shaft: Shaft {
-                mass: 5.0,
-                inertia_transverse: 0.0,
-                inertia_polar: 0.0,
-                eccentricity: 1e-5,
-                unbalance: Default::default(),
-                freedoms: Freedoms::Translational,
-                gravity: true,
-                held_tilt: [0.0; 2],
-            },
             speed: SPEED,
-            speed_points: Vec::new(),
-            drive: None,
-            cage: CageMotion::Rolling,
             damping: Damping::Ratio(0.02),
             loads: constant([0.0, 0.0, 1000.0, 0.0, 0.0]),
-            initial: InitialState {
-                from: InitialPosition::Equilibrium,
-                displacement: [None; 5],
-                velocity: [None; 5],
-            },
-            bearings: Vec::new(),
-            linear_bearings: Vec::new(),
-            flexible: None,
-            warnings: Vec::new(),
+            ..RotorDefinition::new(SHAFT, Vec::new())
         },
         duration: 0.1,
         settle: 0.0,

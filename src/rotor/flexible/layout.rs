@@ -145,16 +145,11 @@ impl FlexibleShaft {
     /// Positions of the points that are kept: the observed one first, then those of bearings, loads and unbalances, and of
     /// a massless shaft those of discs, so that all of its mass is at points.
     fn points(&self, definition: &RotorDefinition) -> Vec<f64> {
-        let bearings = definition.bearings.iter().map(|bearing| bearing.position);
-        let linear = definition.linear_bearings.iter().map(|own| own.position);
-        let loads = definition.loads.iter().filter(|load| !load.acts_on_mass());
-        let loads = loads.map(|load| load.position);
         let unbalances = self.unbalances.iter().map(|own| own.position);
         let mut points = vec![self.observed];
         let discs = self.discs.iter().filter(|_| self.is_massless());
         let discs = discs.map(|disc| disc.position);
-        let others = bearings.chain(linear).chain(loads).chain(unbalances);
-        for position in others.chain(discs) {
+        for position in definition.positions().chain(unbalances).chain(discs) {
             if index_of(position, &points, self.same_position()).is_none() {
                 points.push(position);
             }

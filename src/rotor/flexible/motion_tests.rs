@@ -12,9 +12,8 @@ use crate::integrate::{Grid, Integration, Method, Settings, States, System};
 use crate::physics::{BeamElement, Material};
 use crate::rotor::load::{Harmonic, HarmonicRate};
 use crate::rotor::{
-    CageMotion, Damping, Disc, Drive, FlexibleShaft, Freedoms, InitialPosition, InitialState,
-    LinearBearing, Load, LoadKind, PlaneUnbalance, PointUnbalance, Rotor, RotorDefinition, Shaft,
-    Whirl,
+    Damping, Disc, Drive, FlexibleShaft, Freedoms, LinearBearing, Load, LoadKind, PlaneUnbalance,
+    PointUnbalance, Rotor, RotorDefinition, Shaft, Whirl,
 };
 
 const STEEL: Material = Material {
@@ -71,35 +70,25 @@ fn on_bearings(flexible: FlexibleShaft) -> RotorDefinition {
         imperfections: Imperfections::default(),
         housing: None,
     };
+    let shaft = Shaft {
+        mass: flexible.mass(),
+        inertia_transverse: flexible.inertia_transverse(),
+        inertia_polar: flexible.inertia_polar(),
+        eccentricity: 0.0,
+        unbalance: PlaneUnbalance::default(),
+        freedoms: Freedoms::All,
+        gravity: true,
+        held_tilt: [0.0; 2],
+    };
+    let bearings = vec![
+        mounted(BEARINGS[0], Facing::PlusZ),
+        mounted(BEARINGS[1], Facing::MinusZ),
+    ];
     RotorDefinition {
-        shaft: Shaft {
-            mass: flexible.mass(),
-            inertia_transverse: flexible.inertia_transverse(),
-            inertia_polar: flexible.inertia_polar(),
-            eccentricity: 0.0,
-            unbalance: PlaneUnbalance::default(),
-            freedoms: Freedoms::All,
-            gravity: true,
-            held_tilt: [0.0; 2],
-        },
         speed: 500.0,
-        speed_points: Vec::new(),
-        drive: None,
-        cage: CageMotion::Rolling,
-        damping: Damping::Undamped,
         loads: vec![Load::constant([0.0, 0.0, 300.0, 0.0, 0.0], BEARINGS[0])],
-        initial: InitialState {
-            from: InitialPosition::Equilibrium,
-            displacement: [None; 5],
-            velocity: [None; 5],
-        },
-        bearings: vec![
-            mounted(BEARINGS[0], Facing::PlusZ),
-            mounted(BEARINGS[1], Facing::MinusZ),
-        ],
-        linear_bearings: Vec::new(),
         flexible: Some(flexible),
-        warnings: Vec::new(),
+        ..RotorDefinition::new(shaft, bearings)
     }
 }
 

@@ -260,7 +260,6 @@ impl ScenarioInput {
             None => {}
         }
         let mut rotor = RotorDefinition {
-            shaft,
             speed: points.next()?.speed,
             speed_points: points.collect(),
             drive: self.drive(),
@@ -268,10 +267,9 @@ impl ScenarioInput {
             damping,
             loads,
             initial,
-            bearings,
             linear_bearings: self.linear_bearings(freedoms, problems),
             flexible,
-            warnings: Vec::new(),
+            ..RotorDefinition::new(shaft, bearings)
         };
         if rotor.flexible.is_none() {
             let text = self.shaft.unbalance.as_deref();

@@ -11,8 +11,7 @@ use crate::bearing::{
 };
 use crate::integrate::{Method, Settings, System};
 use crate::rotor::{
-    CageMotion, Damping, Freedoms, InitialPosition, InitialState, Load, RotorDefinition, Sample,
-    Shaft,
+    Damping, Freedoms, InitialPosition, InitialState, Load, RotorDefinition, Sample, Shaft,
 };
 use crate::rotor::{Equilibrium, EquilibriumError, StaticProblem};
 use crate::simulate::{
@@ -196,20 +195,7 @@ pub const AT_EQUILIBRIUM: InitialState = InitialState {
 
 /// The shaft on the bearings: standing, undamped, unloaded, cages rolling.
 pub fn rotor(shaft: Shaft, bearings: Vec<MountedBearing>) -> RotorDefinition {
-    RotorDefinition {
-        shaft,
-        speed: 0.0,
-        speed_points: Vec::new(),
-        drive: None,
-        cage: CageMotion::Rolling,
-        damping: Damping::Undamped,
-        loads: Vec::new(),
-        initial: AT_EQUILIBRIUM,
-        bearings,
-        linear_bearings: Vec::new(),
-        flexible: None,
-        warnings: Vec::new(),
-    }
+    RotorDefinition::new(shaft, bearings)
 }
 
 /// A constant load at the centre of mass, N and N m.
