@@ -177,7 +177,11 @@ impl Structure {
         });
         let linear = definition.linear_bearings.iter().zip(&self.linear);
         let linear = linear.map(|(own, (attachment, element))| {
-            (own.place, *attachment, Element::Linear(element.clone()))
+            (
+                own.place,
+                *attachment,
+                Element::Linear(Box::new(element.clone())),
+            )
         });
         let mut elements: Vec<_> = balls.chain(linear).collect();
         elements.sort_by_key(|(number, ..)| *number);

@@ -15,7 +15,7 @@ pub(super) enum Element {
     /// A ball bearing. Its force is not linear, and nothing of it is in the linear part.
     BallBearing(Box<Support>),
     /// Springs and dampers of constant coefficients, which are in the linear part.
-    Linear(LinearElement),
+    Linear(Box<LinearElement>),
 }
 
 /// An element in its place.
