@@ -8,8 +8,8 @@ use super::point::Attachment;
 use super::{CageMotion, FREEDOMS, Rotation};
 use crate::bearing::{Angle, BearingRotation, CageJitter, Support, Vector5};
 
-/// An element between two places, in its own orientation: its force by the displacement of its inner place from its outer
-/// one, the rate of this, and the rotation of shaft and cage.
+/// A law of force: the force that an element takes at a displacement of its inner place from its outer one, at the rate of
+/// that displacement and a rotation of shaft and cage, all in the element's own orientation.
 #[derive(Debug, Clone)]
 pub(super) enum Element {
     /// A ball bearing. Its force is not linear, and nothing of it is in the linear part.
@@ -43,16 +43,18 @@ pub(super) struct ElementMotion {
     pub rotation: BearingRotation,
 }
 
-/// The places and velocities of a structure at an instant.
+/// The motion of a structure at an instant.
 #[derive(Clone, Copy)]
 pub(super) struct Instant<'a> {
-    /// Of the degrees of freedom, or of all coordinates.
+    /// q: the degrees of freedom, with or without the held coordinates that follow them.
     pub place: &'a [f64],
-    /// Likewise.
+    /// q̇, as long as `place`.
     pub velocity: &'a [f64],
-    /// Place of all coordinates at the static equilibrium, where held ones stay.
+    /// All coordinates at the static equilibrium: those that `place` lacks are held there.
     pub rest: &'a [f64],
+    /// Angle ψ and speed ω of the shaft.
     pub rotation: &'a Rotation,
+    /// Sines and cosines of ψ and of the first bearing's cage.
     pub phases: Phases,
 }
 
@@ -70,8 +72,9 @@ pub(super) struct Elements {
     pub contacts_damped: bool,
     /// Number of balls whose force is not smooth where they lift off.
     pub balls_that_lift_off: usize,
-    /// Speed of the first bearing's cage over that of the shaft.
-    leading_ratio: f64,
+    /// Speed of the first bearing's cage over that of the shaft: its sine is found along with the shaft's, and serves every
+    /// cage that turns as fast.
+    first_cage_ratio: f64,
 }
 
 impl Elements {
@@ -83,18 +86,14 @@ impl Elements {
             on_rigid_shaft,
             contacts_damped: false,
             balls_that_lift_off: 0,
-            leading_ratio: 0.0,
+            first_cage_ratio: 0.0,
         };
-        let supports = || elements.supports();
-        (
-            elements.contacts_damped,
-            elements.balls_that_lift_off,
-            elements.leading_ratio,
-        ) = (
-            supports().any(Support::is_damped),
-            supports().map(Support::balls_that_lift_off).sum(),
-            supports().next().map_or(0.0, Support::cage_ratio),
-        );
+        let damped = elements.supports().any(Support::is_damped);
+        elements.contacts_damped = damped;
+        let lifting = elements.supports().map(Support::balls_that_lift_off);
+        elements.balls_that_lift_off = lifting.sum();
+        let first = elements.supports().next();
+        elements.first_cage_ratio = first.map_or(0.0, Support::cage_ratio);
         elements
     }
 
@@ -106,13 +105,15 @@ impl Elements {
     /// The ball bearings.
     #[inline(always)]
     pub fn bearings(&self) -> impl Iterator<Item = AttachedBearing<'_>> + Clone {
-        self.all.iter().filter_map(|own| match &own.element {
-            Element::BallBearing(support) => Some(AttachedBearing {
-                attachment: &own.attachment,
-                support,
-            }),
-            Element::Linear(_) => None,
-        })
+        self.all
+            .iter()
+            .filter_map(|attached| match &attached.element {
+                Element::BallBearing(support) => Some(AttachedBearing {
+                    attachment: &attached.attachment,
+                    support,
+                }),
+                Element::Linear(_) => None,
+            })
     }
 
     /// The ball bearings by themselves.
@@ -124,22 +125,22 @@ impl Elements {
     pub fn bearings_mut(&mut self) -> impl Iterator<Item = (&Attachment, &mut Support)> {
         self.all
             .iter_mut()
-            .filter_map(|own| match &mut own.element {
-                Element::BallBearing(support) => Some((&own.attachment, &mut **support)),
+            .filter_map(|attached| match &mut attached.element {
+                Element::BallBearing(support) => Some((&attached.attachment, &mut **support)),
                 Element::Linear(_) => None,
             })
     }
 
-    /// Sines and cosines of shaft and cages.
+    /// Sines and cosines of the shaft and of the first bearing's cage.
     #[inline(always)]
     pub fn phases(&self, rotation: &Rotation) -> Phases {
-        Phases::new(rotation, self.leading_ratio)
+        Phases::new(rotation, self.first_cage_ratio)
     }
 
     /// Hands every element with its motion at an instant to `take`.
     pub fn visit(&self, at: &Instant<'_>, mut take: impl FnMut(&AttachedElement, &ElementMotion)) {
-        for own in &self.all {
-            take(own, &own.motion(at));
+        for attached in &self.all {
+            take(attached, &attached.motion(at));
         }
     }
 
@@ -151,22 +152,24 @@ impl Elements {
         self.bearings().map(|bearing| (bearing, bearing.motion(at)))
     }
 
-    /// Adds the forces of what is not linear on the degrees of freedom.
+    /// Adds −Bᵀ F of every ball bearing to the forces on the degrees of freedom: F holds its inner ring, −F acts on the
+    /// shaft. Elements of constant coefficients are in the linear part.
     #[inline(always)]
     pub fn add_forces<S: Simd>(&self, simd: S, at: &Instant<'_>, sum: &mut [f64]) {
         if self.contacts_damped {
             return self.add_damped_forces(at, sum);
         }
         for bearing in self.bearings() {
+            // u = B q, F(u, ψ_c), −Bᵀ F
             let displacement = bearing.attachment.displacement(at.place, at.rest);
             let rotation = seen_by(bearing.support, at.rotation, &at.phases);
-            let held = bearing.support.force_by(simd, &displacement, &rotation);
-            bearing.attachment.add_force(-1.0, &held, sum);
+            let holding = bearing.support.force_by(simd, &displacement, &rotation);
+            bearing.attachment.add_force(-1.0, &holding, sum);
         }
     }
 
-    /// Adds their forces with the damping of their contacts; apart from the rest, which stays small where no contact is
-    /// damped.
+    /// Does the work of [`Elements::add_forces`] where contacts are damped. Out of line, so that the usual path stays
+    /// short.
     #[inline(never)]
     fn add_damped_forces(&self, at: &Instant<'_>, sum: &mut [f64]) {
         for (bearing, motion) in self.bearings_at(at) {
@@ -179,7 +182,8 @@ impl Elements {
         }
     }
 
-    /// Force of a rigid shaft onto all bearings on the ground, N and N m, where no contact is damped.
+    /// Force +F of a rigid shaft onto all its ball bearings, moments about its centre of mass, N and N m: as
+    /// [`Elements::add_forces`] with the opposite sign, for bearings on the ground without damped contacts.
     #[inline(always)]
     pub fn force_of_rigid_shaft<S: Simd>(
         &self,
@@ -188,13 +192,13 @@ impl Elements {
         rotation: &Rotation,
         phases: &Phases,
     ) -> Vector5 {
-        // one by itself, so that no sum has to be kept in memory from bearing to bearing
+        // the force of a single one needs no sum in memory, which takes time that is seen
         if let [only] = &self.all[..] {
             return only.force_of_rigid_shaft(simd, shaft, rotation, phases);
         }
         let mut sum = [0.0; FREEDOMS];
-        for own in &self.all {
-            let force = own.force_of_rigid_shaft(simd, shaft, rotation, phases);
+        for attached in &self.all {
+            let force = attached.force_of_rigid_shaft(simd, shaft, rotation, phases);
             for axis in 0..FREEDOMS {
                 sum[axis] += force[axis];
             }
@@ -204,7 +208,8 @@ impl Elements {
 }
 
 impl AttachedElement {
-    /// Force of a rigid shaft onto it and the ground as one on the shaft; none where it is in the linear part.
+    /// Force of a rigid shaft onto a ball bearing on the ground, moments about the centre of mass; zero of an element that
+    /// is in the linear part.
     #[inline(always)]
     fn force_of_rigid_shaft<S: Simd>(
         &self,
@@ -231,6 +236,7 @@ impl AttachedElement {
             Element::Linear(_) => ElementMotion {
                 displacement: self.attachment.displacement(at.place, at.rest),
                 rate: self.attachment.rate(at.velocity),
+                // no force of constant coefficients depends on an angle
                 rotation: BearingRotation::at_start(at.rotation.speed),
             },
         }
@@ -244,7 +250,7 @@ impl AttachedBearing<'_> {
         self.attachment.displacement(place, rest)
     }
 
-    /// Change of its cage's angle by that of the shaft, at an angle of the shaft.
+    /// dψ_c/dψ, how far its cage turns with the shaft, at an angle ψ of the shaft.
     pub fn cage_rate(&self, angle: f64) -> f64 {
         let ratio = self.support.cage_ratio();
         let jitter = self.support.cage_jitter();
@@ -266,12 +272,13 @@ fn motion(attachment: &Attachment, support: &Support, at: &Instant<'_>) -> Eleme
     }
 }
 
-/// The rotation that a bearing sees; cages that roll as the first one share its sine.
+/// The rotation that a bearing sees. A cage as fast as the first one shares its sine; that of a cage with jitter is its
+/// own.
 #[inline(always)]
 pub(super) fn seen_by(support: &Support, rotation: &Rotation, phases: &Phases) -> BearingRotation {
     let ratio = support.cage_ratio();
     if let Some(jitter) = support.cage_jitter() {
-        return with_jitter(jitter, ratio, rotation, phases);
+        return seen_with_jitter(jitter, ratio, rotation, phases);
     }
     BearingRotation {
         cage: if ratio == phases.ratio {
@@ -286,9 +293,9 @@ pub(super) fn seen_by(support: &Support, rotation: &Rotation, phases: &Phases) -
     }
 }
 
-/// The rotation of a bearing whose cage wanders.
+/// The rotation that a bearing sees whose cage wanders by ε about an even turn: ψ_c = r ψ + ε(r ψ), ω_c = r ω (1 + ε′).
 #[inline(never)]
-fn with_jitter(
+fn seen_with_jitter(
     jitter: &CageJitter,
     ratio: f64,
     rotation: &Rotation,
