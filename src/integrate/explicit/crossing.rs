@@ -2,7 +2,11 @@
 //!
 //! A step over a surface, behind which the derivative grows with the power n of the distance, has an error of order
 //! n + 1, and its estimate may be blind to it. So a trial that crosses a surface is given up where the force jump counts;
-//! the next one ends on the surface, and the one after it begins there, each in a variable in which it is smooth.
+//! the next one ends on the surface, and the one after it begins there. Where n is broken, each of the two is taken in a
+//! variable in which the motion is smooth, the `Substitution` of a plan.
+//!
+//! Every trial asks [`ExplicitStepper::is_spoiled`] whether to land first; a good step calls [`ExplicitStepper::arrive`],
+//! which records on which side of every surface it ended.
 
 use super::plan::Plan;
 use super::stepper::ExplicitStepper;
@@ -11,53 +15,55 @@ use crate::integrate::problem::Problem;
 use crate::integrate::stepper::Start;
 use crate::numerics::root::root;
 
-/// Error of a landing that misses its surface, over the tolerance, up to which it is good.
+/// A landing that misses its surface is good up to this error, over the tolerance.
 const LANDING_TOLERANCE: f64 = 0.01;
-/// Error of a trial, in units of the state, from which on its crossings are no guess of where surfaces lie.
+/// A trial with more than this error, in units of the state, tells nothing of where it would cross surfaces.
 const UNUSABLE: f64 = 1e-2;
 
-/// Crossings within this part of a trial are one.
+/// Crossings within this part of a trial of each other are one.
 const TOGETHER: f64 = 1e-3;
-/// Part of a trial within which its ends are as good as a landing.
+/// A crossing within this part of a trial from either of its ends is as good as a landing.
 const AT_END: f64 = 1e-6;
-/// Part of the trial to which a crossing is found.
+/// Part of the trial to which a crossing is located.
 const FOUND: f64 = 1e-9;
 
-/// Error of a step over its size and the force jump over a short part at its end, over that part: ∫ x^n over 0 … 1, for
-/// none of it need be seen.
+/// Error of a step whose last part p, too short for any stage to see, lies past a surface. A jump of the derivative that
+/// grows to J there, with the power n of the distance, is missed whole: p h J ∫ x^n dx over 0 … 1, here over p h J.
 fn error_at_end(exponent: f64) -> f64 {
     1.0 / (exponent + 1.0)
 }
 
-/// A step that is to end on event surfaces.
+/// Where a step is to end on event surfaces.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Landing {
     /// s.
     pub time: f64,
-    /// Whether a broken power ends there.
+    /// Whether a force jump of broken power falls to zero there: the step comes from the far side of the surface.
     pub ends: bool,
 }
 
 /// Where the motion is between the event surfaces.
 #[derive(Debug, Clone)]
 pub(super) struct Crossings {
-    /// Whether the derivative grows with a broken power past each surface.
+    /// Whether the exponent of each surface's force jump is broken, as 3/2: no polynomial of the time follows it.
     broken: Vec<bool>,
-    /// Whether the state at the end of the latest step is past each surface.
+    /// Whether the state at the end of the latest good step is past each surface; after a landing, just beyond it.
     pub past: Vec<bool>,
     /// End of the latest step that crossed a surface, s.
     pub latest: f64,
-    /// Whether the latest step ended on a surface from which on the derivative grows with a broken power.
+    /// Whether the latest step landed on a surface past which the derivative grows with a broken power.
     pub fresh: bool,
     /// When a step is to end on each surface, s; infinite where none is.
     pub due: Vec<f64>,
-    /// Sizes that steps from a surface, and those to one, may have, s.
+    /// Sizes that the error allows steps from a surface, and those to one, s.
     pub sizes: [f64; 2],
-    /// Which surfaces the trial crosses, and the event functions at its ends.
+    /// Which surfaces have the end of the trial and the end of the latest step on different sides.
     pub changed: Vec<bool>,
+    /// The event functions at the start and at the end of the trial.
     pub ends: [Vec<f64>; 2],
+    /// Whether those at the end are of this trial.
     is_end_known: bool,
-    /// Room for a search.
+    /// Room for a search: times of crossings, a state and its event functions.
     pub found: Vec<f64>,
     pub state: Vec<f64>,
     pub values: Vec<f64>,
@@ -103,27 +109,29 @@ impl Crossings {
 }
 
 impl ExplicitStepper {
-    /// Whether crossing an event surface spoils the trial: landings are then planned.
+    /// Whether crossing an event surface spoils the trial of an error over the tolerance: landings are then planned.
     pub(super) fn is_spoiled(&mut self, problem: &Problem<'_>, plan: &Plan, error: f64) -> bool {
         self.crossing.is_end_known = false;
-        let off = error * problem.settings.tolerance;
-        if self.crossing.past.is_empty() || off.is_nan() || off > UNUSABLE {
+        let error_in_units = error * problem.settings.tolerance;
+        let is_usable = error_in_units <= UNUSABLE;
+        if self.crossing.past.is_empty() || !is_usable {
             return false;
         }
-        if !self.looks_ahead(problem, plan.end) {
+        if !self.ends_on_other_side(problem, plan.end) {
             return false;
         }
         self.evaluate_events_at_ends(problem, plan.end);
         if !self.does_any_count(problem, plan) {
             return false;
         }
+        // what the interpolant needs, by which crossings are located
         self.evaluate_end(problem);
         self.extend(problem);
         self.plan_landings(problem, plan.size)
     }
 
     /// Evaluates the event functions where the trial ends; whether that is on the other side of any surface.
-    fn looks_ahead(&mut self, problem: &Problem<'_>, end: f64) -> bool {
+    fn ends_on_other_side(&mut self, problem: &Problem<'_>, end: f64) -> bool {
         let crossing = &mut self.crossing;
         problem.write_state(&self.to, &mut crossing.state);
         let values = &mut crossing.ends[1];
@@ -151,16 +159,16 @@ impl ExplicitStepper {
 
     /// Whether the error of crossing any surface counts.
     fn does_any_count(&mut self, problem: &Problem<'_>, plan: &Plan) -> bool {
-        // a landing divides a step in two: where crossings are n steps apart it raises the cost by 1/n, and pays where it
-        // takes more than this part of the tolerance off the error
-        let let_pass = plan.size / (plan.end - self.crossing.latest);
+        // a landing costs one step more; with n = (end − latest)/size steps from crossing to crossing that is 1/n of the
+        // cost, and it pays where passing over the surface adds more than 1/n of the tolerance
+        let error_let_pass = plan.size / (plan.end - self.crossing.latest);
         (0..self.crossing.changed.len()).any(|event| {
             if !self.crossing.changed[event] {
                 false
             } else if plan.lands_on(self.crossing.due[event]) {
                 self.error_of_miss(problem, plan, event) > LANDING_TOLERANCE
             } else {
-                self.error_over(problem, plan, event) > let_pass
+                self.error_over(problem, plan, event) > error_let_pass
             }
         })
     }
@@ -170,31 +178,35 @@ impl ExplicitStepper {
         self.crossing.ends.each_ref().map(|values| values[event])
     }
 
-    /// Error of crossing a surface somewhere in the trial, over the tolerance.
+    /// Error of crossing a surface somewhere in the trial, over the tolerance: the lesser of what the quadrature leaves of a
+    /// jump over the whole trial, wherever it begins, and of all that acts in the part past the surface.
     fn error_over(&mut self, problem: &Problem<'_>, plan: &Plan, event: usize) -> f64 {
         let [from, to] = self.ends_past(event);
+        // distances past the surface, and from end to end
         let (past, apart) = (from.max(to), (from - to).abs());
         let exponent = problem.system.event_exponent(event);
         let mut change = |distance| self.change_by_jump(problem, plan, event, distance);
         let anywhere = error_over_surface(exponent) * change(apart);
-        let at_end = error_at_end(exponent) * past / apart;
-        anywhere.min(at_end * change(past))
+        let part_past = error_at_end(exponent) * past / apart;
+        anywhere.min(part_past * change(past))
     }
 
     /// Error of a trial that was to end on a surface, over the tolerance.
     fn error_of_miss(&mut self, problem: &Problem<'_>, plan: &Plan, event: usize) -> f64 {
         let [from, to] = self.ends_past(event);
         let exponent = problem.system.event_exponent(event);
-        let part = error_at_end(exponent) * (to.abs() / (from - to).abs());
-        // the next step counts the derivative at its start with the weight of the first stage; a broken power is flat there
+        // of this step: what acts in the part between the surface and its end
+        let own = error_at_end(exponent) * (to.abs() / (from - to).abs());
+        // of the next one: the derivative at its start, with the weight b₁ of the first stage, is that of the wrong side; a
+        // broken power is flat there, and does not count
         let next = match self.crossing.broken[event] {
             true => 0.0,
             false => FACTORS[LAST][0],
         };
-        part.max(next) * self.change_by_jump(problem, plan, event, to.abs())
+        own.max(next) * self.change_by_jump(problem, plan, event, to.abs())
     }
 
-    /// Change of the state over the trial by the force jump at a distance, over the tolerance.
+    /// Change of the state, over the tolerance, if the force jump at a distance past the surface acted over the whole trial.
     fn change_by_jump(
         &mut self,
         problem: &Problem<'_>,
@@ -207,7 +219,8 @@ impl ExplicitStepper {
         problem.norm(&self.from, rate) * plan.size
     }
 
-    /// Plans landings on the surfaces that the trial crosses; whether it does so between its ends.
+    /// Locates where the trial crosses surfaces, and plans landings on the two earliest; whether any lies between the ends
+    /// of the trial.
     pub(super) fn plan_landings(&mut self, problem: &Problem<'_>, size: f64) -> bool {
         let mut found = std::mem::take(&mut self.crossing.found);
         let mut state = std::mem::take(&mut self.crossing.state);
@@ -220,6 +233,7 @@ impl ExplicitStepper {
             if !self.crossing.changed[event] {
                 continue;
             }
+            // the event function along the interpolant of the trial
             let value = |time: f64| {
                 self.by_stages(time, &mut deviation);
                 problem.write_state(&deviation, &mut state);
@@ -242,10 +256,12 @@ impl ExplicitStepper {
         any
     }
 
-    /// Records the sides after a good step.
+    /// Records on which side of every surface a good step ends: where its landing is good, on the far side of it, whatever
+    /// the sign of the event function.
     pub(super) fn arrive(&mut self, problem: &Problem<'_>, plan: &Plan) {
         let crossing = &mut self.crossing;
         crossing.fresh = false;
+        // by the signs, as far as the trial looked at them
         let sides = crossing.past.iter_mut().zip(&crossing.ends[1]);
         for (changed, (past, value)) in crossing.changed.iter_mut().zip(sides) {
             *changed = crossing.is_end_known && value.is_sign_positive() != *past;
@@ -256,34 +272,36 @@ impl ExplicitStepper {
         }
         for event in 0..self.crossing.past.len() {
             let crossing = &mut self.crossing;
-            let before = crossing.past[event] != crossing.changed[event];
+            let past_before = crossing.past[event] != crossing.changed[event];
             if plan.lands_on(crossing.due[event]) {
-                self.land(problem, plan, event, !before);
-            } else if crossing.past[event] != before {
+                self.land(problem, plan, event, !past_before);
+            } else if crossing.past[event] != past_before {
+                // crossed without a landing: none is due any more
                 crossing.due[event] = f64::INFINITY;
             }
-            if self.crossing.past[event] != before {
+            if self.crossing.past[event] != past_before {
                 self.crossing.latest = self.time;
             }
         }
     }
 
-    /// Records a step that was to end on a surface, and the side after it.
+    /// Records how a step ended that was to land on a surface; `past` is the side that it was to reach.
     fn land(&mut self, problem: &Problem<'_>, plan: &Plan, event: usize, past: bool) {
         let misses = self.error_of_miss(problem, plan, event) > LANDING_TOLERANCE;
         let [from, to] = self.ends_past(event);
         let crossing = &mut self.crossing;
         crossing.due[event] = f64::INFINITY;
         let is_over = (to >= 0.0) == past;
-        let left = self.size * to / (from - to);
+        // time until the surface is reached, if the event function goes on as over the step
+        let time_left = self.size * to / (from - to);
         let near = AT_END * self.next_size;
-        if is_over || (0.0..near).contains(&left) || !misses {
-            // round-off must not bring it back
+        if is_over || (0.0..near).contains(&time_left) || !misses {
+            // the side is set, so that round-off of a state on the surface is no crossing
             crossing.past[event] = past;
             crossing.fresh |= past && crossing.broken[event];
-        } else if (near..self.size).contains(&left) && self.time + left < self.limit {
+        } else if (near..self.size).contains(&time_left) && self.time + time_left < self.limit {
             // a short step more leads there
-            crossing.due[event] = self.time + left;
+            crossing.due[event] = self.time + time_left;
         }
     }
 }

@@ -1,4 +1,11 @@
 //! Sweeps over the points of a trial step, until the nonlinear remainders are those of the states there.
+//!
+//! ```text
+//! z_i = E_i z + Σ_j A_ij g_j,   y_i = V z_i,   g_i = V⁻¹ f(t + c_i h, y_i) − Λ z_i        i = 1 … 6
+//! ```
+//!
+//! A sweep goes through the points once, in their order, each with the latest g of all (Gauss–Seidel). z are modal
+//! coordinates of the deviation y from the scaling's origin; point 0 is the start of the step and the last one its end.
 
 use super::linear::{LinearPart, ModalState};
 use super::nodes::{NODES, POINTS, Points, SPARE, combined, no_points};
@@ -8,9 +15,9 @@ use crate::integrate::chunks::{Padded, add_scaled};
 use crate::integrate::problem::Problem;
 use crate::numerics::registers::in_wide_registers;
 
-/// Error allowed in one step, as a part of the error aimed at over the run: measured.
+/// Error allowed in one step, as a part of the error aimed at over the run; found by measuring.
 const LOCAL_PART: f64 = 0.05;
-/// Part of it that may be left by the iteration.
+/// Part of that error which the iteration may leave.
 const ITERATION_PART: f64 = 0.03;
 /// Fewest sweeps of a trial, which show how fast their changes fall, and most.
 pub(super) const FEWEST: u32 = 2;
@@ -20,34 +27,38 @@ pub(super) const MOST: u32 = 6;
 #[derive(Clone, Copy)]
 pub(super) struct Trial<'a> {
     pub problem: &'a Problem<'a>,
+    /// V, V⁻¹ and Λ.
     pub linear: &'a LinearPart,
+    /// E_i and A_ij over the size of the step.
     pub operator: &'a Propagator,
+    /// Time at which the step starts, and its size h, s.
     pub start: f64,
     pub size: f64,
     /// Time that no evaluation reaches, s.
     pub limit: f64,
+    /// The state at the start.
     pub from: &'a ModalState,
 }
 
 /// The sweeps over a trial step.
 #[derive(Debug, Clone)]
 pub(super) struct Sweeps {
-    /// Coordinates of the remainder at the points: known at the first, guessed at the others.
+    /// g_j, coordinates of the remainder at the points: known at the first, guessed at the others before the first sweep.
     pub remainder: Points,
-    /// The end of the step.
+    /// The state at the end of the step.
     pub to: ModalState,
-    /// Deviations at the points between, as the latest sweep had them.
+    /// y_i at the points after the first, with which the latest sweep evaluated the remainder.
     deviations: Vec<Padded>,
-    /// Change of the remainder in the latest sweep.
+    /// Δg_j of the latest sweep.
     change: Points,
-    /// Reciprocals of the errors allowed.
+    /// One over the error allowed of each component.
     inverse: Vec<f64>,
     /// Sweeps of the trial so far.
     pub count: u32,
     /// Whether event surfaces lie between the points.
     pub crossed: bool,
     pub evaluation: Evaluation,
-    /// Coordinates and deviation of a part of the motion.
+    /// By how much the latest sweep moved the end; after the sweeps room for the parts of the error estimate.
     shift: ModalState,
     /// The event functions at the start of a step, and those at a point.
     events: [Vec<f64>; 2],
@@ -56,17 +67,19 @@ pub(super) struct Sweeps {
 /// An evaluation of the remainder.
 #[derive(Debug, Clone)]
 pub(super) struct Evaluation {
+    /// The scaling's origin y₀.
     origin: Padded,
+    /// y₀ + y, and f there.
     state: Padded,
     rate: Padded,
-    /// Its coordinates.
+    /// The modal coordinates of g that were found.
     pub remainder: Padded,
 }
 
 /// How the sweeps ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Outcome {
-    /// They converged; the error over what is allowed.
+    /// They converged; the error of the step over what is allowed.
     Converged(f64),
     /// They diverge, or converge too slowly.
     Slow,
@@ -74,8 +87,8 @@ pub(super) enum Outcome {
 }
 
 impl Evaluation {
-    /// Finds the coordinates of g = f − J y with y the deviation from the origin, where it has one: the origin's part
-    /// of J y is in g.
+    /// Finds the modal coordinates V⁻¹ f(t, y₀ + y) − Λ z of the remainder at a deviation y = V z from the origin y₀. What J
+    /// would do to y₀ itself so stays in g.
     #[inline(always)]
     pub fn evaluate(
         &mut self,
@@ -89,7 +102,7 @@ impl Evaluation {
         linear.find_remainder(&self.rate, coordinates, &mut self.remainder);
     }
 
-    /// The state at a deviation.
+    /// Finds the state at a deviation.
     #[inline(always)]
     fn find_state(&mut self, deviation: &Padded) {
         let parts = self.origin.chunks().iter().zip(deviation.chunks());
@@ -102,7 +115,7 @@ impl Evaluation {
 }
 
 impl Sweeps {
-    /// Room for those of a problem.
+    /// Room for the sweeps of a problem.
     pub fn new(problem: &Problem<'_>) -> Self {
         let (states, events) = (problem.system.states(), problem.system.event_count());
         let zeros = Padded::zeros(states);
@@ -125,12 +138,14 @@ impl Sweeps {
         }
     }
 
-    /// Begins with a guess of the remainder.
+    /// Begins a trial with the guess in `remainder`: finds the end of the step that it leads to, and what error of each
+    /// component is allowed.
     pub fn begin(&mut self, trial: &Trial<'_>) {
         self.count = 0;
         let (linear, from) = (trial.linear, trial.from);
         let (to, remainder) = (&mut self.to, &self.remainder);
         in_wide_registers!(linear.level, {
+            // y₁ = V (E z + Σ_j A_j g_j)
             let (point, start) = (POINTS - 1, &from.coordinates);
             trial
                 .operator
@@ -147,12 +162,13 @@ impl Sweeps {
 
     /// Sweeps until what further ones would change is small.
     ///
-    /// Changes Δ that fall by the factor θ from sweep to sweep leave Δ θ/(1 − θ). A fall that is much faster than that
-    /// before it does not last: θ is the geometric mean of both.
+    /// Changes Δ that fall by the factor θ from sweep to sweep leave Δ (θ + θ² + …) = Δ θ/(1 − θ). The factor of one sweep
+    /// may be small by chance, and then does not last: from the third sweep on θ is the geometric mean of it and the θ
+    /// before.
     ///
     /// Source: Hairer & Wanner, *Solving Ordinary Differential Equations II*, 2nd ed. (1996), sec. IV.8, and the code RADAU.
     pub fn run(&mut self, trial: &Trial<'_>) -> Outcome {
-        let (mut before, mut rate) = (f64::NAN, f64::NAN);
+        let (mut before, mut theta) = (f64::NAN, f64::NAN);
         while self.count < MOST {
             let change = self.sweep(trial);
             if !change.is_finite() {
@@ -160,17 +176,17 @@ impl Sweeps {
             }
             if self.count >= FEWEST {
                 let fall = if change > 0.0 { change / before } else { 0.0 };
-                rate = if rate.is_nan() {
+                theta = if theta.is_nan() {
                     fall
                 } else {
-                    (rate * fall).sqrt()
+                    (theta * fall).sqrt()
                 };
-                if rate >= 1.0 {
+                if theta >= 1.0 {
                     return Outcome::Slow;
                 }
-                let rest = change * rate / (1.0 - rate);
-                if rest <= ITERATION_PART {
-                    return Outcome::Converged(rest + self.error(trial));
+                let left = change * theta / (1.0 - theta);
+                if left <= ITERATION_PART {
+                    return Outcome::Converged(left + self.error(trial));
                 }
             }
             before = change;
@@ -178,16 +194,16 @@ impl Sweeps {
         Outcome::Slow
     }
 
-    /// Evaluates the remainder point by point, each with what is known by then; the size of what that
-    /// changes at the end.
+    /// Evaluates the remainder point by point, each with the latest values at all others; how far that moves the end of the
+    /// step, over what is allowed.
     pub fn sweep(&mut self, trial: &Trial<'_>) -> f64 {
         self.count += 1;
-        in_wide_registers!(trial.linear.level, self.swept(trial));
+        in_wide_registers!(trial.linear.level, self.sweep_points(trial));
         norm(&self.shift.deviation, &self.inverse)
     }
 
     #[inline(always)]
-    fn swept(&mut self, trial: &Trial<'_>) {
+    fn sweep_points(&mut self, trial: &Trial<'_>) {
         let (linear, operator) = (trial.linear, trial.operator);
         let coordinates = &mut self.shift.coordinates;
         let evaluation = &mut self.evaluation;
@@ -199,6 +215,7 @@ impl Sweeps {
             // g_i = V⁻¹ f(t + c_i h, y_i) − Λ z_i
             let time = trial.time_of(point);
             evaluation.evaluate(linear, trial.problem.system, time, [coordinates, deviation]);
+            // Δg_i, and g_i in place of the one before
             let points = self.remainder.iter_mut().zip(&mut self.change);
             for ((known, change), found) in points.zip(evaluation.remainder.chunks()) {
                 let before = known[point];
@@ -221,15 +238,16 @@ impl Sweeps {
         }
     }
 
-    /// What the highest power of the polynomial does at the end and in the middle of the step, over
-    /// what is allowed, as far as it is not better than that.
+    /// Error of the polynomial, over what is allowed: what its highest power does to the states at the end and in the middle
+    /// of the step, reduced where that power is seen to be much larger than what the polynomial lacks.
     fn error(&mut self, trial: &Trial<'_>) -> f64 {
-        in_wide_registers!(trial.linear.level, self.estimated(trial))
+        in_wide_registers!(trial.linear.level, self.estimate_error(trial))
     }
 
     #[inline(always)]
-    fn estimated(&mut self, trial: &Trial<'_>) -> f64 {
-        let smoothness = self.smoothness(trial);
+    fn estimate_error(&mut self, trial: &Trial<'_>) -> f64 {
+        let factor = self.error_factor(trial);
+        // the remainder at the spare point less the polynomial through all others, which has one power less
         self.combine(&NODES.spare);
         let spare = &mut self.evaluation.remainder;
         spare.copy_from(&self.shift.coordinates);
@@ -237,16 +255,17 @@ impl Sweeps {
             coordinates,
             deviation,
         } = &mut self.shift;
+        // what that difference, acting at the spare point alone, does at the end and at the first point past the middle
         let mut sizes = [0.0; 2];
         for (size, point) in sizes.iter_mut().zip([POINTS - 1, SPARE + 1]) {
             trial.operator.find_effect(point, SPARE, spare, coordinates);
             trial.linear.find_deviation(coordinates, deviation);
             *size = norm(deviation, &self.inverse);
         }
-        smoothness * sizes[0].max(sizes[1])
+        factor * sizes[0].max(sizes[1])
     }
 
-    /// Finds a weighted sum of the remainders at the points.
+    /// Finds a weighted sum of the remainders at the points, into the coordinates of `shift`.
     #[inline(always)]
     fn combine(&mut self, weights: &[f64; POINTS]) {
         let to = self.shift.coordinates.chunks_mut();
@@ -255,14 +274,16 @@ impl Sweeps {
         }
     }
 
-    /// Factor of the error estimate, which is that of the polynomial without its highest power.
+    /// Factor, at most 1, from the error of the polynomial without its highest power to that of the polynomial itself.
     ///
-    /// Where the remainder is smooth its Legendre coefficients fall by about the same factor from one to
-    /// the next, and what the polynomial leaves out is smaller than what the estimate sees by two of
-    /// them. Where an event surface is crossed they fall slowly, and no faster than seen. A part that is nearly
-    /// odd about the middle of the step has next to no even coefficients: there the fall is not seen.
+    /// The Legendre coefficients of a smooth remainder fall by about the same factor θ from each degree to the next, and
+    /// what the polynomial leaves out is smaller by θ² than what the estimate sees: θ² is the ratio of the squares of the
+    /// two highest coefficients to those of the two before. Of a remainder that is nearly odd about the middle of the step
+    /// this is 1, and nothing is gained; of one that is nearly even it would be θ⁴, so that the factor is no less than the
+    /// highest coefficient over the larger of both before it. Where an event surface is crossed, coefficients fall slowly,
+    /// and the factor is 1.
     #[inline(always)]
-    fn smoothness(&mut self, trial: &Trial<'_>) -> f64 {
+    fn error_factor(&mut self, trial: &Trial<'_>) -> f64 {
         let mut sizes = [0.0; 3];
         for (size, mode) in sizes.iter_mut().zip(&NODES.modes) {
             self.combine(mode);
@@ -272,13 +293,14 @@ impl Sweeps {
                 .find_deviation(&shift.coordinates, &mut shift.deviation);
             *size = norm(&shift.deviation, &self.inverse);
         }
+        // of the degrees 4, 5 and 6
         let [before, middle, highest] = sizes;
         let square = middle * middle;
         let fall = (square + highest * highest) / (before * before + square);
-        // with a factor of two for how even the fall is
+        // coefficients fall unevenly: twice as much
         let factor = 2.0 * fall.max(highest / before.max(middle));
-        // no number where the remainder is constant
         self.crossed = self.crosses(trial);
+        // a constant remainder gives 0/0, and so 1
         if factor < 1.0 && !self.crossed {
             factor
         } else {
@@ -286,7 +308,7 @@ impl Sweeps {
         }
     }
 
-    /// Whether event surfaces lie between the points of the step.
+    /// Whether a point of the step is on another side of an event surface than its start.
     fn crosses(&mut self, trial: &Trial<'_>) -> bool {
         let [at_start, later] = &mut self.events;
         if at_start.is_empty() {
@@ -297,6 +319,7 @@ impl Sweeps {
         problem.write_state(&trial.from.deviation, &mut evaluation.state);
         system.events(trial.start, &evaluation.state, at_start);
         (1..POINTS).any(|point| {
+            // the end has moved since the latest sweep evaluated there
             evaluation.find_state(match point + 1 {
                 POINTS => &self.to.deviation,
                 _ => &self.deviations[point],
@@ -315,7 +338,7 @@ impl Trial<'_> {
     }
 }
 
-/// Root mean square over what is allowed.
+/// Root mean square of a vector's components over what is allowed of each.
 #[inline(always)]
 fn norm(vector: &[f64], inverse: &[f64]) -> f64 {
     let mut sum = 0.0;
