@@ -1,9 +1,12 @@
-//! Newton's method for a point of a branch: states and parameter in the plane across a direction.
+//! Newton's method for a point of a branch: the states u and the parameter p at which the residual G(u, p) of the map
+//! vanishes, sought in the plane through a guess normal to a direction d.
 //!
 //! ```text
 //! ( ∂G/∂u  ∂G/∂p ) (Δu)     (G)
-//! (    direction ) (Δp) = − (0)
+//! ( d_u/n    d_p ) (Δp) = − (0)
 //! ```
+//!
+//! The matrix is kept from correction to correction (chord method), and renewed where corrections shrink slowly.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -11,52 +14,59 @@ use super::map::{jacobian, residual};
 use super::multipliers::{Crossing, multipliers};
 use super::{BranchPoint, Continuation, Image, ReturnMap, ShootingError, Slopes};
 
-/// Corrections of a point before its step is halved.
+/// Most corrections of a guess; a point that needs more is sought again with a shorter step.
 const MOST_CORRECTIONS: usize = 16;
-/// Slopes are renewed, so many times at most, where a correction shrinks by less than this.
+/// Most times that the slopes are renewed for one guess.
 const MOST_RENEWALS: usize = 6;
+/// Slopes are renewed where a correction is more than this part of the one before.
 const SLOW: f64 = 0.3;
-/// Corrections of so many tolerances that stay as they are count as the error of the integration.
+/// Corrections up to so many tolerances that renewed slopes do not make shrink are noise, the error of the integration: the
+/// point is then as good as it gets.
 const NOISE: f64 = 300.0;
-/// Difference of the parameter over which the map is differenced, as a part of the whole range.
+/// Step of the parameter for the difference that stands for ∂G/∂p; the whole range is 1.
 const PARAMETER_STEP: f64 = 1e-5;
 
-/// A point with what it takes to go on.
+/// A point of a branch with what it takes to go on to the next.
 #[derive(Clone)]
 pub(super) struct Node {
     pub point: BranchPoint,
-    /// States and parameter.
+    /// (u, p): states, and the parameter last.
     pub unknowns: DVector<f64>,
+    /// Direction of the branch, of length 1 by [`product`].
     pub tangent: DVector<f64>,
-    /// Slopes of the residual by states and parameter.
+    /// (∂G/∂u, ∂G/∂p), one row less than columns.
     pub slopes: DMatrix<f64>,
-    /// Residual after half the period.
+    /// Residual after half the period, zero where the motion repeats after that already; none where the forcing does not.
     pub half: Option<DVector<f64>>,
+    /// Corrections that it took to find.
     pub corrections: usize,
 }
 
 impl Node {
+    /// The numbers that change their sign where the motion changes its kind.
     pub fn crossing(&self) -> Crossing {
+        // dp along the branch, zero at a fold
         let turning = self.tangent[self.tangent.len() - 1];
         Crossing::from_multipliers(&self.point.multipliers, turning)
     }
 
-    /// Number of multipliers outside the unit circle. Where it stays, a number that jumps means nothing: a pair
-    /// outside became two real ones there, or the reverse.
+    /// Number of multipliers outside the unit circle. Between two points with as many, the motion does not change its kind
+    /// even if a number of [`Node::crossing`] jumps: a complex pair outside became two real multipliers, or the reverse.
     pub fn outside(&self) -> usize {
         let all = self.point.multipliers.values();
         all.iter().filter(|value| value.norm() >= 1.0).count()
     }
 }
 
-/// What follows a branch of a family.
+/// What follows a branch.
 pub(super) struct Continuer<'a> {
+    /// The maps at all values of the parameter.
     pub family: &'a mut dyn ReturnMap,
     pub plan: &'a Continuation,
 }
 
 impl Continuer<'_> {
-    /// Corrects a guess in the plane across a direction, with slopes of about there.
+    /// Corrects a guess in the plane normal to a direction; `slopes` are those of a point near the guess.
     pub fn corrected(
         &mut self,
         mut unknowns: DVector<f64>,
@@ -68,20 +78,21 @@ impl Continuer<'_> {
         for corrections in 1..=MOST_CORRECTIONS {
             let residual = self.residual(&unknowns)?;
             history.push(residual.amax());
+            // (Δu, Δp), without its sign
             let correction = factors
                 .solve(&residual.push(0.0))
                 .ok_or(ShootingError::Singular)?;
             unknowns -= &correction;
             let size = correction.amax();
-            let slow = size > SLOW * before;
-            let noise = slow && renewals > 0 && size <= NOISE * self.plan.tolerance;
-            if size <= self.plan.tolerance || noise {
+            let is_slow = size > SLOW * before;
+            let is_noise = is_slow && renewals > 0 && size <= NOISE * self.plan.tolerance;
+            if size <= self.plan.tolerance || is_noise {
                 return self.node(unknowns, direction, corrections);
             }
-            if !size.is_finite() || (slow && renewals == MOST_RENEWALS) {
+            if !size.is_finite() || (is_slow && renewals == MOST_RENEWALS) {
                 break;
             }
-            if slow {
+            if is_slow {
                 factors = bordered(&self.slopes_at(&unknowns)?, direction).lu();
                 renewals += 1;
             }
@@ -90,12 +101,13 @@ impl Continuer<'_> {
         Err(ShootingError::NotFound { history })
     }
 
+    /// G(u, p).
     fn residual(&mut self, unknowns: &DVector<f64>) -> Result<DVector<f64>, ShootingError> {
         let (states, image) = self.image(unknowns, Slopes::None)?;
         Ok(residual(self.family, &states, &image.end))
     }
 
-    /// States and their image at a parameter.
+    /// The states u among the unknowns, and their image at the parameter p.
     fn image(
         &mut self,
         unknowns: &DVector<f64>,
@@ -108,12 +120,13 @@ impl Continuer<'_> {
         Ok((states, image))
     }
 
+    /// (∂G/∂u, ∂G/∂p) at states and a parameter.
     pub fn slopes_at(&mut self, unknowns: &DVector<f64>) -> Result<DMatrix<f64>, ShootingError> {
         let (states, image) = self.image(unknowns, Slopes::All)?;
         self.slopes_from(unknowns, &states, &image)
     }
 
-    /// Slopes of the residual by the states, and by the parameter as a difference.
+    /// (∂G/∂u, ∂G/∂p) from an image with its slopes; by the parameter as a difference.
     fn slopes_from(
         &mut self,
         unknowns: &DVector<f64>,
@@ -131,7 +144,7 @@ impl Continuer<'_> {
         Ok(all)
     }
 
-    /// Everything about a point of the branch; its tangent goes along `direction`.
+    /// Everything about a point of the branch that was found; its tangent has the sense of `direction`.
     pub fn node(
         &mut self,
         unknowns: DVector<f64>,
@@ -142,8 +155,9 @@ impl Continuer<'_> {
         let half = self.family.half_return(&states)?;
         let multipliers = multipliers(self.family.circle(), &image.slopes);
         let slopes = self.slopes_from(&unknowns, &states, &image)?;
-        let ahead = parameter_direction(unknowns.len());
-        let tangent = bordered(&slopes, direction).lu().solve(&ahead);
+        // the tangent t leaves G at zero, and ⟨d, t⟩ = 1: the last row of the system
+        let last_row = parameter_direction(unknowns.len());
+        let tangent = bordered(&slopes, direction).lu().solve(&last_row);
         let tangent = tangent.ok_or(ShootingError::Singular)?;
         Ok(Node {
             point: BranchPoint {
@@ -161,26 +175,28 @@ impl Continuer<'_> {
     }
 }
 
-/// The direction of the parameter among so many unknowns.
+/// The direction (0, …, 0, 1) of the parameter among so many unknowns.
 pub(super) fn parameter_direction(unknowns: usize) -> DVector<f64> {
     let mut direction = DVector::zeros(unknowns);
     direction[unknowns - 1] = 1.0;
     direction
 }
 
-/// `⟨a, b⟩`
+/// `⟨a, b⟩ = Σ a_i b_i/n + a_p b_p` over n states and the parameter, so that the number of states does not outweigh the
+/// parameter.
 pub(super) fn product(left: &DVector<f64>, right: &DVector<f64>) -> f64 {
     let states = left.len() - 1;
     let sum: f64 = (0..states).map(|i| left[i] * right[i]).sum();
     sum / states as f64 + left[states] * right[states]
 }
 
+/// A direction with the length 1 by [`product`].
 pub(super) fn normalised(vector: DVector<f64>) -> DVector<f64> {
     let length = product(&vector, &vector).sqrt();
     vector / length
 }
 
-/// Slopes with the row of the plane below them.
+/// The matrix of Newton's method: (∂G/∂u, ∂G/∂p), and below it the row that makes ⟨d, Δ⟩ of a change Δ.
 fn bordered(slopes: &DMatrix<f64>, direction: &DVector<f64>) -> DMatrix<f64> {
     let states = slopes.nrows();
     let mut all = slopes.clone().insert_row(states, 0.0);

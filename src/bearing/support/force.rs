@@ -2,6 +2,10 @@
 //!
 //! Five entries: [`Support::force`] with [`Support::force_by`] for motions, [`Support::tangent`] for slopes,
 //! [`Support::force_and_loads`] for what the balls bear, and [`Support::damped_force`] with the damping of the contacts.
+//!
+//! Each takes the displacement q that shaft and housing impose. [`Support::settled`] gives the one that the ring of balls
+//! sees, its `place`: the preload shifts it, and a spring-pressed outer ring follows axially. A linear bearing is frozen
+//! and asks neither seat nor balls.
 
 use fearless_simd::Simd;
 
@@ -18,7 +22,7 @@ pub struct Tangent {
     pub force: Vector5,
     /// K = ∂F/∂q.
     pub stiffness: Matrix5,
-    /// Derivative of the force by the angle of the cage on perfect races.
+    /// ∂F/∂ψ_c, by the angle of the cage, as on perfect races.
     pub by_cage_angle: Vector5,
 }
 
@@ -28,7 +32,9 @@ impl Support {
         in_wide_registers!(self.ring.level, simd => self.force_by(simd, displacement, rotation))
     }
 
-    /// Force as by [`Support::force`], for the processor's level `S`.
+    /// Force as by [`Support::force`], compiled into callers that run on the vector instructions `S`.
+    ///
+    /// A fixed seat with a table or the Hertz law is answered in place; all others out of line.
     #[inline(always)]
     pub(crate) fn force_by<S: Simd>(
         &self,
@@ -38,6 +44,7 @@ impl Support {
     ) -> Vector5 {
         match (&self.frozen, self.seat) {
             (None, Seat::Fixed { offset }) => {
+                // as `settled`, without a search
                 let [x, y, z, tilt_x, tilt_y] = *displacement;
                 let place = [x, y, z + offset, tilt_x, tilt_y];
                 let table = self.table_at(&place, rotation.speed);
@@ -53,7 +60,7 @@ impl Support {
         }
     }
 
-    /// The force of the balls, whatever their law and seat. Out of line, so that cheap laws stay in registers.
+    /// The force of the balls under the exact law, whatever law and seat. Out of line, so that cheap laws stay in registers.
     #[inline(never)]
     fn settled_force(&self, displacement: Vector5, rotation: &BearingRotation) -> Vector5 {
         let place = self.settled(&displacement, rotation);
@@ -62,8 +69,8 @@ impl Support {
 
     /// Force as by [`Support::force`] and its slopes.
     ///
-    /// On perfect races turning the cage is turning the displacement back and the force forth:
-    /// `∂F/∂ψ_c = S F − K S q` with S the generator of rotations about Z.
+    /// On perfect races a cage turned by ψ_c sees the displacement turned back, and its force is turned forth by the rotation
+    /// R about Z: `F(q, ψ_c) = R F(R⁻¹ q, 0)`. With S = dR/dψ_c at 0 that gives `∂F/∂ψ_c = S F − K S q`.
     pub(crate) fn tangent(&self, displacement: &Vector5, rotation: &BearingRotation) -> Tangent {
         let (force, stiffness, by_cage_angle) = match &self.frozen {
             Some(linear) => (linear.force(*displacement), linear.stiffness, [0.0; 5]),
@@ -75,9 +82,11 @@ impl Support {
                 };
                 let stiffness = self.seat.condense(stiffness);
                 // S F − K S q
-                let turned = stiffness * nalgebra::SVector::from(quarter_turn(displacement));
-                let turning = quarter_turn(&force);
-                let by_cage_angle = std::array::from_fn(|axis| turning[axis] - turned[axis]);
+                let force_turned = quarter_turn(&force);
+                let by_turning_back =
+                    stiffness * nalgebra::SVector::from(quarter_turn(displacement));
+                let by_cage_angle =
+                    std::array::from_fn(|axis| force_turned[axis] - by_turning_back[axis]);
                 (force, stiffness, by_cage_angle)
             }
         };
@@ -103,11 +112,10 @@ impl Support {
         with_law!(&self.law, law => self.ring.loads(law, &place, rotation, loads))
     }
 
-    /// Energy in J that the contacts store at a displacement: of a linear bearing that
-    /// of its frozen force, zero where it was frozen; of a floating ring less the work of its spring.
+    /// Energy in J that the contacts, and the spring of a floating outer ring, store at a displacement. A linear bearing has
+    /// that of its frozen force instead, counted from the displacement at which it was frozen.
     ///
-    /// Its derivative by the displacement is [`Support::force`] where the law has a potential: under
-    /// every law without ball inertia.
+    /// Its derivative by the displacement is [`Support::force`] where [`Support::has_potential`].
     pub(crate) fn stored_energy(&self, displacement: &Vector5, rotation: &BearingRotation) -> f64 {
         if let Some(linear) = &self.frozen {
             return linear.energy(displacement);
@@ -118,13 +126,12 @@ impl Support {
         contacts + self.seat.stored_energy(displacement, &place)
     }
 
-    /// Whether the force is the derivative of [`Support::stored_energy`], the speed being steady or
-    /// not.
+    /// Whether the force is the derivative of [`Support::stored_energy`], at a steady speed or at one that changes.
     pub(crate) fn has_potential(&self, steady: bool) -> bool {
         self.frozen.is_some() || self.law.has_potential(steady)
     }
 
-    /// Replaces the force by its tangent at a displacement where the law is linear.
+    /// Replaces the force of a bearing of the linear law by its tangent at a displacement and a speed; other laws stay.
     pub(crate) fn freeze(&mut self, displacement: &Vector5, speed: f64) {
         if self.definition.law == ContactLaw::Linear {
             let rotation = BearingRotation::at_start(speed);
@@ -139,7 +146,8 @@ impl Support {
         }
     }
 
-    /// Displacement of the inner ring from the outer one where the seat has put this by the imposed displacement.
+    /// Displacement of the inner ring from the outer one, as the balls see it, under the displacement that shaft and housing
+    /// impose: with the preset of a fixed seat, or with z such that a floating outer ring carries the force of its spring.
     pub(in crate::bearing) fn settled(
         &self,
         displacement: &Vector5,
@@ -149,7 +157,7 @@ impl Support {
             .settle(displacement, |place| self.ring_tangent(place, rotation))
     }
 
-    /// Force of the balls under the exact law and its derivative with the inner ring at `place`.
+    /// Force of the balls under the exact law, and its derivative by `place`, where the seat has put the inner ring.
     pub(super) fn ring_tangent(
         &self,
         place: &Vector5,
