@@ -15,7 +15,7 @@ const SMALLEST_ERROR: f64 = 4.0 * f64::EPSILON;
 /// Positions of the cage within one ball spacing at which the varying force is looked at.
 const CAGE_POSITIONS: usize = 8;
 
-/// A length above this many times the motion that was recorded is not the size of the motion.
+/// An assumed length of more than this many times the recorded motion is wrong.
 const FAR: f64 = 10.0;
 
 /// Length and time that make the states of the integration numbers of order one.
@@ -23,12 +23,12 @@ const FAR: f64 = 10.0;
 pub struct MotionScale {
     /// Length of the motion, m.
     pub length: f64,
-    /// Least length that a motion is taken for, m: the tolerance of a smaller one would lie below the round-off of a position.
+    /// Least value of `length`, m: the tolerance of a smaller motion would lie below the round-off of a position.
     pub least: f64,
     /// Length that turns tilts into displacements, m.
     pub arm: f64,
-    /// Angular frequency that turns velocities into displacements, rad/s: the highest of speed and
-    /// natural frequencies, with that of the shaft on one contact where nothing holds it.
+    /// Angular frequency that turns velocities into displacements, rad/s: the highest of speed and natural frequencies, see
+    /// [`Rotor::motion_scale`].
     pub frequency: f64,
 }
 
@@ -38,7 +38,7 @@ impl MotionScale {
         if axis < 3 { 1.0 } else { self.arm }
     }
 
-    /// That of a motion of a size in m, where this is far above it.
+    /// The scale for a motion whose recorded size in m is far smaller than the length; none where the length is about right.
     pub(crate) fn corrected(&self, recorded: f64) -> Option<Self> {
         let length = recorded.max(self.least);
         (self.length > FAR * length).then_some(Self { length, ..*self })
@@ -76,14 +76,13 @@ impl Rotor {
     }
 
     /// Round-off of a displacement in a motion, m: that of the positions between the races, from which the forces
-    /// follow. No two passes of a method show it, for they share it.
+    /// follow. All passes of a run share it, so that their difference does not show it.
     pub(crate) fn displacement_round_off(&self) -> f64 {
         POSITION_ROUND_OFF * self.groove_centre_distance()
     }
 
-    /// Highest natural frequency of a freedom by itself, rad/s, or the speed where that is higher;
-    /// where nothing resists at the equilibrium, as in the middle of a clearance, that of the shaft on one
-    /// contact.
+    /// Highest natural frequency √(K_ii/M_ii) of a freedom with all others held, rad/s, or the speed where that is higher.
+    /// Where nothing resists at the equilibrium, as in the middle of a clearance, it is that of the shaft on one contact.
     fn highest_frequency(&self) -> f64 {
         let highest = (0..self.dofs())
             .map(|dof| {
@@ -98,8 +97,9 @@ impl Rotor {
         natural.max(self.highest_speed())
     }
 
-    /// Angular frequency that makes velocities of displacements, rad/s: that of the scale; of a structure with housings,
-    /// whose natural frequencies lie far apart, the lowest, so that no slow motion is allowed the velocities of a fast one.
+    /// Angular frequency by which the tolerance of displacements becomes that of velocities, rad/s: that of the scale of a
+    /// rigid shaft on the ground; of other structures, whose natural frequencies lie far apart, the lowest, or else the
+    /// velocity of a slow motion would be allowed the error of a fast one.
     pub(super) fn velocity_rate(&self, scale: &MotionScale) -> f64 {
         if self.elements.on_rigid_shaft {
             return scale.frequency;
@@ -117,7 +117,7 @@ impl Rotor {
     }
 
     /// Estimated amplitudes of the degrees of freedom under unbalance and loads at a speed of the shaft in rad/s, m and
-    /// rad. A shaft that starts beside this motion has free vibrations of these amplitudes besides.
+    /// rad. A shaft that does not start on this motion has free vibrations of as much again.
     pub(super) fn forced_amplitudes(&self, speed: f64) -> Vec<f64> {
         let mut sum = vec![0.0; self.dofs()];
         add_sizes(&mut sum, &self.unbalance_amplitudes(speed));
@@ -150,10 +150,11 @@ impl Rotor {
         points.chain([self.highest_speed()])
     }
 
-    /// Displacement of the degrees of freedom from the static equilibrium at t = 0, and how far their velocities carry
-    /// them at an angular frequency in rad/s.
+    /// Displacement of the degrees of freedom from the static equilibrium at t = 0, and the amplitude q̇/ω of a free
+    /// vibration at their velocities and an angular frequency ω in rad/s.
     fn initial_amplitudes(&self, frequency: f64) -> [Vec<f64>; 2] {
         let (start, dofs) = (self.start_state(), self.dofs());
+        // the state begins with (q, q̇)
         let (places, velocities) = start[..2 * dofs].split_at(dofs);
         let shifts = places.iter().zip(&self.start.rest);
         [
@@ -196,13 +197,14 @@ impl Rotor {
     /// and imperfect surfaces pass; none in a direction that nothing holds.
     fn passing_amplitudes(&self) -> Vec<Vec<f64>> {
         let imperfect = self.elements.supports().any(Support::is_imperfect);
-        let still = !self.elements.cage.turns() && !imperfect;
-        if still || self.highest_speed() == 0.0 {
+        let nothing_passes = !self.elements.cage.turns() && !imperfect;
+        if nothing_passes || self.highest_speed() == 0.0 {
             return Vec::new();
         }
         let dofs = self.dofs();
         let stiffness = self.start.tangent.view((0, 0), (dofs, dofs)).into_owned();
         let least = NOTHING * contact_stiffness(self.elements.supports());
+        // K⁻¹ by singular values; those below `least` are directions that nothing holds
         let factors = stiffness.svd(true, true);
         let mut changes = self.imperfect_changes();
         if self.elements.cage.turns() {
@@ -240,29 +242,30 @@ impl Rotor {
         changes
     }
 
-    /// Adds the change of the force on a bearing at the equilibrium from the start to another rotation.
+    /// Adds the change of a bearing's force at the equilibrium, from where shaft and cage start to another rotation.
     fn add_change(
         &self,
         bearing: &AttachedBearing<'_>,
-        seen: &BearingRotation,
+        rotation: &BearingRotation,
         sum: &mut DVector<f64>,
     ) {
         let place = self.static_displacement(bearing);
         let start = BearingRotation::at_start(self.speed());
-        let [seen, still] = [seen, &start].map(|seen| bearing.support.force(&place, seen));
-        let change = std::array::from_fn(|axis| seen[axis] - still[axis]);
+        let [there, at_start] =
+            [rotation, &start].map(|rotation| bearing.support.force(&place, rotation));
+        let change = std::array::from_fn(|axis| there[axis] - at_start[axis]);
         let attachment = bearing.attachment;
         attachment.add_force(1.0, &change, sum.as_mut_slice());
     }
 
-    /// Largest change of the forces as the cages turn, in every degree of freedom.
+    /// Largest change of the force on each degree of freedom as the cages turn by a ball spacing.
     pub(super) fn passing_force(&self) -> DVector<f64> {
         let start = DVector::zeros(self.dofs());
         self.passing_changes()
             .fold(start, |largest, change| largest.sup(&change.abs()))
     }
 
-    /// Largest component as a displacement; what is not a number does not count.
+    /// Largest component in m, tilts by the arm; what is not finite, as at a resonance, does not count.
     fn largest(&self, components: &[f64], arm: f64) -> f64 {
         let coordinates = self.structure.coordinates.iter();
         components

@@ -1,4 +1,5 @@
-//! The integrations of a run: the pass whose samples are shown, and a second, tighter one that measures its error.
+//! The integrations of a run, block by block side by side: the pass whose samples are shown, a second, tighter one that
+//! measures its error, and of a shaft that bends one with more modes.
 
 use std::sync::atomic::AtomicBool;
 
@@ -16,7 +17,7 @@ const REFERENCE_FACTOR: f64 = 0.1;
 /// Below this tolerance the second pass is the looser one: round-off allows none that is tighter.
 const TIGHTEST_WITH_REFERENCE: f64 = 1e-12;
 
-/// Settings of the second pass: another tolerance.
+/// Settings of the second pass: a tolerance ten times as tight, or as loose where round-off allows none that is tighter.
 pub(crate) fn reference_settings(settings: Settings) -> Settings {
     let factor = if settings.tolerance >= TIGHTEST_WITH_REFERENCE {
         REFERENCE_FACTOR
@@ -29,12 +30,12 @@ pub(crate) fn reference_settings(settings: Settings) -> Settings {
     }
 }
 
-/// The displacements of a shaft, as far as they were recorded.
+/// Moments of the displacements of a shaft, x, y, z, θx and θy, over the states that were recorded.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Recorded([Moments; FREEDOMS]);
 
 impl Recorded {
-    /// Takes another displacement.
+    /// Adds a displacement.
     pub fn take(&mut self, displacement: &Vector5) {
         for (moments, value) in self.0.iter_mut().zip(displacement) {
             moments.take(*value);
@@ -49,11 +50,12 @@ impl Recorded {
     }
 }
 
-/// Sizes of a motion as both passes take them, where it is not known yet.
+/// The motion scale that all passes share before the motion is known: it must suit the tighter of the two tolerances.
 pub(super) fn motion_scale(model: &Model, rotor: &Rotor) -> MotionScale {
     rotor.motion_scale(reference_settings(model.integrator).tolerance)
 }
 
+/// The integration of a rotor from its start.
 fn pass<'a>(
     rotor: &'a Rotor,
     scale: &MotionScale,
@@ -65,9 +67,9 @@ fn pass<'a>(
     Integration::new(rotor, scaling, grid, settings, stop, &state).watched(progress)
 }
 
-/// The right scale, where states up to a grid time show a motion far below the one assumed; none where the rest of
-/// the run need not be like them.
-fn corrected(
+/// The scale of the motion that the first states of a run show, where it is far smaller than the one assumed; none where
+/// the rest of the run may differ from them, as in a run-up or before a shock.
+fn corrected_by(
     rotor: &Rotor,
     scale: &MotionScale,
     grid: Grid,
@@ -91,7 +93,7 @@ pub(super) struct Passes<'a> {
     pub grid: Grid,
     pub main: Integration<'a>,
     scale: MotionScale,
-    /// The motion after the settle time, where its error is measured.
+    /// The motion after the settle time that errors are relative to; recorded where the error is measured.
     recorded: Recorded,
     watch: Watch<'a>,
     reference: Option<Reference<'a>>,
@@ -99,19 +101,20 @@ pub(super) struct Passes<'a> {
     finer: Option<Reference<'a>>,
 }
 
-/// Who ends the passes from outside, and who watches each of them.
+/// How the passes are stopped from outside, and where each reports its progress: the one shown, the tighter one, the one
+/// with more modes.
 #[derive(Clone, Copy)]
 pub(super) struct Watch<'a> {
     pub stop: &'a AtomicBool,
     pub progress: [Option<&'a Progress>; 3],
 }
 
-/// Another pass, and how far the first is from it.
+/// Another pass, and how far the one that is shown is from it.
 struct Reference<'a> {
     rotor: &'a Rotor,
     integration: Integration<'a>,
     states: States,
-    /// Largest difference of a displacement from the first so far, m.
+    /// Largest difference of a displacement from the pass that is shown so far, m.
     difference: f64,
     /// Why it cannot go on, where it cannot.
     failure: Option<String>,
@@ -119,7 +122,7 @@ struct Reference<'a> {
 }
 
 impl<'a> Passes<'a> {
-    /// Starts all passes of a motion of a size.
+    /// Starts all passes with the motion scale that is assumed.
     pub fn start(
         model: &'a Model,
         (rotor, finer): (&'a Rotor, Option<&'a Rotor>),
@@ -160,10 +163,10 @@ impl<'a> Passes<'a> {
         }
     }
 
-    /// Starts anew with the right scale where the states of the first block show a motion far below the one assumed;
-    /// whether it does.
+    /// Starts all passes anew where the states of the first block show a motion far smaller than the one assumed, whose
+    /// error would be too large; whether it does.
     pub fn restart_to_scale(&mut self, states: &States) -> bool {
-        let Some(scale) = corrected(self.rotor, &self.scale, self.grid, states) else {
+        let Some(scale) = corrected_by(self.rotor, &self.scale, self.grid, states) else {
             return false;
         };
         let rotors = (self.rotor, self.finer.as_ref().map(|finer| finer.rotor));
@@ -171,19 +174,20 @@ impl<'a> Passes<'a> {
         true
     }
 
-    /// The size of the motion that the passes were started anew for, after the one assumed; none where that one was right.
+    /// Length of the motion that was assumed first, and the one that the passes were started anew with; none where they were
+    /// not.
     pub fn corrected_scale(&self) -> Option<[f64; 2]> {
         let assumed = motion_scale(self.model, self.rotor).length;
         (assumed != self.scale.length).then_some([assumed, self.scale.length])
     }
 
-    /// How many times the recorded motion the scale is, where that is far too much.
+    /// How many times too large the length of the scale is for the recorded motion, where it is far too large.
     pub fn overestimate(&self) -> Option<f64> {
         let corrected = self.scale.corrected(self.recorded.size(&self.scale))?;
         Some(self.scale.length / corrected.length)
     }
 
-    /// Takes the states from grid time number `first` on for the motion that errors are relative to.
+    /// Adds a block of states, the first at grid time number `first`, to the motion that errors are relative to.
     pub fn record(&mut self, first: u64, states: &States) {
         if self.reference.is_none() {
             return;
@@ -200,7 +204,7 @@ impl<'a> Passes<'a> {
         error / self.recorded.size(&self.scale).max(self.scale.least)
     }
 
-    /// Goes on with the other passes over as many samples as the first has states in a block, and compares them.
+    /// Advances the other passes by a block, and compares their states with those of the pass that is shown.
     ///
     /// # Errors
     /// [`IntegrateError::Interrupted`] where somebody asked the run to stop.
@@ -214,7 +218,8 @@ impl<'a> Passes<'a> {
         self.reference.as_ref()?.failure.as_deref()
     }
 
-    /// Difference of both passes; none without a second one that came to its end.
+    /// Error by the difference of both passes, with the round-off that they share; none without a second pass that came to its
+    /// end.
     pub fn measured_error(&self) -> Option<MeasuredError> {
         let reference = self.reference.as_ref()?;
         let displacement = reference.difference + self.rotor.displacement_round_off();
@@ -244,7 +249,8 @@ impl<'a> Passes<'a> {
 }
 
 impl Reference<'_> {
-    /// A pass that cannot go on leaves the error of the run unknown.
+    /// Advances the pass by a block and takes the largest difference from the states shown, over the recorded point of the
+    /// shaft, tilts by their arm, and all housings. Where the pass cannot go on, the error stays unknown and the run goes on.
     fn compare(
         &mut self,
         states: &States,
@@ -260,16 +266,17 @@ impl Reference<'_> {
             result => self.failure = result.err().map(|error| error.to_string()),
         }
         for (state, reference) in states.iter().zip(self.states.iter()) {
-            let (own, other) = (
+            let (shown, other) = (
                 rotor.displacement(state),
                 self.rotor.displacement(reference),
             );
             for &axis in rotor.freedoms().axes() {
-                let apart = scale.lever(axis) * (own[axis] - other[axis]).abs();
+                let apart = scale.lever(axis) * (shown[axis] - other[axis]).abs();
                 self.difference = self.difference.max(apart);
             }
-            for (own, other) in rotor.body_freedoms().zip(self.rotor.body_freedoms()) {
-                let apart = (state[own] - reference[other]).abs();
+            // a pass with more modes has its housings at other indices
+            for (shown, other) in rotor.body_freedoms().zip(self.rotor.body_freedoms()) {
+                let apart = (state[shown] - reference[other]).abs();
                 self.difference = self.difference.max(apart);
             }
         }
@@ -316,7 +323,7 @@ impl<'a> BareRun<'a> {
         let mut integration = begun(&scale);
         let mut states = States::with_capacity(rotor.states(), BLOCK);
         integration.advance(BLOCK, &mut states)?;
-        if let Some(scale) = corrected(rotor, &scale, grid, &states) {
+        if let Some(scale) = corrected_by(rotor, &scale, grid, &states) {
             integration = begun(&scale);
         }
         while integration.done() < grid.count {
