@@ -47,7 +47,7 @@ impl From<f64> for Precision {
 }
 
 impl Precision {
-    /// How far from a line a frequency may be to bear its name, Hz; none where such lines stand closer than the
+    /// How far from a line a frequency may be to bear its name, Hz; none where such lines are closer than the
     /// spectrum tells apart, and one of them is near any frequency. A natural frequency is itself an estimate.
     fn reach(&self, line: &Line) -> Option<f64> {
         let apart = LOBE_BINS * self.resolution;
@@ -182,7 +182,7 @@ pub struct Sources {
     pub surfaces: Vec<LineSurfaces>,
     /// Whether the shaft has an unbalance, which turns with it.
     pub unbalanced: bool,
-    /// Natural frequencies of the linearised system, lowest first; lines stand at the damped ones.
+    /// Natural frequencies of the linearised system, lowest first; lines are at the damped ones.
     pub natural: Vec<NaturalFrequency>,
     /// Meshing frequency of every sprocket.
     pub meshing: Vec<f64>,

@@ -26,7 +26,7 @@ pub struct ChannelSpectrum {
 }
 
 impl ChannelSpectrum {
-    /// Amplitudes and phases of a transformed channel under a window. The mean stands alone at frequency zero: it is
+    /// Amplitudes and phases of a transformed channel under a window. The mean alone is at frequency zero: it is
     /// taken away before the window, whose skirt around it would hide the lowest lines.
     pub(crate) fn new(channel: Channel, transform: Transform, window: Window) -> Self {
         let (mean, transform) = transform.split_mean();

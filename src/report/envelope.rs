@@ -47,13 +47,13 @@ impl Bucket {
 
 /// Keeps the envelope of a curve in at most `capacity` buckets, however long the curve becomes.
 ///
-/// Every bucket stands for the same number of values; when all are full, neighbours are joined and
-/// each stands for twice as many.
+/// Every bucket holds the extremes of the same number of values; when all are full, neighbours are joined and
+/// each then holds those of twice as many.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Decimator {
     capacity: usize,
     full: Vec<Bucket>,
-    /// Values that a full bucket stands for.
+    /// Number of values that a full bucket covers.
     stride: u64,
     open: Option<Bucket>,
     /// Values in the open bucket.

@@ -1,4 +1,4 @@
-//! The folder of a run: either the whole of one run stands there, or it does not look whole.
+//! The folder of a run: either it holds the whole of one run, or it does not look whole.
 
 use std::fs::{self, File, TryLockError};
 use std::io::{self, BufReader, BufWriter, Write};
@@ -24,7 +24,7 @@ use crate::table::Table;
 pub struct FileSet {
     /// The file that says that the set is whole: set aside before the first rename, renamed last.
     pub seal: &'static str,
-    /// What a whole set makes needless: removed when it stands, with all that it seals.
+    /// What a whole set makes needless: removed once the set is whole, with all that it seals.
     spent: Option<&'static str>,
 }
 
@@ -51,7 +51,7 @@ impl FileSet {
     pub const STEADY: Self = Self::sealed("steady.json");
     /// What steady motions along a parameter leave.
     pub const RESPONSE: Self = Self::sealed("response.json");
-    /// All whose seals may stand in one folder.
+    /// All whose seals one folder may hold.
     const ALL: [Self; 8] = [
         Self::MOTION,
         Self::FAILURE,
@@ -116,7 +116,7 @@ const TEMPORARY: &str = ".partial";
 /// A folder that takes the files of one run.
 ///
 /// Files are written under a temporary name and renamed together by [`RunFolder::commit`]. Until
-/// then an earlier run in the same folder stands as it was; a run that ends before leaves nothing
+/// then an earlier run in the same folder stays as it was; a run that ends before leaves nothing
 /// behind, and one that is killed, or loses its power, while it renames leaves a folder without the
 /// seal of its set. What a killed run leaves under temporary names the next one removes.
 #[derive(Debug)]
@@ -196,7 +196,7 @@ impl RunFolder {
     /// [`ReportError::File`] where it cannot be created.
     pub fn create(&self, name: &str) -> Result<PartialFile, ReportError> {
         let temporary = self.path.join(format!(".{name}.partial"));
-        // what stands there is removed, not written into: a link may lead anywhere
+        // what is there is removed, not written into: a link may lead anywhere
         let _ = fs::remove_file(&temporary);
         let created = File::create_new(&temporary);
         let created = created.map_err(ReportError::file(FileAction::Create, &temporary))?;
@@ -310,7 +310,7 @@ impl RunFolder {
         sealed.collect()
     }
 
-    /// Names of the files of an earlier run that stands here whole, the seal first.
+    /// Names of the files of an earlier run that is whole, the seal first.
     pub(super) fn whole_files(&self) -> Vec<String> {
         let seal = self.path.join(self.set.seal);
         if !seal.exists() {

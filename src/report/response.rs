@@ -154,7 +154,7 @@ fn table(
 /// Height of a plot, px.
 const HEIGHT: u32 = 242;
 
-/// A panel a displacement; what is not stable is grey, marks stand where branches turn or change.
+/// A panel a displacement; what is not stable is grey, marks show where branches turn or change.
 fn figure(title: &str, variable: &Variable, branches: &[Response]) -> Figure {
     let points = || branches.iter().flat_map(|branch| &branch.points);
     let values = points().map(|point| variable.shown(point.value));

@@ -102,7 +102,7 @@ impl RunReport {
 
     /// Writes what is known of a run that cannot go on, after some work: `failure.json` and the trace up to there.
     ///
-    /// An earlier run in the same folder stands as it was.
+    /// An earlier run in the same folder stays as it was.
     ///
     /// # Errors
     /// [`ReportError`] where a file cannot be written.
@@ -189,7 +189,7 @@ fn failure_kind(error: &IntegrateError) -> &'static str {
 pub struct KeptFiles {
     /// Paths of the files.
     pub files: Vec<PathBuf>,
-    /// Whether the results of an earlier run stand in the same folder.
+    /// Whether the same folder holds the results of an earlier run.
     pub beside_earlier: bool,
 }
 

@@ -42,7 +42,7 @@ struct Scale {
     ends: [f64; 2],
 }
 
-/// The shaft of a scenario with all that stands on it.
+/// The shaft of a scenario with all that sits on it.
 pub(crate) fn scene_figure(title: &str, rotor: &RotorDefinition) -> Figure {
     let scale = Scale::from_rotor(rotor);
     let mut drawing = Drawing::default();
@@ -220,7 +220,7 @@ impl Drawing {
         self.label((at, 0.0), "observed", distinct(CONTACTS));
     }
 
-    /// An unbalance as the shaft stands at angle 0: its upward part by an arrow, which has no scale, that across the picture
+    /// An unbalance with the shaft at angle 0: its upward part by an arrow, which has no scale, that across the picture
     /// by a circle.
     fn unbalance(&mut self, at: f64, angle: f64, size: &str, length: f64, scale: &Scale) {
         let colour = distinct(UNBALANCE);
@@ -254,7 +254,7 @@ impl Drawing {
         }
     }
 
-    /// Rings, balls and lines of contact above and below the axis, and what the outer ring stands in.
+    /// Rings, balls and lines of contact above and below the axis, and what the outer ring sits in.
     fn bearing(&mut self, number: usize, bearing: &MountedBearing, scale: &Scale) {
         let geometry = &bearing.bearing.geometry;
         let ball = MILLI * geometry.ball_diameter();
@@ -301,7 +301,7 @@ impl Drawing {
         }
     }
 
-    /// Hatching beyond a ring that stands on the ground.
+    /// Hatching beyond a ring that is fixed to the ground.
     fn ground(&mut self, [left, right]: [f64; 2], at: f64, beyond: f64) {
         let step = (right - left) / 6.0;
         for k in 0..=6 {

@@ -1,4 +1,4 @@
-//! Figures of a shaft that bends: where it stands, and its modes.
+//! Figures of a shaft that bends: its static deflection, and its modes.
 
 use nalgebra::Complex;
 

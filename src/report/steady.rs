@@ -102,7 +102,7 @@ fn spectrum(title: &str, lines: &SteadyLines) -> Figure {
         shown.map(move |(frequency, amplitude)| {
             let ends = [floor, amplitude].map(|end| (frequency, end));
             Curve {
-                // strokes of the same frequency stand side by side
+                // strokes of the same frequency are side by side
                 beside: 2 * place as u8,
                 ..Curve::line(distinct(place), ends.to_vec())
             }

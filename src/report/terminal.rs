@@ -15,7 +15,7 @@ use crate::table::{Column, ColumnKind, Table as NumberTable};
 const WIDTH: usize = 100;
 
 /// Breaks a text between words so that no line has more than 100 characters; lines after the first
-/// begin with `indent` blanks. A word that is longer stands on a line of its own.
+/// begin with `indent` blanks. A word that is longer has a line of its own.
 pub fn wrapped(text: &str, indent: usize) -> String {
     let mut out = String::new();
     let mut column = 0;
@@ -66,7 +66,7 @@ fn in_one_line<S: Serializer>(heads: &[String], serializer: S) -> Result<S::Ok, 
 }
 
 impl Lines {
-    /// A title, under which the lines stand.
+    /// A title above the lines that follow.
     pub fn titled(title: &str) -> Self {
         let title = format!("{title}\n");
         let parts = Vec::new();

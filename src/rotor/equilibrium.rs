@@ -182,7 +182,7 @@ fn condensed(stiffness: &DMatrix<f64>, kept: [usize; FREEDOMS]) -> Matrix5 {
     Matrix5::from_fn(|row, column| own[(row, column)])
 }
 
-/// Where a shaft stands.
+/// A static equilibrium of a shaft.
 pub(crate) struct StaticPlace {
     /// Which of its freedoms found their own position.
     pub free: [bool; FREEDOMS],
@@ -311,7 +311,7 @@ fn static_start(
 /// Where a radial scene holds the axial displacement; `None`: where the equilibrium puts it.
 ///
 /// An axial load or two bearings that face each other fix it by equilibrium. A preset offset fixes
-/// it by itself, at z = 0. A bearing with neither stands axially centred.
+/// it by itself, at z = 0. A bearing with neither is axially centred.
 fn held_axial(supports: &[Support], axial_load: f64) -> Option<f64> {
     let faces = |facing| {
         supports
@@ -329,7 +329,7 @@ fn held_axial(supports: &[Support], axial_load: f64) -> Option<f64> {
 }
 
 impl Bearing {
-    /// Where the inner ring of the standing bearing finds its position under a load on its centre: forces x, y, z in
+    /// Where the inner ring of the bearing at rest finds its position under a load on its centre: forces x, y, z in
     /// N, moments about X and Y in N m. Dry Hertz contacts, no preload; all five freedoms are free, a positive axial
     /// force loads an angular contact bearing.
     ///

@@ -20,7 +20,7 @@ pub struct LinearBearing {
     pub cross_stiffness: [f64; 2],
     /// c_xy and c_yx in N s/m likewise.
     pub cross_damping: [f64; 2],
-    /// The housing that it stands in; without one it stands on the ground.
+    /// The housing that it sits in; without one it sits on the ground.
     pub housing: Option<Housing>,
 }
 

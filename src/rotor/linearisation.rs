@@ -13,7 +13,7 @@ use crate::integrate::System;
 const PLACE_STEP: f64 = 1e-10;
 const RATE_STEP: f64 = 1e-7;
 
-/// Relative step of the differences that stand for slopes: the cube root of round-off.
+/// Relative step of the differences taken for slopes: the cube root of round-off.
 const STEP: f64 = 6e-6;
 /// A usual approach of a contact, m.
 const APPROACH: f64 = 1e-5;

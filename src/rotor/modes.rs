@@ -55,7 +55,7 @@ pub struct NaturalFrequency {
     /// Undamped natural frequency |λ|/2π, Hz.
     #[serde(rename = "frequency_Hz")]
     pub frequency: f64,
-    /// Frequency of the damped free vibration, Im λ/2π, Hz: where its line stands.
+    /// Frequency of the damped free vibration, Im λ/2π, Hz: the place of its line.
     #[serde(rename = "damped_frequency_Hz")]
     pub damped_frequency: f64,
     /// Damping ratio −Re λ/|λ|.

@@ -1,4 +1,4 @@
-//! How a shaft that bends stands and moves along its length.
+//! Static deflections and mode shapes of a shaft that bends, along its length.
 
 use nalgebra::{Complex, DVector};
 

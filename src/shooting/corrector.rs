@@ -23,7 +23,7 @@ const SLOW: f64 = 0.3;
 /// Corrections up to so many tolerances that renewed slopes do not make shrink are noise, the error of the integration: the
 /// point is then as good as it gets.
 const NOISE: f64 = 300.0;
-/// Step of the parameter for the difference that stands for ∂G/∂p; the whole range is 1.
+/// Step of the parameter for the difference taken for ∂G/∂p; the whole range is 1.
 const PARAMETER_STEP: f64 = 1e-5;
 
 /// A point of a branch with what it takes to go on to the next.

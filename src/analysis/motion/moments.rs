@@ -171,7 +171,7 @@ pub struct VelocityLevel {
 /// RMS velocity in a band in Hz of samples of a velocity in m/s, `rate` of them a second.
 ///
 /// `v_RMS² = Σ_k A_k²/(2 · 1.5)` over the bins in the band, A_k amplitudes under a Hann window, whose
-/// lobe counts a line one and a half times, wherever it stands between bins. At either end of the band the bins of one
+/// lobe counts a line one and a half times, wherever it lies between bins. At either end of the band the bins of one
 /// more half lobe count, so that a line on the end, as that of the shaft at 600 rpm, counts as a whole; what lies less than
 /// two bins beyond counts in part.
 ///

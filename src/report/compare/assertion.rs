@@ -11,7 +11,7 @@ use crate::analysis::Spectrum;
 pub enum ComparedSpectrum<'a> {
     /// In memory.
     Spectrum(&'a Spectrum),
-    /// A `spectrum.csv`, or the run folder that it stands in.
+    /// A `spectrum.csv`, or the run folder that holds it.
     Path(PathBuf),
 }
 

@@ -57,7 +57,7 @@ pub enum CompareError {
         line: u64,
         /// Name of the column.
         column: String,
-        /// What stands there.
+        /// The text found there.
         text: String,
     },
     /// A tolerance is negative or not a number.

@@ -33,7 +33,7 @@ pub(crate) fn write_figure(
 }
 
 /// The columns that are furthest apart: to the left both curves, to the right their difference, with the places of the
-/// comparison marked. Amplitudes of spectra stand in dB of the largest.
+/// comparison marked. Amplitudes of spectra are in dB of the largest.
 pub(super) fn difference_figure(
     name: &str,
     comparison: &Comparison,
@@ -122,7 +122,7 @@ fn points(table: &Source<'_>, column: &Column) -> Vec<Point> {
     table.axis().1.iter().copied().zip(values).collect()
 }
 
-/// b − a where both stand at the same places.
+/// b − a where both have a point at the same abscissa.
 fn differences([first, second]: &[Vec<Point>; 2], column: &Column) -> Vec<Point> {
     let mut others = second.iter().peekable();
     let pairs = first.iter().filter_map(|(at, a)| {
@@ -134,7 +134,7 @@ fn differences([first, second]: &[Vec<Point>; 2], column: &Column) -> Vec<Point>
     pairs.collect()
 }
 
-/// What the axis of both curves shows: its name, and how a value stands there.
+/// What the axis of both curves shows: its name, and the number that it shows for a value.
 fn shown_values(column: &Column, scale: f64) -> (String, Box<dyn Fn(f64) -> f64>) {
     let name = column.name();
     if column.kind == ColumnKind::Measure("amplitude") && scale > 0.0 {

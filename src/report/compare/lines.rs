@@ -1,4 +1,4 @@
-//! Compares two spectra by their strongest lines, wherever these stand on the frequency axes.
+//! Compares two spectra by their strongest lines, whatever bins these are in.
 
 use super::rows::{Scales, distance};
 use super::rules::Allowance;
@@ -69,7 +69,7 @@ fn compare_column(
     let (mut taken, mut alone) = (Vec::new(), Vec::new());
     for (own, other) in [(0, 1), (1, 0)] {
         for (rank, line) in (1..).zip(lines[own].iter().take(count)) {
-            // the strongest stands first
+            // the strongest first
             let is_near = |other: &&Line| (other.frequency - line.frequency).abs() <= bin;
             let Some(partner) = lines[other].iter().find(is_near).copied() else {
                 // the other may have it too, though as no maximum of its own or too weak for a line

@@ -181,7 +181,7 @@ fn figure(
             let table = (*table)?;
             let values = table.values(column)?.iter().map(|value| factor * value);
             let points = table.axis().1.iter().copied().zip(values);
-            // the mean stands apart from what vibrates
+            // the mean is listed apart from what vibrates
             let points = points.filter(|(at, _)| !is_spectrum || *at > 0.0);
             let points = thinned(points, MOST_POINTS / runs.len());
             Some(Curve::line(distinct(index), points))

@@ -43,7 +43,7 @@ fn pair<'a>([first, second]: &'a [Source<'_>; 2], column: &Column) -> Option<[&'
     Some([first.values(column)?, second.values(column)?])
 }
 
-/// Which rows of two tables stand for each other: every so many of either.
+/// Which rows of two tables are compared: every so many of either.
 struct MatchedRows {
     steps: [usize; 2],
     rows: [usize; 2],

@@ -103,7 +103,7 @@ pub struct Rules {
     /// Compares what both results have; otherwise a file, a column or every other row that only one of
     /// them has is a difference.
     pub common: bool,
-    /// Compares spectra by this many of the strongest lines of every column, wherever they stand,
+    /// Compares spectra by this many of the strongest lines of every column, whatever their bins,
     /// instead of row by row; other tables are left out.
     pub lines: Option<usize>,
 }

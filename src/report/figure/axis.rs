@@ -145,7 +145,7 @@ impl Axis {
         }
     }
 
-    /// Where a value stands; at the lower end where it has no logarithm.
+    /// Place of a value; at the lower end where it has no logarithm.
     pub(super) fn place(&self, value: f64) -> f64 {
         match self.logarithmic {
             false => value,
@@ -154,7 +154,7 @@ impl Axis {
         }
     }
 
-    /// Whether a value stands on it.
+    /// Whether a value is within it.
     pub(super) fn holds(&self, value: f64) -> bool {
         let [from, to] = self.ends;
         let near = 1e-9 * (to - from).abs();

@@ -1,4 +1,4 @@
-//! Colours by what they stand for; the SVG file and the page each know what they look like.
+//! Colours by what they mean; the SVG file and the page each know what they look like.
 
 use serde::{Serialize, Serializer};
 

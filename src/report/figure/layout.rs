@@ -1,11 +1,11 @@
-//! Where the parts of a figure stand in a width, so that nothing is cut and no text covers another. The page's script
+//! Places of the parts of a figure in a width, so that nothing is cut and no text covers another. The page's script
 //! places them by the same rules.
 
 use super::text::{LINE, SIZE, shortened, width, wrapped};
 use super::ticks::{Tick, ticks};
 use super::{Axis, Colour, Figure, Mark, Name, Panel, Point};
 
-/// Least width of a column, px: narrower ones stand below each other.
+/// Least width of a column, px: narrower ones go below each other.
 const COLUMN: f64 = 260.0;
 /// Right of a plot, px.
 const MARGIN: f64 = 14.0;
@@ -13,7 +13,7 @@ const MARGIN: f64 = 14.0;
 const BAR: f64 = 74.0;
 /// Greatest height of a plot with an aspect, px.
 const HIGHEST: f64 = 460.0;
-/// What stands before a name, and the gap behind it, px.
+/// Width of the key before a name, and of the gap behind it, px.
 const BESIDE_NAME: f64 = 42.0;
 /// Between texts side by side, px.
 const APART: f64 = 8.0;
@@ -40,13 +40,13 @@ pub(super) struct StripName {
     pub top: f64,
 }
 
-/// Where a panel stands, px.
+/// Place of a panel, px.
 #[derive(Debug, Clone)]
 pub(super) struct Place<'a> {
     pub panel: &'a Panel,
     /// Left and right end of its column.
     pub column: [f64; 2],
-    /// Top of what stands above the plot.
+    /// Top of what is written above the plot.
     pub head: f64,
     pub title: Vec<String>,
     pub names: Vec<StripName>,
@@ -199,7 +199,7 @@ impl Place<'_> {
         self.x = [middle - half, middle + half];
     }
 
-    /// Where a point stands.
+    /// Place of a point, px.
     pub fn at(&self, (x, y): Point) -> (f64, f64) {
         let part = |value: f64, [from, to]: [f64; 2]| (value - from) / (to - from);
         let [x, y] = [
@@ -245,7 +245,7 @@ impl Place<'_> {
         tried.into_iter().find(are_apart).unwrap_or_default()
     }
 
-    /// Ticks to the left of the plot: how high they stand, and their texts.
+    /// Ticks to the left of the plot: their heights and texts.
     pub fn ticks_left(&self) -> Vec<(f64, String)> {
         let axis = &self.panel.y;
         let most = self.left - self.column[0] - APART;
@@ -268,7 +268,7 @@ impl Place<'_> {
         ticks.map(|tick| (height(tick.at), tick.text)).collect()
     }
 
-    /// The labels of the panel inside its plot; one that would cover another stands above or below it.
+    /// The labels of the panel inside its plot; one that would cover another moves above or below it.
     pub fn labels(&self) -> Vec<Placed> {
         let mut placed: Vec<Placed> = Vec::new();
         for (at, text, colour) in &self.panel.labels {
@@ -294,7 +294,7 @@ impl Place<'_> {
         placed
     }
 
-    /// The peaks that the plot shows, each with its point; a name that would cover a label or one before it stands higher, or
+    /// The peaks that the plot shows, each with its point; a name that would cover a label or one before it moves up, or
     /// is left out where there is no room either.
     pub fn peaks(&self) -> Vec<(Point, Placed)> {
         let mut taken = self.labels();

@@ -24,7 +24,7 @@ pub(crate) type Point = (f64, f64);
 pub(crate) struct Figure {
     /// Name of its file, without the ending.
     pub name: String,
-    /// What stands above it.
+    /// The title above it.
     pub title: String,
     /// What the colours mean, in all panels.
     pub names: Vec<Name>,
@@ -42,14 +42,14 @@ pub(crate) struct Figure {
 pub(crate) struct Name {
     pub text: String,
     pub colour: Colour,
-    /// What stands at the points of its curve, if that tells it apart.
+    /// The mark at the points of its curve, if that tells it apart.
     pub mark: Option<Mark>,
 }
 
 /// Curves and marks over two axes.
 #[derive(Debug, Clone, Default, Serialize)]
 pub(crate) struct Panel {
-    /// What stands above it, if anything.
+    /// The title above it, if it has one.
     pub title: String,
     /// What the colours mean in this panel.
     pub names: Vec<Name>,
@@ -94,18 +94,18 @@ pub(crate) struct Curve {
     pub beside: u8,
     /// What it is called, where that is more than its colour tells.
     pub name: String,
-    /// Of a study: the run that each point stands for, or each mark of a curve without points.
+    /// Of a study: the run that each point shows, or each mark of a curve without points.
     pub runs: Vec<u64>,
 }
 
-/// A rectangle between two corners, and what it stands for.
+/// A rectangle between two corners, and what it shows.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Cell {
     pub corners: [Point; 2],
     pub colour: Colour,
     /// The value that its colour or its length shows.
     pub value: f64,
-    /// Of a study: the run that it stands for.
+    /// Of a study: the run that it shows.
     pub run: Option<u64>,
 }
 
@@ -117,7 +117,7 @@ pub(crate) enum Mark {
     Spot,
     #[default]
     Dot,
-    /// A dot that stands alone.
+    /// A single dot.
     Disc,
     Triangle,
 }

@@ -30,7 +30,7 @@ pub(super) fn levels<S: Serializer>(levels: &[u8], serializer: S) -> Result<S::O
     serializer.serialize_str(&STANDARD.encode(levels))
 }
 
-/// Curves; one that stands over the abscissas of the curve before it has none of its own.
+/// Curves; one with the abscissas of the curve before it has none of its own.
 pub(super) fn curves<S: Serializer>(curves: &[Curve], serializer: S) -> Result<S::Ok, S::Error> {
     let mut before = None;
     let packed = curves.iter().map(|curve| {

@@ -272,7 +272,7 @@ fn stretches(points: &[Point]) -> Vec<std::ops::Range<usize>> {
 }
 
 /// The commands of a line through points, which is broken where one is not a number; points that are drawn on one spot
-/// stand once.
+/// are written once.
 fn path(points: impl IntoIterator<Item = Point>) -> String {
     let (mut path, mut command, mut before) = (String::new(), 'M', String::new());
     for (x, y) in points {

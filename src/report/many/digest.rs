@@ -297,7 +297,7 @@ impl Digest {
         out.table(header, rows);
     }
 
-    /// The digest as it stands in the document.
+    /// The digest as it is written into the document.
     fn json(&self) -> Value {
         let known = self.columns.iter().filter(|column| column.known > 0);
         let numbers: BTreeMap<_, _> = known.map(|of| (of.column.name(), of)).collect();

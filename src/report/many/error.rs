@@ -8,7 +8,7 @@ use crate::study::many::Unmade;
 /// Why a study did not come to its end, in words.
 #[derive(Debug, thiserror::Error)]
 pub enum StudyError {
-    /// The rows that stand there belong to other runs.
+    /// The rows in the file belong to other runs.
     #[error(
         "{} holds runs of another study: `{key}` was {there} there and is {here} now; undo the change, or \
          begin anew with --restart",
@@ -24,7 +24,7 @@ pub enum StudyError {
         /// Here.
         here: String,
     },
-    /// What stands there are no rows.
+    /// The file holds no rows of a study.
     #[error("{} holds no rows of a study; remove it, or begin anew with --restart", _0.display())]
     NoRows(PathBuf),
     /// Another process is at it.

@@ -13,7 +13,7 @@ use crate::study::many::RunRecord;
 
 /// Height of a plot, px.
 const ROW_HEIGHT: u32 = 272;
-/// Height of a plot that stands alone, px.
+/// Height of a single plot, px.
 const HEIGHT: u32 = 480;
 /// Most points of a curve that are marked.
 const MOST_MARKS: usize = 60;

@@ -80,7 +80,7 @@ pub(crate) fn finish(folder: RunFolder, rows: RowFile) -> Result<WrittenFindings
     })
 }
 
-/// Puts the parts of a study together, in the folder that they stand in: to the bytes of the study made in
+/// Puts the parts of a study together, in the folder that holds them: to the bytes of the study made in
 /// one piece.
 ///
 /// # Errors

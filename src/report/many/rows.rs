@@ -45,7 +45,7 @@ pub struct StudyHead {
     pub keep: Keep,
     /// Names of the numbers that the study keeps, where it names any.
     pub named: Option<Vec<String>>,
-    /// Whether the values were drawn instead of standing on a grid.
+    /// Whether the values were drawn instead of lying on a grid.
     pub drawn: bool,
     /// Whether runs go on from their neighbours.
     pub swept: bool,
@@ -91,8 +91,8 @@ pub(crate) struct RowFile {
 }
 
 impl RowFile {
-    /// Goes on with the rows of the same study, if they stand there, or else begins a file for them; a last row that a
-    /// kill has cut off is dropped. `anew` throws away what stands there.
+    /// Goes on with the rows of the same study, if the file has them, or else begins one for them; a last row that a
+    /// kill has cut off is dropped. `anew` throws away what the file has.
     pub fn open(path: &Path, head: StudyHead, anew: bool) -> Result<Self, StudyError> {
         let mut rows = Self::new(alone(path)?, path, head);
         let mut reader = rows.reader(0)?;

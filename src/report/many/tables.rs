@@ -11,7 +11,7 @@ use crate::report::{FileAction, PartialFile, ReportError, RunFolder, WholeFile};
 use crate::study::many::{AROUND, Ask, BearingStiffness, Outcome, RunRecord, TraceSeal};
 use crate::table::Column;
 
-/// What stands between two warnings of a run.
+/// Separator of two warnings of a run.
 const BETWEEN_WARNINGS: &str = " | ";
 
 /// The cells of a row, as texts.

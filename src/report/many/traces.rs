@@ -20,7 +20,7 @@ use crate::study::many::{KeptTrace, RunRecord, TraceSeal};
 /// Folder of the traces in that of the study.
 const FOLDER: &str = "traces";
 
-/// Where the traces of a study are kept; each stands there whole or not at all.
+/// Where the traces of a study are kept; each is there whole or not at all.
 #[derive(Debug)]
 pub struct Traces {
     folder: RunFolder,
@@ -32,7 +32,7 @@ impl Traces {
     /// Opens the folder of the traces in the folder of a study.
     ///
     /// # Errors
-    /// [`ReportError::File`] where it cannot be created, or a link stands there, which is not followed.
+    /// [`ReportError::File`] where it cannot be created, or a link is in its place, which is not followed.
     pub fn open(study: &Path, channels: Vec<Channel>) -> Result<Self, ReportError> {
         let folder = RunFolder::of_any(&study.join(FOLDER), FileSet::RUNS)?;
         Ok(Self { folder, channels })
@@ -64,10 +64,10 @@ fn other(error: ReportError) -> io::Error {
     io::Error::other(error.to_string())
 }
 
-/// Whether traces stand in the folder of a study.
+/// Whether the folder of a study has traces.
 ///
 /// # Errors
-/// [`ReportError::File`] where a link stands there in their place: what it leads to belongs to nobody here.
+/// [`ReportError::File`] where a link is in their place: what it leads to belongs to nobody here.
 pub(super) fn stand(study: &Path) -> Result<bool, ReportError> {
     let path = study.join(FOLDER);
     match fs::symlink_metadata(&path) {
@@ -203,7 +203,7 @@ fn seal(sum: Checksum) -> TraceSeal {
     }
 }
 
-/// Looks whether the traces of some rows stand in the folder of their study, each as its run has written it.
+/// Checks that the folder of a study has the traces of some rows, each as its run has written it.
 ///
 /// # Errors
 /// [`StudyError::Trace`] names the first that does not.

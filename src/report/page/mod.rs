@@ -64,7 +64,7 @@ impl Page<'_> {
             ("sealed", escaped(self.sealed)),
             ("version", env!("CARGO_PKG_VERSION").to_owned()),
             ("style", STYLE.to_owned()),
-            // no text in the data can end the element that it stands in
+            // no text in the data can end the element that holds it
             ("data", data.to_string().replace('<', "\\u003c")),
             ("script", SCRIPTS.concat()),
         ];
@@ -115,7 +115,7 @@ fn fill(frame: &str, parts: &[(&str, String)], out: &mut impl Write) -> io::Resu
     Ok(())
 }
 
-/// Text as it may stand in HTML.
+/// Text with the characters that HTML reserves escaped.
 fn escaped(text: &str) -> String {
     let mut html = String::with_capacity(text.len());
     for c in visible(text).chars() {

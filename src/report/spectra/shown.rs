@@ -20,13 +20,13 @@ pub(in crate::report) struct ShownSpectrum<'a> {
     pub unit: String,
     /// How many of it make one of the columns'.
     pub factor: f64,
-    /// What they stand over, and its places.
+    /// The abscissa: its column and values.
     pub over: (&'a Column, &'a [f64]),
     /// Places that are shown at first.
     pub shown: Range<f64>,
     /// Each with its name.
     pub columns: Vec<(String, Cow<'a, [f64]>)>,
-    /// What stands out.
+    /// Peaks with names.
     pub peaks: Vec<ShownPeak>,
 }
 

@@ -18,7 +18,7 @@ use crate::table::{Column, ColumnKind};
 const GROUP: usize = 1 << 20;
 
 /// Writes a table in row groups of about 8 MiB, plainly encoded; `jeffcott_version` and `scenario_json`
-/// stand in the metadata of the file.
+/// are in the metadata of the file.
 ///
 /// Real numbers are of type DOUBLE, NaN where there is none; whole numbers are INT32, null where there is none; words UTF-8.
 pub struct ParquetTable<W: Write + Send> {

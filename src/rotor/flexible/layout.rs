@@ -16,8 +16,8 @@ const LEAST_MODES: usize = 4;
 /// Most of them.
 const MOST_MODES: usize = 20;
 
-/// Where coordinates stand: x and θy of each point and the modes of their plane, then y, θx and modes of the other plane, so
-/// that the matrices of the shaft consist of blocks, and last z of all points.
+/// Order of the coordinates: x and θy of each point and the modes of their plane, then y, θx and modes of the other plane,
+/// so that the matrices of the shaft consist of blocks, and last z of all points.
 #[derive(Debug, Clone, Copy)]
 struct Layout {
     points: usize,

@@ -40,8 +40,8 @@ impl Mesh {
     /// q = T (q_b, η),   T = [ I 0 ; −K_ii⁻¹ K_ib  Φ ],   K_ii Φ = M_ii Φ Λ,   Φᵀ M_ii Φ = I
     /// ```
     ///
-    /// Fewer modes stand where the shaft has no more inside. Static deflections under forces at the points, and the inertia
-    /// of motions as a rigid body, are exact with any number of modes.
+    /// There are fewer modes where the shaft has no more inside. Static deflections under forces at the points, and the
+    /// inertia of motions as a rigid body, are exact with any number of modes.
     ///
     /// Source: R. R. Craig & M. C. C. Bampton, *AIAA J.* 6 (1968) 1313–1319.
     ///

@@ -27,7 +27,7 @@ pub struct NoiseBand {
 /// f_k = f_low + (k + u_k)(f_high − f_low)/N,     φ_k = 2π u'_k,   u, u' uniform in 0 … 1
 /// ```
 ///
-/// Exactly limited to its band and a pure function of time. The frequencies stand irregularly, so
+/// Exactly limited to its band and a pure function of time. The frequencies are irregular, so
 /// it does not repeat; its values are Gaussian for many lines. Components are independent. An
 /// evaluation costs N cosines for each component that is not zero.
 ///

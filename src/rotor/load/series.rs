@@ -48,7 +48,7 @@ pub enum SeriesError {
     NotFinite {
         /// Row, from 1.
         row: usize,
-        /// What stands there.
+        /// The value.
         value: f64,
     },
     /// A time does not come after the one before it.
@@ -135,7 +135,7 @@ impl Series {
         sum
     }
 
-    /// Its largest distance from the first row, as a load that stands.
+    /// Its largest distance from the first row, as an amplitude at frequency zero.
     pub fn main_vibration(&self) -> MainVibration {
         let mut amplitude = [0.0; 5];
         for column in &self.columns {
