@@ -1,6 +1,6 @@
-//! `jeffcott` simulates a shaft that spins on ball bearings: a rigid, eccentric mass (a Jeffcott rotor), or sections and
-//! discs that bend, whose restoring force is the quasi-static model of real bearings. A scenario goes in; traces,
-//! spectra and the measured error of the answer come out.
+//! `jeffcott` simulates a shaft that spins on ball bearings. The shaft is a rigid, eccentric mass (a Jeffcott rotor), or
+//! consists of sections and discs and bends; the force that holds it is that of the quasi-static model of real bearings. A
+//! scenario goes in; traces, spectra and the measured error of the answer come out.
 //!
 //! The command and its reports are the feature `command`, on by default. With `default-features = false` the library has
 //! all floors below but `cli`, `ask` and [`report`], and a third fewer packages.
@@ -26,12 +26,14 @@
 //! | [`bearing`] | geometry, catalogue, laws of a ball, the ring that sums over balls, equilibrium, life, friction |
 //! | [`physics`] | closed-form laws: material, curvature, Hertz contact, films, kinematics, friction |
 //!
-//! Below them `keys` names quantities in results, and `numerics` has what knows nothing of bearings and shafts: roots,
-//! eigenvectors, products of matrices that have blocks of zeros, steps compiled for wide registers.
+//! Below them `table` has columns that know their quantity and unit, `keys` names quantities in results, and `numerics` has
+//! what knows nothing of bearings and shafts: roots, eigenvectors, products of matrices that have blocks of zeros, steps
+//! compiled for wide registers.
 //!
 //! A ball law, `bearing::BallLaw`, is a pure function from the position of a ball's inner groove centre to the force
 //! there, written once for plain numbers, for balls side by side and for numbers with slopes. A `bearing::Ring`
-//! visits the balls once and sums over them. The `rotor::Rotor` is an `integrate::System` and never knows which law
+//! visits the balls once and sums over them. A `rotor::Rotor` holds a linear part, the elements at their attachments, which
+//! know where and how turned each sits, and what excites the shaft. It is an `integrate::System` and never knows which law
 //! runs; a `rotor::Sample` is what is observed of it, and [`analysis::Channel`] lists its columns.
 //!
 //! [`seed_paper`] holds no code: it says figure by figure where the paper that the crate started from
