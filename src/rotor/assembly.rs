@@ -130,7 +130,7 @@ impl Rotor {
 }
 
 impl LinearPart {
-    /// That of a structure with its stiffness `tangent` at the static equilibrium, ball bearings included.
+    /// The linear part of a structure with its stiffness `tangent` at the static equilibrium, ball bearings included.
     fn assemble(
         structure: &Structure,
         definition: &RotorDefinition,

@@ -30,7 +30,7 @@ pub enum Freedoms {
 }
 
 impl Freedoms {
-    /// Those of x, y, z, θx, θy, counted from 0, that move.
+    /// Indices of the components that move: 0 … 4 for x, y, z, θx, θy.
     pub fn axes(self) -> &'static [usize] {
         match self {
             Self::Radial => &[0, 1],
@@ -55,7 +55,7 @@ impl Freedoms {
         self.moves(3)
     }
 
-    /// Those of them that are left with z held.
+    /// The freedoms that are left with z held.
     pub fn without_z(self) -> Self {
         if self.tilts() {
             Self::Lateral

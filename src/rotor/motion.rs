@@ -23,7 +23,7 @@ use crate::numerics::registers::in_wide_registers;
 /// ```
 ///
 /// q are its degrees of freedom, B_b takes from them the displacement between the points that the rings of bearing b
-/// sit at, F_b is the force that moves its inner ring there against the damping of the contacts, and f are the
+/// sit at, F_b is the force that holds its inner ring there and moves it against the damping of the contacts, and f are the
 /// unbalances, the weight and the loads. H is of damping inside a shaft that bends, which drives a forward whirl. Of a
 /// rigid shaft on ball bearings on the ground, K = H = 0 and
 ///

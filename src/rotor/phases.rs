@@ -10,9 +10,9 @@ use crate::bearing::Angle;
 pub(super) struct Phases {
     /// cos ψ and sin ψ of the shaft.
     pub shaft: Angle,
-    /// Those of a cage that turns by `ratio` of the shaft's angle.
+    /// cos ψ_c and sin ψ_c of a cage that turns by `ratio` of the shaft's angle.
     pub cage: Angle,
-    /// That ratio.
+    /// ψ_c/ψ.
     pub ratio: f64,
 }
 

@@ -16,7 +16,7 @@ impl Point {
     pub const RIGID_SHAFT: Self = Self {
         coordinates: [0, 1, 2, 3, 4],
     };
-    /// That of a rigid shaft whose z is held while its tilts move: what is held comes last.
+    /// The centre of mass of a rigid shaft whose z is held while its tilts move: what is held comes last.
     pub const WITHOUT_Z: Self = Self {
         coordinates: [0, 1, 4, 2, 3],
     };

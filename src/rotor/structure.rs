@@ -37,7 +37,7 @@ pub(super) struct Matrices {
 }
 
 impl Matrices {
-    /// Those of masses alone.
+    /// Matrices of masses alone: no gyroscopic moments, stiffness or damping.
     fn from_masses(masses: &DVector<f64>) -> Self {
         let nothing = DMatrix::zeros(masses.len(), masses.len());
         Self {
@@ -127,7 +127,7 @@ impl Structure {
         }
     }
 
-    /// That of a definition.
+    /// The structure of a definition: its shaft, rigid or one that bends, with housings and what vibrates on them.
     ///
     /// # Errors
     /// [`ShaftError`] where a shaft that bends cannot be built.
@@ -155,7 +155,7 @@ impl Structure {
         Ok(structure)
     }
 
-    /// That of a rigid shaft by itself.
+    /// The structure of a rigid shaft, without housings.
     fn rigid_shaft(definition: &RotorDefinition) -> Self {
         let shaft = &definition.shaft;
         let (mass, inertia) = (shaft.mass, shaft.inertia_transverse);

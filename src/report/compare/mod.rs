@@ -67,7 +67,7 @@ pub(crate) fn document(comparisons: &[Comparison]) -> Value {
 
 /// Tables of a run folder.
 const TABLES: [&str; 2] = ["trace.csv", "spectrum.csv"];
-/// Those that are compared by lines.
+/// Tables that may be compared by lines.
 const SPECTRA: [&str; 1] = ["spectrum.csv"];
 
 /// Compares two CSV files, or `trace.csv` and `spectrum.csv` of two run folders.

@@ -288,7 +288,7 @@ fn alone(path: &Path) -> Result<File, StudyError> {
 pub(crate) struct Rows(Vec<RowFile>);
 
 impl Rows {
-    /// Those of one file.
+    /// The rows of one file.
     pub fn from_one(rows: RowFile) -> Self {
         Self(vec![rows])
     }

@@ -63,7 +63,7 @@ impl Digest {
     }
 }
 
-/// Those of the displacements that are lengths, with their places.
+/// The displacements that are lengths, each with its index.
 fn lengths(displacements: &[Channel]) -> Vec<(usize, Channel)> {
     let all = displacements.iter().copied().enumerate();
     all.filter(|(_, channel)| channel.unit() == "m").collect()

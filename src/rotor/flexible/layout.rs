@@ -173,7 +173,7 @@ impl FlexibleShaft {
 }
 
 impl Structure {
-    /// That of a shaft that bends, by itself.
+    /// The structure of a shaft that bends, without housings.
     ///
     /// # Errors
     /// [`ShaftError`] where positions lie beyond the shaft or it cannot be reduced.
