@@ -6,6 +6,7 @@ use crate::bearing::{BearingRotation, Facing, MountedBearing, Preload, Vector5};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
+use crate::rotor::Attachment;
 use crate::tests::support::{bearing, law, mounted, ring, ring_from, supports};
 
 /// Displacements of tens of micrometres, loaded balls and free ones.
@@ -51,8 +52,14 @@ fn turned(vector: &Vector5, angle: f64) -> Vector5 {
     ]
 }
 
-fn force_of(mounted: MountedBearing, displacement: &Vector5) -> Vector5 {
-    supports(&[mounted])[0].force(displacement, &BearingRotation::at_start(0.0))
+/// Force of a rigid shaft, displaced at its centre of mass, onto a bearing, moments about that.
+fn force_of(mounted: MountedBearing, shaft: &Vector5) -> Vector5 {
+    let attachment = Attachment::of_rigid_shaft(mounted.position, mounted.facing);
+    let displacement = attachment.displacement(shaft, &[]);
+    let own = supports(&[mounted])[0].force(&displacement, &BearingRotation::at_start(0.0));
+    let mut force = [0.0; 5];
+    attachment.add_force(1.0, &own, &mut force);
+    force
 }
 
 /// Σ (2/5) K_n δ^(5/2) over all balls, in J, by the formula of the groove centres.
@@ -203,8 +210,7 @@ proptest! {
 fn wider_registers_give_the_same_bytes() {
     let bearing = bearing("7205C");
     let (ring, support) = (ring(&bearing), &supports(&[mounted(bearing)])[0]);
-    // the mounted bearing adds a zero lever, which turns −0 into 0
-    let bits = |force: &Vector5| force.map(|part| (part + 0.0).to_bits());
+    let bits = |force: &Vector5| force.map(f64::to_bits);
     for step in 0..2000 {
         let t = 0.01 * f64::from(step);
         let place = [
