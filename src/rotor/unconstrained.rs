@@ -184,17 +184,24 @@ impl FreeDirections {
     }
 
     /// Freedoms in which neither the scene says where the motion starts nor anything drives it. A
-    /// combination is driven, and starts, by any of its freedoms.
+    /// combination is driven, and starts, by any of its freedoms; x and θy, or y and θx, by each other, as only a shaft
+    /// that is its own mirror image moves in one of them alone.
     fn without_start(&self, definition: &RotorDefinition, rotor: &Rotor) -> Vec<usize> {
         let (initial, driven) = (&definition.initial, rotor.driven(self.contact));
         let given = |axis: usize| {
             initial.displacement[axis].is_some()
                 || initial.velocity[axis].is_some_and(|velocity| velocity != 0.0)
         };
+        let shaft = &rotor.structure.shaft;
+        let of_plane_driven = |axis: usize| {
+            let other = [4, 3, 2, 1, 0][axis];
+            driven.get(shaft.coordinates[other]) == Some(&true)
+        };
         let known = |dof: &usize| {
             driven[*dof]
+                || shaft.axis_of(*dof).is_some_and(of_plane_driven)
                 || initial.from == InitialPosition::Origin
-                || rotor.structure.shaft.axis_of(*dof).is_some_and(given)
+                || shaft.axis_of(*dof).is_some_and(given)
         };
         let mut lost = self.axes(WHOLLY);
         let mut combined = self.axes(PARTLY);

@@ -315,7 +315,7 @@ fn bearings_are_written_as_ross_reads_them() {
         assert!((ratio - 1.0).abs() < 1e-12, "run {run}: {ratio}");
     }
     let map = fs::read_to_string(folder.join("map.svg")).expect("a figure");
-    assert!(map.contains("stiffness z in N/m"));
+    assert!(map.contains("stiffness z in N/µm"));
     // at 1600 rad/s the least preload holds the shaft less stiffly than at 100 rad/s
     assert!(whole[5] < 0.99 * whole[0], "{} {}", whole[0], whole[5]);
     for (bearing, place) in (1..=2).flat_map(|bearing| (1..=5).map(move |place| (bearing, place))) {

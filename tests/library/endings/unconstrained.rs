@@ -3,7 +3,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::bearing::ContactLaw;
+use crate::bearing::{ContactLaw, MountedBearing};
 use crate::rotor::load::{Harmonic, HarmonicRate};
 use crate::rotor::{
     CageMotion, Damping, Freedoms, InitialPosition, InitialState, Load, LoadKind, Rotor,
@@ -198,6 +198,32 @@ fn the_axial_freedom_alone_is_named() {
         panic!("{error}");
     };
     assert_eq!(unconstrained.freedoms, "z");
+}
+
+/// Two bearings that hang on a ball right below each, as far before the centre of mass as behind it: passing balls move x, and by
+/// symmetry nothing moves θy, which nothing holds either. It is a scene all the same.
+#[test]
+fn a_tilt_that_symmetry_keeps_still_is_no_reason_to_refuse() {
+    let mut definition = floating();
+    definition.shaft = crate::rotor::Shaft {
+        inertia_transverse: 0.01,
+        inertia_polar: 0.004,
+        ..shaft(Freedoms::Lateral)
+    };
+    definition.speed = 300.0;
+    definition.loads = constant([0.0, -10.0, 0.0, 0.0, 0.0]);
+    let own = MountedBearing {
+        first_ball: -FRAC_PI_2,
+        ..definition.bearings[0].clone()
+    };
+    definition.bearings = [-0.03, 0.03]
+        .map(|position| MountedBearing {
+            position,
+            ..own.clone()
+        })
+        .to_vec();
+    let text = warning(definition);
+    assert!(text.contains("x") && text.contains("tilt_y"), "{text}");
 }
 
 /// A shaft that hangs on one of three balls, which stands at −45°: held along the contact, free across.
