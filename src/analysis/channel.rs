@@ -461,7 +461,7 @@ impl Channel {
     /// Columns of the bodies besides the shaft that are observed and move along the first `axes` of x, y, z.
     pub(crate) fn of_bodies(rotor: &RotorDefinition, axes: usize) -> impl Iterator<Item = Self> {
         let bodies = rotor.bodies().into_iter();
-        let observed = bodies.filter(|body| Body::all().any(|own| own == *body));
+        let observed = bodies.filter(|body| body.is_observed());
         observed.flat_map(move |body| Self::of_body(body, axes))
     }
 

@@ -93,7 +93,7 @@ impl Rotor {
         let speed = definition.speed_profile()?;
         let load = structure.static_load(definition);
         let StaticPlace {
-            structure,
+            mut structure,
             coordinates: rest,
             stiffness: tangent,
             equilibrium,
@@ -109,10 +109,10 @@ impl Rotor {
         let free = FreeDirections::find(&structure, definition, &supports, &tangent);
         let linear = LinearPart::assemble(&structure, definition, &tangent)?;
         let on_rigid_shaft = structure.is_rigid();
-        let elements = structure.elements(definition, supports);
+        let elements = structure.take_elements(definition, supports);
         Ok(Self {
             elements: Elements::new(elements, definition.cage, on_rigid_shaft),
-            excitation: structure.excitation(definition, speed, constant_force),
+            excitation: structure.take_excitation(definition, speed, constant_force),
             linear,
             start: Start {
                 from: definition.initial.from,
@@ -163,25 +163,24 @@ impl LinearPart {
 }
 
 impl Structure {
-    /// Its bearings as elements, in the order of the scene.
-    fn elements(
-        &self,
+    /// Takes its bearings as elements, in the order of the scene.
+    fn take_elements(
+        &mut self,
         definition: &RotorDefinition,
         supports: Vec<Support>,
     ) -> Vec<AttachedElement> {
-        let supports = supports.into_iter().zip(&self.attachments);
+        let supports = supports
+            .into_iter()
+            .zip(std::mem::take(&mut self.attachments));
         let balls = definition.ball_places().into_iter().zip(supports);
         let balls = balls.map(|(number, (support, attachment))| {
             let element = Element::BallBearing(Box::new(support));
-            (number, *attachment, element)
+            (number, attachment, element)
         });
-        let linear = definition.linear_bearings.iter().zip(&self.linear);
+        let linear = std::mem::take(&mut self.linear).into_iter();
+        let linear = definition.linear_bearings.iter().zip(linear);
         let linear = linear.map(|(own, (attachment, element))| {
-            (
-                own.place,
-                *attachment,
-                Element::Linear(Box::new(element.clone())),
-            )
+            (own.place, attachment, Element::Linear(Box::new(element)))
         });
         let mut elements: Vec<_> = balls.chain(linear).collect();
         elements.sort_by_key(|(number, ..)| *number);
@@ -193,24 +192,30 @@ impl Structure {
         attached.collect()
     }
 
-    /// What drives it from outside at a speed.
-    fn excitation(
-        &self,
+    /// Takes what drives it from outside at a speed.
+    fn take_excitation(
+        &mut self,
         definition: &RotorDefinition,
         speed: SpeedProfile,
         constant_force: Vec<f64>,
     ) -> Excitation {
-        let loads = definition.loads.iter().zip(&self.load_places);
-        let (loads, load_places) = loads
+        let places = std::mem::take(&mut self.load_places);
+        let (loads, load_places) = definition
+            .loads
+            .iter()
+            .zip(places)
             .filter(|(load, _)| load.as_constant().is_none())
-            .map(|(load, place)| (load.clone(), *place))
+            .map(|(load, place)| (load.clone(), place))
             .unzip();
-        let inertia = |axis| self.inertia_along(axis).as_slice()[..self.dofs].to_vec();
+        let base_inertia = [0, 1, 2].map(|axis| {
+            let inertia = self.inertia_along(axis);
+            inertia.as_slice()[..self.dofs].to_vec()
+        });
         Excitation {
             speed,
             drive: definition.drive,
             inertia_polar: definition.shaft.inertia_polar,
-            unbalances: self.unbalances.clone(),
+            unbalances: std::mem::take(&mut self.unbalances),
             loads,
             load_places,
             constant_force,
@@ -218,7 +223,7 @@ impl Structure {
                 true => STANDARD_GRAVITY,
                 false => 0.0,
             },
-            base_inertia: [inertia(0), inertia(1), inertia(2)],
+            base_inertia,
         }
     }
 

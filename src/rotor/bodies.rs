@@ -35,6 +35,11 @@ impl Body {
         }
     }
 
+    /// Whether it is observed.
+    pub(crate) fn is_observed(self) -> bool {
+        self.index() < 2 * MOST_HOUSINGS
+    }
+
     /// Its place in [`BodyMotions`]; beyond them where it is not observed.
     pub(crate) fn index(self) -> usize {
         match self {

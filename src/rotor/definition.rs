@@ -219,7 +219,7 @@ impl RotorDefinition {
         let observed = self.flexible.as_ref().map_or(0.0, |own| own.observed);
         let bearings = self.bearings.iter();
         let attachments =
-            bearings.map(|own| Attachment::of_rigid_shaft(own.position - observed, own.facing));
+            bearings.map(|own| Attachment::on_rigid_shaft(own.position - observed, own.facing));
         attachments.collect()
     }
 

@@ -231,25 +231,16 @@ impl AttachedElement {
 
     /// Its motion at an instant.
     fn motion(&self, at: &Instant<'_>) -> ElementMotion {
-        match &self.element {
-            Element::BallBearing(support) => motion(&self.attachment, support, at),
-            Element::Linear(_) => ElementMotion {
-                displacement: self.attachment.displacement(at.place, at.rest),
-                rate: self.attachment.rate(at.velocity),
-                // no force of constant coefficients depends on an angle
-                rotation: BearingRotation::at_start(at.rotation.speed),
-            },
-        }
+        let rotation = match &self.element {
+            Element::BallBearing(support) => seen_by(support, at.rotation, &at.phases),
+            // no force of constant coefficients depends on an angle
+            Element::Linear(_) => BearingRotation::at_start(at.rotation.speed),
+        };
+        self.attachment.motion(at, rotation)
     }
 }
 
 impl AttachedBearing<'_> {
-    /// Displacement of its inner ring's place from the outer one's.
-    #[inline(always)]
-    pub fn displacement(&self, place: &[f64], rest: &[f64]) -> Vector5 {
-        self.attachment.displacement(place, rest)
-    }
-
     /// dψ_c/dψ, how far its cage turns with the shaft, at an angle ψ of the shaft.
     pub fn cage_rate(&self, angle: f64) -> f64 {
         let ratio = self.support.cage_ratio();
@@ -259,16 +250,19 @@ impl AttachedBearing<'_> {
 
     /// Its motion at an instant.
     pub fn motion(&self, at: &Instant<'_>) -> ElementMotion {
-        motion(self.attachment, self.support, at)
+        let rotation = seen_by(self.support, at.rotation, &at.phases);
+        self.attachment.motion(at, rotation)
     }
 }
 
-/// Motion of a ball bearing at an instant.
-fn motion(attachment: &Attachment, support: &Support, at: &Instant<'_>) -> ElementMotion {
-    ElementMotion {
-        displacement: attachment.displacement(at.place, at.rest),
-        rate: attachment.rate(at.velocity),
-        rotation: seen_by(support, at.rotation, &at.phases),
+impl Attachment {
+    /// Motion of an element there at an instant, which sees a rotation.
+    fn motion(&self, at: &Instant<'_>, rotation: BearingRotation) -> ElementMotion {
+        ElementMotion {
+            displacement: self.displacement(at.place, at.rest),
+            rate: self.rate(at.velocity),
+            rotation,
+        }
     }
 }
 

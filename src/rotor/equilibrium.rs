@@ -96,7 +96,7 @@ impl StaticProblem<'_> {
         let mut structure = Structure::rigid([0.0; FREEDOMS], Freedoms::All);
         let definitions = self.supports.iter().map(Support::definition);
         let attachments =
-            definitions.map(|own| Attachment::of_rigid_shaft(own.position, own.facing));
+            definitions.map(|own| Attachment::on_rigid_shaft(own.position, own.facing));
         structure.attachments = attachments.collect();
         let mut load = vec![0.0; FREEDOMS];
         structure.shaft.add_force(1.0, &self.load, &mut load);

@@ -174,8 +174,7 @@ impl Rotor {
 
     /// Displacement between the rings of a bearing at the static equilibrium.
     pub(super) fn static_displacement(&self, bearing: &AttachedBearing<'_>) -> Vector5 {
-        let rest = &self.start.rest;
-        bearing.displacement(&rest[..self.dofs()], rest)
+        bearing.attachment.displacement(&self.start.rest, &[])
     }
 
     /// Places and velocities of the degrees of freedom in a state.

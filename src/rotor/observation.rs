@@ -174,7 +174,7 @@ impl Rotor {
             let frozen = bearing.support.known_balls() == 0;
             frozen.then(|| {
                 let rest = &self.start.rest;
-                let displacement = bearing.displacement(&state[..self.dofs()], rest);
+                let displacement = bearing.attachment.displacement(&state[..self.dofs()], rest);
                 bearing.support.hertz_approach(&displacement, &rotation)
             })
         })

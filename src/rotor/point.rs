@@ -128,7 +128,7 @@ impl Attachment {
 
     /// Of an element at a position in m from the centre of mass of a rigid shaft, whose displacement x, y, z, θx, θy are the
     /// coordinates.
-    pub(crate) fn of_rigid_shaft(position: f64, facing: Facing) -> Self {
+    pub(crate) fn on_rigid_shaft(position: f64, facing: Facing) -> Self {
         let inner = Place {
             point: Point::RIGID_SHAFT,
             arm: position,
@@ -258,7 +258,7 @@ mod tests {
 
     #[test]
     fn stiffness_and_forces_are_those_of_one_map() {
-        let mut attachment = Attachment::of_rigid_shaft(0.3, Facing::MinusZ);
+        let mut attachment = Attachment::on_rigid_shaft(0.3, Facing::MinusZ);
         attachment.outer = Some(Place {
             point: Point {
                 coordinates: [5, 6, 7, usize::MAX, usize::MAX],

@@ -84,7 +84,7 @@ pub(super) struct Structure {
     pub followers: DMatrix<f64>,
     /// Masses on the ground that bearings sit in, and what vibrates on them.
     pub bodies: Vec<BodyPoint>,
-    /// Where the ball bearings sit.
+    /// Where the ball bearings sit; with all below, a rotor takes it over into its elements and its excitation.
     pub attachments: Vec<Attachment>,
     /// The bearings of constant stiffness, and where they sit.
     pub linear: Vec<(Attachment, LinearElement)>,

@@ -147,10 +147,7 @@ const REGAINED_SHARE: f64 = 1e-8;
 
 #[cfg(test)]
 mod tests {
-    use crate::bearing::{
-        Ball, BallLaw, ContactDamping, ContactLaw, Facing, HertzFilmLaw, Imperfections,
-        MountedBearing, Oil, Preload, Support, catalogue,
-    };
+    use crate::bearing::{Ball, BallLaw, HertzFilmLaw, MountedBearing, Oil, Support, catalogue};
 
     /// The approach of the band is that at which the law itself bears the load of the band.
     #[test]
@@ -162,16 +159,8 @@ mod tests {
             pressure_viscosity: 2.2e-8,
         };
         let mounted = MountedBearing {
-            bearing,
-            law: ContactLaw::Hertz,
             oil: Some(oil),
-            position: 0.0,
-            facing: Facing::PlusZ,
-            preload: Preload::AxialOffset(0.0),
-            contact_damping: ContactDamping::default(),
-            first_ball: 0.0,
-            imperfections: Imperfections::default(),
-            housing: None,
+            ..MountedBearing::new(bearing)
         };
         let support = Support::new(&mounted, 0.0).expect("a support");
         let band = support.contact_band(700.0);

@@ -29,7 +29,7 @@ const LAWS: [(ContactLaw, Option<Oil>); 5] = [
 /// State of a bearing with its shaft at a place.
 fn state_at(bearing: &MountedBearing, place: Vector5, speed: f64) -> BearingState {
     let support = Support::new(bearing, speed).expect("a bearing that can be mounted");
-    let attachment = Attachment::of_rigid_shaft(bearing.position, bearing.facing);
+    let attachment = Attachment::on_rigid_shaft(bearing.position, bearing.facing);
     let displacement = attachment.displacement(&place, &[]);
     support.state(&displacement, speed, CageMotion::default())
 }

@@ -54,7 +54,7 @@ fn turned(vector: &Vector5, angle: f64) -> Vector5 {
 
 /// Force of a rigid shaft, displaced at its centre of mass, onto a bearing, moments about that.
 fn force_of(mounted: MountedBearing, shaft: &Vector5) -> Vector5 {
-    let attachment = Attachment::of_rigid_shaft(mounted.position, mounted.facing);
+    let attachment = Attachment::on_rigid_shaft(mounted.position, mounted.facing);
     let displacement = attachment.displacement(shaft, &[]);
     let own = supports(&[mounted])[0].force(&displacement, &BearingRotation::at_start(0.0));
     let mut force = [0.0; 5];
