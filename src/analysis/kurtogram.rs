@@ -1,6 +1,6 @@
 //! Where in a spectrum something knocks: the band whose envelope has the largest kurtosis.
 
-use super::estimation::envelope;
+use super::estimation::Envelopes;
 
 /// Levels of the tree of bands at most: bands down to a 64th of the range.
 const MOST_LEVELS: u32 = 6;
@@ -35,30 +35,23 @@ pub struct ImpulsiveBand {
 pub fn impulsive_band(samples: &[f64], rate: f64) -> Option<ImpulsiveBand> {
     let levels = samples.len().checked_ilog2()?.checked_sub(FEWEST)?;
     let faded = faded(samples);
-    let whole = faded.iter().map(|value| value * value).sum::<f64>();
+    let squares = faded.iter().map(|value| value * value);
+    let power = squares.sum::<f64>() / faded.len() as f64;
     let halves = (1..=levels.min(MOST_LEVELS)).flat_map(|level| [1 << level, 3 << (level - 1)]);
     let bands = halves.flat_map(|count: u32| {
         let width = 0.5 * rate / f64::from(count);
         (0..count).map(move |band| [0, 1].map(|edge| width * f64::from(band + edge)))
     });
+    let mut envelopes = Envelopes::new(&faded, rate);
     let kurtosis = |band: [f64; 2]| {
-        let envelope = envelope(&faded, rate, band);
-        let [second, fourth] = moments(&envelope);
+        let [second, fourth] = envelopes.mean_powers(band);
         // half of the square of an envelope is power
-        let loud = 0.5 * second > LEAST_POWER * whole;
-        let kurtosis = fourth * envelope.len() as f64 / (second * second) - 2.0;
+        let loud = 0.5 * second > LEAST_POWER * power;
+        let kurtosis = fourth / (second * second) - 2.0;
         (loud && kurtosis.is_finite()).then_some(ImpulsiveBand { band, kurtosis })
     };
     let found = bands.filter_map(kurtosis);
     found.max_by(|a, b| a.kurtosis.total_cmp(&b.kurtosis))
-}
-
-/// Σ e² and Σ e⁴.
-fn moments(envelope: &[f64]) -> [f64; 2] {
-    envelope.iter().fold([0.0; 2], |[second, fourth], value| {
-        let square = value * value;
-        [second + square, fourth + square * square]
-    })
 }
 
 /// The signal about its mean, faded in and out.

@@ -29,7 +29,7 @@ pub(crate) use estimation::{
 };
 pub use estimation::{EnvelopeLine, EstimatedSpectrum, SpectrumColumn, SpectrumQuantity};
 #[cfg(test)]
-pub(crate) use estimation::{Welch, envelope};
+pub(crate) use estimation::{Envelopes, Welch};
 use hermite::Hermite;
 pub use line_kind::{Characteristic, LineKind};
 pub(crate) use motion::{ChannelLevel, Section, SectionKind, VelocityLevel};

@@ -1,6 +1,7 @@
 //! Spectra as people of signal processing ask for them: scalings, windows, averages, orders,
 //! envelopes, whirls, cross spectra.
 
+mod envelope;
 mod envelope_lines;
 mod interpolation;
 mod request;
@@ -8,11 +9,12 @@ mod welch;
 
 use std::borrow::Cow;
 
+pub use envelope::Envelopes;
 pub use request::{
     Axis, EnvelopeLine, EstimateError, EstimatedSpectrum, Resampling, Scaling, Segment,
     SpectrumColumn, SpectrumKind, SpectrumQuantity, SpectrumRequest,
 };
-pub use welch::{Detrend, Welch, envelope};
+pub use welch::{Detrend, Welch};
 
 use super::kurtogram::impulsive_band;
 use super::spectrum::FEWEST_SAMPLES;
@@ -231,7 +233,9 @@ fn signal<'a>(
     let skipped = recording.length() % recording.grid.block();
     let samples = &recording.channel(channel)[skipped..];
     match request.kind {
-        SpectrumKind::Envelope { band } => Cow::from(envelope(samples, recording.grid.rate, band)),
+        SpectrumKind::Envelope { band } => {
+            Cow::from(Envelopes::new(samples, recording.grid.rate).envelope(band))
+        }
         _ => Cow::from(samples),
     }
 }

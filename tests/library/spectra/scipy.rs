@@ -1,6 +1,6 @@
 //! Agreement with SciPy to 1e-12 of the largest value, window by window and case by case.
 
-use crate::analysis::{Detrend, Scaling, Transform, Welch, Window, envelope};
+use crate::analysis::{Detrend, Envelopes, Scaling, Transform, Welch, Window};
 use serde_json::Value;
 
 use super::signal::{RATE, signals};
@@ -169,7 +169,7 @@ fn envelopes_are_scipys_hilbert() {
     for case in cases("envelope") {
         let [_, y] = signals(count(&case, "length"));
         let band = numbers(&case, "band");
-        let found = envelope(&y, RATE, [band[0], band[1]]);
+        let found = Envelopes::new(&y, RATE).envelope([band[0], band[1]]);
         assert_agree(&named(&case), &found, &numbers(&case, "values"));
     }
 }
