@@ -3,6 +3,10 @@
 use super::{Axis, Channel, NoiseFloor, SpectrumRequest, magnitude};
 use crate::rotor::Sample;
 
+/// Samples and revolutions that a spectrum of a whole run may rest on: beyond both it takes the last ones.
+const MOST_IN_SPECTRUM: usize = 1 << 17;
+const REVOLUTIONS_IN_SPECTRUM: usize = 256;
+
 /// How the samples of a run follow each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SampleGrid {
@@ -24,6 +28,11 @@ impl SampleGrid {
         }
     }
 
+    /// Samples that a spectrum of a whole run rests on at most: 256 revolutions or more.
+    pub(super) fn most_in_spectrum(&self) -> usize {
+        MOST_IN_SPECTRUM.max(REVOLUTIONS_IN_SPECTRUM * self.block())
+    }
+
     /// Number of samples of which a record holds a multiple, so that what turns with the shaft falls on a bin.
     pub(super) fn block(&self) -> usize {
         self.per_revolution
@@ -37,8 +46,18 @@ pub struct Recording {
     pub(super) grid: SampleGrid,
     settle: f64,
     channels: Vec<(Channel, Vec<f64>)>,
-    /// Time of the first recorded sample, s.
+    /// Samples that are kept at least: the last ones.
+    most: usize,
+    /// Time of the first recorded sample that is kept, s.
     start: Option<f64>,
+}
+
+/// Drops the oldest values down to `kept` where there are more than `most`; how many.
+pub(super) fn keep_last<T>(values: &mut Vec<T>, most: usize, kept: usize) -> usize {
+    if values.len() <= most {
+        return 0;
+    }
+    values.drain(..values.len() - kept).len()
 }
 
 impl Recording {
@@ -48,6 +67,7 @@ impl Recording {
             grid,
             settle,
             channels: Vec::new(),
+            most: usize::MAX,
             start: None,
         }
     }
@@ -77,10 +97,22 @@ impl Recording {
         self
     }
 
+    /// Of the last samples that a spectrum of the whole run takes alone.
+    #[must_use]
+    pub(crate) fn of_last(mut self) -> Self {
+        self.most = self.grid.most_in_spectrum();
+        self
+    }
+
+    /// Samples that are kept at most, of so many.
+    pub(crate) fn kept_of(&self, samples: f64) -> f64 {
+        samples.min(self.most.saturating_add(self.most / 4) as f64)
+    }
+
     /// With room for the samples of a run that ends at a time, s.
     #[must_use]
     pub(crate) fn until(mut self, end: f64) -> Self {
-        let expected = (end - self.settle) * self.grid.rate + 2.0;
+        let expected = self.kept_of((end - self.settle) * self.grid.rate + 2.0);
         for (_, values) in &mut self.channels {
             // without it, or with too little, they grow as they come
             let _ = values.try_reserve_exact(expected as usize);
@@ -104,10 +136,14 @@ impl Recording {
         if sample.time < self.settle {
             return;
         }
-        self.start.get_or_insert(sample.time);
+        let start = self.start.get_or_insert(sample.time);
+        let most = self.most.saturating_add(self.most / 4);
+        let mut dropped = 0;
         for (channel, values) in &mut self.channels {
             values.extend(channel.of(sample));
+            dropped = keep_last(values, most, self.most);
         }
+        *start += dropped as f64 / self.grid.rate;
     }
 
     /// Values of a column; none where it was not asked for.

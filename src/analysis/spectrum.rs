@@ -133,8 +133,8 @@ impl Analysis {
 }
 
 /// On a grid of shaft angle the spectra are taken of the largest whole number of revolutions that fits, the last
-/// ones of the run, so that what turns with the shaft falls on a bin; on a free grid of time, of all samples. There
-/// is none where less than one revolution, or too few samples for a spectrum, were recorded.
+/// ones of the run, so that what turns with the shaft falls on a bin; on a free grid of time, of all samples. Beyond
+/// 131 072 samples and 256 revolutions they take the last of them. There is none where less than one revolution, or too few samples for a spectrum, were recorded.
 impl Recording {
     /// Spectra of recorded channels under `window` and their peaks, named by the nearest of `causes`.
     pub fn spectrum(
@@ -189,7 +189,7 @@ impl Recording {
         mut entry: impl FnMut(&Spectrum, Channel, Transform) -> ChannelSpectrum,
     ) -> Option<Spectrum> {
         let (recorded, block) = (self.length(), self.grid.block());
-        let length = recorded / block * block;
+        let length = recorded.min(self.grid.most_in_spectrum()) / block * block;
         if length < FEWEST_SAMPLES {
             return None;
         }

@@ -47,7 +47,7 @@ pub struct Model {
     pub(crate) energy: bool,
     /// Whether costly ball laws are compiled into tables before the motion starts.
     pub(crate) table: bool,
-    /// Window of the spectra; `None` leaves the spectra out, and memory is flat in the duration.
+    /// Window of the spectra; `None` leaves the spectra out.
     pub(crate) spectrum: Option<Window>,
     /// What is made of the samples beside the spectra.
     pub(crate) analyses: Analyses,

@@ -39,6 +39,10 @@ pub(super) fn recording(model: &Model, rotor: &Rotor) -> Option<Recording> {
     let recording = Recording::new(sample_grid(model, rotor), model.settle)
         .with(whole.into_iter().flatten())
         .with_requests(&model.spectra);
+    let recording = match model.spectra.is_empty() {
+        true => recording.of_last(),
+        false => recording,
+    };
     Some(recording.until(model.duration))
 }
 
@@ -220,13 +224,14 @@ impl RunSize {
     pub fn from_model(model: &Model) -> Result<Self, SimulateError> {
         let rotor = Rotor::assemble(&model.rotor)?;
         let grid = grid(model, &rotor)?;
-        let columns = recording(model, &rotor);
-        let columns = columns.map_or(0, |recording| recording.columns());
         let rate = 1.0 / grid.interval;
         let recorded = (model.duration - model.settle) * rate + 1.0;
-        let mut numbers = columns as f64 * recorded;
+        let recording = recording(model, &rotor);
+        let columns = recording.as_ref().map_or(0, Recording::columns);
+        let kept = recording.map_or(0.0, |recording| recording.kept_of(recorded));
+        let mut numbers = columns as f64 * kept;
         if model.spectrum.is_some() {
-            numbers += (columns as f64 + TRANSFORM) * recorded;
+            numbers += (columns as f64 + TRANSFORM) * kept;
         }
         let mut table_numbers = 0.0;
         for request in &model.spectra {

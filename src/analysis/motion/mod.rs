@@ -5,22 +5,27 @@ mod closed_curve;
 mod moments;
 mod period;
 mod section;
+mod velocity_level;
 
 #[cfg(test)]
 pub use closed_curve::closed_curve;
-pub use moments::{Drift, Moments, VelocityLevel};
+pub use moments::{Drift, Moments};
 pub use period::{Kind, LONGEST_PERIOD, Recognition, Series, recognise};
 pub use section::{PoincarePoint, Section, SectionKind};
 
+pub use velocity_level::VelocityLevel;
+
 use std::collections::VecDeque;
 
+use realfft::RealFftPlanner;
 use serde::Serialize;
 
 use super::{Channel, NoiseFloor};
 use crate::keys;
 use crate::rotor::{FREEDOMS, Freedoms, Sample};
-use moments::{DriftRecorder, velocity_level};
+use moments::DriftRecorder;
 use section::NODES;
+use velocity_level::LevelRecorder;
 
 /// A motion below this part of the displacement is round-off.
 const REST: f64 = 1e-9;
@@ -130,14 +135,14 @@ impl Motion {
 
 /// Takes samples at equal times and constant speed.
 ///
-/// Beside three velocities a sample its memory grows with the sections' points only.
-#[derive(Debug, Clone)]
+/// Its memory does not grow with their number.
 pub struct MotionRecorder {
     settings: MotionSettings,
     statistics: Vec<ChannelStatistics>,
     rates: [Moments; FREEDOMS],
-    velocity: Vec<Vec<f64>>,
-    housing_velocity: Vec<(Channel, Vec<f64>)>,
+    velocity: Vec<LevelRecorder>,
+    housing_velocity: Vec<(Channel, LevelRecorder)>,
+    planner: RealFftPlanner<f64>,
     drift: DriftRecorder,
     sections: Vec<Section>,
     orbit: VecDeque<[f64; 2]>,
@@ -155,13 +160,16 @@ impl MotionRecorder {
             channel,
             moments: Moments::default(),
         });
+        let level = LevelRecorder::new(settings.rate, settings.velocity_band);
         let housings = settings.housing_velocities.iter();
+        let housings = housings.map(|channel| (*channel, level.clone()));
         let sections = settings.sections.iter();
         Self {
             statistics: statistics.collect(),
             rates: [Moments::default(); FREEDOMS],
-            velocity: vec![Vec::new(); settings.freedoms.lengths()],
-            housing_velocity: housings.map(|channel| (*channel, Vec::new())).collect(),
+            housing_velocity: housings.collect(),
+            velocity: vec![level; settings.freedoms.lengths()],
+            planner: RealFftPlanner::new(),
             drift: DriftRecorder::new(
                 [settings.start, settings.end],
                 settings.revolution,
@@ -192,11 +200,13 @@ impl MotionRecorder {
         for (rate, value) in self.rates.iter_mut().zip(sample.velocity) {
             rate.take(value);
         }
-        for (kept, value) in self.velocity.iter_mut().zip(sample.velocity) {
-            kept.push(value);
+        for (level, value) in self.velocity.iter_mut().zip(sample.velocity) {
+            level.take(value, &mut self.planner);
         }
-        for (channel, kept) in &mut self.housing_velocity {
-            kept.extend(channel.of(sample));
+        for (channel, level) in &mut self.housing_velocity {
+            if let Some(value) = channel.of(sample) {
+                level.take(value, &mut self.planner);
+            }
         }
         self.drift.record(sample);
         if self.orbit.len() == ORBIT {
@@ -216,7 +226,7 @@ impl MotionRecorder {
     }
 
     /// What the motion is like; none without samples.
-    pub fn finish(self) -> Option<Motion> {
+    pub fn finish(mut self) -> Option<Motion> {
         let [start, end] = self.times?;
         let of_axis = |axis: usize| {
             let mut all = self.statistics.iter();
@@ -250,25 +260,23 @@ impl MotionRecorder {
             *moments = moments.above(floor.below(*channel));
         }
         let velocity = self.velocity.into_iter();
-        let (rate, band) = (self.settings.rate, self.settings.velocity_band);
+        let planner = &mut self.planner;
         let housing_velocity = self.housing_velocity.into_iter();
         Some(Motion {
             start,
             end,
             statistics,
-            velocity: velocity
-                .map(|values| velocity_level(values, rate, band))
-                .collect(),
+            velocity: velocity.map(|level| level.finish(planner)).collect(),
             housing_velocity: housing_velocity
-                .filter_map(|(channel, values)| {
-                    let level = velocity_level(values, rate, band)?;
+                .filter_map(|(channel, level)| {
+                    let level = level.finish(planner)?;
                     Some(ChannelLevel { channel, level })
                 })
                 .collect(),
             recognition,
             drift: drift.filter(|_| !resting),
-            sections: self.sections,
-            rate,
+            sections: self.sections.into_iter().map(Section::of_last).collect(),
+            rate: self.settings.rate,
             orbit: self.orbit.into(),
         })
     }

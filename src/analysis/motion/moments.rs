@@ -1,10 +1,9 @@
-//! Statistics of a signal: moments, RMS velocity in a band, and how they drift.
+//! Statistics of a signal: moments, and how they drift.
 
 use std::f64::consts::TAU;
 
 use serde::{Serialize, Serializer};
 
-use crate::analysis::{Transform, Window};
 use crate::rotor::{FREEDOMS, Sample};
 
 /// Moments of the values taken so far, in one pass.
@@ -151,46 +150,6 @@ impl Moments {
         self.vibrates()
             .then(|| self.count * fourth / (second * second))
     }
-}
-
-/// Equivalent noise bandwidth of the Hann window in bins: what the lobe of a line adds up to.
-const NOISE_BANDWIDTH: f64 = 1.5;
-
-/// RMS of a velocity in a band of frequencies.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[non_exhaustive]
-pub struct VelocityLevel {
-    /// RMS, m/s.
-    #[serde(rename = "rms_m_s")]
-    pub rms: f64,
-    /// Lowest and highest frequency that counts, Hz: of the band of the speed what the record resolves.
-    #[serde(rename = "band_Hz")]
-    pub band: [f64; 2],
-}
-
-/// RMS velocity in a band in Hz of samples of a velocity in m/s, `rate` of them a second.
-///
-/// `v_RMS² = Σ_k A_k²/(2 · 1.5)` over the bins in the band, A_k amplitudes under a Hann window, whose
-/// lobe counts a line one and a half times, wherever it lies between bins. At either end of the band the bins of one
-/// more half lobe count, so that a line on the end, as that of the shaft at 600 rpm, counts as a whole; what lies less than
-/// two bins beyond counts in part.
-///
-/// Source: for the quantity, ISO 20816-1:2016, broad-band RMS velocity. Its zones
-/// belong to whole machines, measured at the housing; what is simulated here is the shaft.
-pub fn velocity_level(velocity: Vec<f64>, rate: f64, wanted: [f64; 2]) -> Option<VelocityLevel> {
-    if velocity.len() < 16 {
-        return None;
-    }
-    let resolution = rate / velocity.len() as f64;
-    let transform = Transform::new(velocity).without_mean();
-    let first = ((wanted[0] / resolution).floor() as usize).saturating_sub(1);
-    let last = ((wanted[1] / resolution).ceil() as usize + 1).min(transform.bins() - 1);
-    let power = |k| 0.5 * transform.amplitude(k, Window::Hann).powi(2);
-    let band = [wanted[0].max(resolution), wanted[1].min(0.5 * rate)];
-    (band[0] < band[1]).then(|| VelocityLevel {
-        rms: ((first.max(1)..=last).map(power).sum::<f64>() / NOISE_BANDWIDTH).sqrt(),
-        band,
-    })
 }
 
 /// A motion whose statistics move by less than this part of it has settled.
@@ -405,28 +364,5 @@ mod tests {
         assert_eq!(windows(9, &[]), Some([3, 2]));
         assert_eq!(windows(40, &[3.08]), Some([13, 12])); // 36.96 ball passes
         assert_eq!(windows(39, &[3.25]), Some([13, 12]));
-    }
-
-    #[test]
-    fn the_level_counts_what_is_in_the_band() {
-        // 3 mm/s at 50 Hz counts, 40 mm/s at 5 Hz and 20 mm/s at 1200 Hz do not
-        let line = |amplitude: f64, frequency: f64, n: u32| {
-            amplitude * (TAU * frequency * f64::from(n) / 4000.0).cos()
-        };
-        let signal = |n| line(3e-3, 50.0, n) + line(4e-2, 5.0, n) + line(2e-2, 1200.0, n);
-        let level = velocity_level((0..4000).map(signal).collect(), 4000.0, [10.0, 1e3]).unwrap();
-        assert!((level.rms - 3e-3 / 2f64.sqrt()).abs() < 1e-15);
-        assert_eq!(level.band, [10.0, 1e3]);
-    }
-
-    #[test]
-    fn a_line_between_bins_or_on_the_end_counts_as_a_whole() {
-        // bins of 0.5 Hz
-        for frequency in [2.0, 2.2, 5.0, 5.13, 9.77, 600.4, 999.9, 1000.0] {
-            let line = |n: u32| (TAU * frequency * f64::from(n) / 3000.0 + 0.7).cos();
-            let level = velocity_level((0..6000).map(line).collect(), 3000.0, [2.0, 1e3]).unwrap();
-            let error = level.rms * 2f64.sqrt() - 1.0;
-            assert!(error.abs() < 2e-3, "{frequency} Hz: {error}");
-        }
     }
 }

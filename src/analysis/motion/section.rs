@@ -7,11 +7,14 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::analysis::Hermite;
+use crate::analysis::recording::keep_last;
 use crate::keys;
 use crate::rotor::{FREEDOMS, Sample};
 
 /// Samples that a point is interpolated between.
 pub(super) const NODES: usize = 4;
+/// Points of a section that are kept: the last ones.
+const MOST_POINTS: usize = 1 << 15;
 /// Part of a cycle by which a sample may miss a point and still be it.
 const ON_THE_SPOT: f64 = 1e-9;
 
@@ -63,7 +66,7 @@ pub struct Section {
     /// Cycles a revolution of the shaft.
     #[serde(rename = "cycles_per_revolution")]
     pub order: f64,
-    /// The points, by time.
+    /// The points, by time: the last 32 768.
     #[serde(serialize_with = "keys::count")]
     pub points: Vec<PoincarePoint>,
     /// Largest difference of a displacement from that through three samples only, m and rad by freedom:
@@ -94,6 +97,13 @@ impl Section {
             self.add(nodes, number as u64, if missed { 1.0 } else { part });
             number += 1.0;
         }
+        keep_last(&mut self.points, MOST_POINTS + MOST_POINTS / 4, MOST_POINTS);
+    }
+
+    /// With no more points than are kept.
+    pub(super) fn of_last(mut self) -> Self {
+        keep_last(&mut self.points, MOST_POINTS, MOST_POINTS);
+        self
     }
 
     /// Adds the point at a part of the way from the second to the third sample.

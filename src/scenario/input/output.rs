@@ -49,7 +49,8 @@ pub struct Output {
     /// Whether every loss and return of contact and preload is written, to `events.csv`; they are
     /// counted in the summary either way. Default: true.
     pub events: bool,
-    /// Whether spectra are taken, in `spectrum.csv`; those of `[[spectrum]]` are either way. Default: where the
+    /// Whether spectra are taken, in `spectrum.csv`, of the last 131 072 samples or 256 revolutions after the settle time,
+    /// whichever is more; those of `[[spectrum]]` are either way, of all. Default: where the
     /// speed is constant after the settle time; while it changes, lines smear, and `maps` has short-time spectra.
     pub spectrum: Option<bool>,
     /// Whether figures are drawn. Default: true.
@@ -68,7 +69,7 @@ pub struct Output {
     #[schemars(extend("minItems" = 1))]
     pub formats: Vec<TableFormat>,
     /// Of how many samples one is written to the trace and the tables beside it, beginning with the
-    /// first; spectra, figures and the summary rest on all samples. Default: so many that at most 100 000 rows are
+    /// first; spectra, figures and the summary do not depend on it. Default: so many that at most 100 000 rows are
     /// written.
     #[schemars(range(min = 1, max = 1_000_000))]
     pub every: Option<NonZeroU64>,
