@@ -26,7 +26,7 @@
 //! | [`bearing`] | geometry, catalogue, laws of a ball, the ring that sums over balls, equilibrium, life, friction |
 //! | [`physics`] | closed-form laws: material, curvature, Hertz contact, films, kinematics, friction |
 //!
-//! Below them `table` has columns that know their quantity and unit, `keys` names quantities in results, and `numerics` has
+//! Below them `table` has columns that know their quantity and unit, [`record`] reads the files of sensors and recorders, `keys` names quantities in results, and `numerics` has
 //! what knows nothing of bearings and shafts: roots, eigenvectors, products of matrices that have blocks of zeros, steps
 //! compiled for wide registers.
 //!
@@ -123,6 +123,7 @@ mod keys;
 mod numerics;
 pub mod physics;
 mod quasi_static;
+pub mod record;
 #[cfg(feature = "command")]
 pub mod report;
 mod rotor;

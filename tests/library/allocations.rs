@@ -72,7 +72,7 @@ unsafe impl GlobalAlloc for Counting {
 static ALLOCATOR: Counting = Counting;
 
 /// Allocations and peak of live bytes of a piece of work.
-fn measured(work: impl FnOnce()) -> (u64, i64) {
+pub(super) fn measured(work: impl FnOnce()) -> (u64, i64) {
     let before = TALLY.get();
     TALLY.set(Tally {
         peak: before.live,

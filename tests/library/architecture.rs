@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 
 /// Lowest first; `simulate` and `quasi_static` are single files. The integrator knows no rotor: it is
 /// the rotor that implements the integrator's trait.
-const FLOORS: [&str; 17] = [
+const FLOORS: [&str; 18] = [
     "table",
+    "record",
     "keys",
     "numerics",
     "physics",
@@ -26,13 +27,14 @@ const FLOORS: [&str; 17] = [
 ];
 
 /// Libraries and the only floors that may name them.
-const LIBRARIES: [(&str, &[&str]); 17] = [
+const LIBRARIES: [(&str, &[&str]); 18] = [
     ("ode_solvers", &["integrate"]),
     ("rustfft", &["analysis"]),
     ("realfft", &["analysis"]),
     ("ellip", &["physics"]),
     ("csv", &["bearing", "report", "scenario"]),
-    ("parquet", &["report"]),
+    ("flate2", &["record"]),
+    ("parquet", &["record", "report"]),
     ("ryu", &["report"]),
     ("png", &["report"]),
     ("comfy_table", &["report"]),

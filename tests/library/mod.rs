@@ -23,6 +23,7 @@ mod observation;
 mod outer_ring;
 mod properties;
 mod published;
+mod record;
 mod report;
 mod scenario;
 mod spectra;

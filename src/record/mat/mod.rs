@@ -1,0 +1,106 @@
+//! MATLAB version 5: variables, which hold numbers, texts, structs and cells.
+//!
+//! Matrices give a channel a column, or a row where there are fewer rows than columns; single numbers and texts are kept by
+//! their names. A struct with fields `Name` and `Data` is a channel of that name.
+
+mod reader;
+mod variables;
+
+use super::bytes::Bytes;
+use super::{Problem, Record, RecordChannel};
+use variables::Variables;
+
+/// What a variable, field or cell holds.
+#[derive(Default)]
+enum Value {
+    /// Nothing, or what is left out.
+    #[default]
+    Nothing,
+    Text(String),
+    /// The columns of a matrix, or its rows where these are longer.
+    Series(Vec<Vec<f64>>),
+    /// Real and imaginary parts.
+    Complex([Vec<Vec<f64>>; 2]),
+    Cells(Vec<Value>),
+    Structs {
+        names: Vec<String>,
+        /// The fields of each element.
+        elements: Vec<Vec<Value>>,
+    },
+}
+
+/// Reads all variables.
+pub(super) fn read(record: &mut Record, bytes: Bytes<'_>) -> Result<(), Problem> {
+    let mut variables = Variables::new(bytes)?;
+    while let Some((name, value)) = variables.next()? {
+        add(record, name, value)?;
+    }
+    record.warnings.extend(variables.left_out);
+    Ok(())
+}
+
+/// Adds what a value at this path holds.
+fn add(record: &mut Record, path: String, value: Value) -> Result<(), Problem> {
+    match value {
+        Value::Nothing => {}
+        Value::Text(text) => record.texts.push((path, text)),
+        Value::Series(series) => match &series[..] {
+            [single] if single.len() == 1 => record.numbers.push((path, single[0])),
+            _ => {
+                let mut channels = numbered(&path, series);
+                channels.try_for_each(|(name, it)| record.add(RecordChannel::new(name, it)))?;
+            }
+        },
+        Value::Complex([real, imaginary]) => {
+            add(record, format!("{path}.real"), Value::Series(real))?;
+            add(
+                record,
+                format!("{path}.imaginary"),
+                Value::Series(imaginary),
+            )?;
+        }
+        Value::Cells(cells) => {
+            numbered(&path, cells).try_for_each(|(path, cell)| add(record, path, cell))?;
+        }
+        Value::Structs { names, elements } => {
+            let mut elements = numbered(&path, elements);
+            elements.try_for_each(|(path, fields)| add_struct(record, &path, &names, fields))?;
+        }
+    }
+    Ok(())
+}
+
+/// Each of some elements with its path: `Y[1]`, `Y[2]`; one alone has the path itself.
+fn numbered<T>(path: &str, elements: Vec<T>) -> impl Iterator<Item = (String, T)> {
+    let is_one = elements.len() == 1;
+    (1..)
+        .zip(elements)
+        .map(move |(number, element)| match is_one {
+            true => (path.to_owned(), element),
+            false => (format!("{path}[{number}]"), element),
+        })
+}
+
+fn add_struct(
+    record: &mut Record,
+    path: &str,
+    names: &[String],
+    mut fields: Vec<Value>,
+) -> Result<(), Problem> {
+    let mut take = |name| {
+        let place = names.iter().position(|known| known == name)?;
+        Some(std::mem::take(&mut fields[place]))
+    };
+    if let (Some(Value::Text(name)), Some(data)) = (take("Name"), take("Data")) {
+        let before = record.channels.len();
+        add(record, name, data)?;
+        if let Some(Value::Text(unit)) = take("Unit")
+            && !unit.trim().is_empty()
+        {
+            let channels = record.channels[before..].iter_mut();
+            channels.for_each(|channel| channel.unit = Some(unit.clone()));
+        }
+    }
+    let mut fields = names.iter().zip(fields);
+    fields.try_for_each(|(name, value)| add(record, format!("{path}.{name}"), value))
+}

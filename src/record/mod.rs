@@ -1,0 +1,202 @@
+//! Measured records: the file of a sensor, recorder or simulation → its channels, and what the file says of each.
+//!
+//! What a file lacks, such as the rate or a unit, is `None`: nothing is guessed. The form of a file is told by its content;
+//! its name only matters for text that could be anything.
+//!
+//! ```no_run
+//! let record = jeffcott::record::Record::open("112.mat".as_ref())?;
+//! for channel in &record.channels {
+//!     println!("{}: {} samples, {:?}", channel.name, channel.samples.len(), channel.sampling);
+//! }
+//! # Ok::<(), jeffcott::record::RecordError>(())
+//! ```
+
+mod bytes;
+mod error;
+mod form;
+mod mat;
+#[cfg(feature = "parquet")]
+mod parquet;
+mod sampling;
+mod text;
+mod uff;
+mod unit;
+mod wav;
+
+use std::collections::HashMap;
+use std::fs::{self, File};
+use std::io::{self, Read};
+use std::path::Path;
+
+use crate::table::Table;
+use bytes::Bytes;
+
+pub use error::{Problem, RecordError};
+pub use form::Form;
+pub use sampling::Sampling;
+
+/// Most channels of a file.
+const MOST_CHANNELS: usize = 4096;
+
+/// What a file holds.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Record {
+    /// How the file is written.
+    pub form: Form,
+    /// Its channels, with names of which no two are equal.
+    pub channels: Vec<RecordChannel>,
+    /// Numbers that stand alone in the file, with their names: `X112RPM`, `bearing.sr`.
+    pub numbers: Vec<(String, f64)>,
+    /// Texts in the file, with their names.
+    pub texts: Vec<(String, String)>,
+    /// What was left out and why, and what is doubtful.
+    pub warnings: Vec<String>,
+}
+
+/// A channel of a record.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct RecordChannel {
+    /// Its name in the file; `column1` or `channel1` where there is none.
+    pub name: String,
+    /// Its samples as in the file, NaN where one is missing; integers of a WAV file as fractions of full scale.
+    pub samples: Vec<f64>,
+    /// When they were taken.
+    pub sampling: Sampling,
+    /// What is measured, if the file says it: `acceleration`, `x_velocity`.
+    pub quantity: Option<String>,
+    /// Its unit as it is written: `m/s^2`, `µm`.
+    pub unit: Option<String>,
+    /// The number of the node at which the sensor sits.
+    pub node: Option<i64>,
+    /// The direction in which it measures: `+x`, `-rz`.
+    pub direction: Option<String>,
+}
+
+impl RecordChannel {
+    /// A channel of which nothing else is known.
+    fn new(name: String, samples: Vec<f64>) -> Self {
+        Self {
+            name,
+            samples,
+            ..Self::default()
+        }
+    }
+}
+
+impl Record {
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// The file cannot be opened, is of no known form, or is broken, and where.
+    pub fn open(path: &Path) -> Result<Self, RecordError> {
+        let read = open_regular(path).map_err(Problem::Read);
+        let read = read.and_then(|(file, length)| Self::read(file, length, path));
+        let name = path.display().to_string();
+        read.map_err(|problem| RecordError { name, problem })
+    }
+
+    /// Reads bytes as the file of this name.
+    ///
+    /// # Errors
+    /// The bytes are of no known form, or broken, and where.
+    pub fn from_bytes(bytes: &[u8], name: &str) -> Result<Self, RecordError> {
+        let read = Self::read(bytes, bytes.len() as u64, Path::new(name));
+        let name = name.to_owned();
+        read.map_err(|problem| RecordError { name, problem })
+    }
+
+    fn read(mut file: impl Read, length: u64, path: &Path) -> Result<Self, Problem> {
+        let mut head = Vec::new();
+        (&mut file).take(form::HEAD).read_to_end(&mut head)?;
+        let mut record = Self {
+            form: Form::of(&head, path)?,
+            channels: Vec::new(),
+            numbers: Vec::new(),
+            texts: Vec::new(),
+            warnings: Vec::new(),
+        };
+        let bytes = Bytes::new(head.chain(file), length);
+        match record.form {
+            Form::Text => text::read(&mut record, &head, bytes),
+            Form::Wav => wav::read(&mut record, bytes),
+            Form::Mat => mat::read(&mut record, bytes),
+            Form::Universal => uff::read(&mut record, bytes),
+            #[cfg(feature = "parquet")]
+            Form::Parquet => parquet::read(&mut record, bytes),
+        }?;
+        record.check()?;
+        Ok(record)
+    }
+
+    /// Makes names unique and counts missing samples.
+    fn check(&mut self) -> Result<(), Problem> {
+        if self
+            .channels
+            .iter()
+            .all(|channel| channel.samples.is_empty())
+        {
+            let mut why = vec!["it has no channel of samples".to_owned()];
+            why.append(&mut self.warnings);
+            return Err(Problem::Unfit(why.join("; ")));
+        }
+        let mut known = HashMap::new();
+        for channel in &mut self.channels {
+            let count = known.entry(channel.name.clone()).or_insert(0);
+            *count += 1;
+            if *count > 1 {
+                channel.name = format!("{}#{count}", channel.name);
+            }
+            let missing = channel.samples.iter().filter(|it| !it.is_finite()).count();
+            if missing > 0 {
+                let name = &channel.name;
+                let text = format!("of the samples of `{name}`, {missing} are missing or infinite");
+                self.warnings.push(text);
+            }
+        }
+        Ok(())
+    }
+
+    /// A channel by its name.
+    pub fn channel(&self, name: &str) -> Option<&RecordChannel> {
+        self.channels.iter().find(|channel| channel.name == name)
+    }
+
+    /// The channels as a table: name, number of samples, rate and duration where the file says when they were taken, quantity
+    /// and unit.
+    pub fn list(&self) -> Table<'static> {
+        let channels = || self.channels.iter();
+        let duration = |it: &RecordChannel| it.sampling.duration(it.samples.len());
+        let word = |text: &Option<String>| text.clone().unwrap_or_default();
+        let mut table = Table::default();
+        table.words("channel", channels().map(|it| &it.name));
+        table.counts("samples", channels().map(|it| it.samples.len() as f64));
+        table.numbers("rate", "Hz", channels().map(|it| it.sampling.rate()));
+        table.numbers("duration", "s", channels().map(duration));
+        table.words("quantity", channels().map(|it| word(&it.quantity)));
+        table.words("unit", channels().map(|it| word(&it.unit)));
+        table
+    }
+
+    /// Adds a channel, of which there may not be too many.
+    fn add(&mut self, channel: RecordChannel) -> Result<(), Problem> {
+        if self.channels.len() == MOST_CHANNELS {
+            return Err(too_many());
+        }
+        self.channels.push(channel);
+        Ok(())
+    }
+}
+
+fn too_many() -> Problem {
+    let what = format!("it has more than {MOST_CHANNELS} channels; are its samples in rows?");
+    Problem::Unfit(what)
+}
+
+/// Opens a file that ends, no device, pipe or folder, and tells its length.
+fn open_regular(path: &Path) -> io::Result<(File, u64)> {
+    let known = fs::metadata(path)?;
+    match known.is_file() {
+        true => Ok((File::open(path)?, known.len())),
+        false => Err(io::Error::other("it is not a regular file")),
+    }
+}

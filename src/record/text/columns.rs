@@ -1,0 +1,83 @@
+//! Columns of a table become channels: those that hold times say when the others were sampled.
+
+use super::header::Heading;
+use crate::record::unit::per_second;
+use crate::record::{Problem, Record, RecordChannel, Sampling};
+
+/// Bounds of hour, minute, second and microsecond.
+const CLOCK: [f64; 4] = [24.0, 60.0, 60.0, 1e6];
+
+/// Adds the columns as channels. A column of times holds for those to its right, up to the next one.
+pub fn add(
+    record: &mut Record,
+    headings: Vec<Heading>,
+    columns: Vec<Vec<f64>>,
+) -> Result<(), Problem> {
+    let is_named = headings.iter().any(|heading| !heading.name.is_empty());
+    let clock = if is_named { None } else { clock(&columns) };
+    let clocks = if clock.is_some() { CLOCK.len() } else { 0 };
+    let mut sampling = clock.unwrap_or_default();
+    let named = headings.into_iter().zip(columns).enumerate().skip(clocks);
+    for (place, (heading, mut samples)) in named {
+        // columns of different lengths end with empty cells
+        let last = samples.iter().rposition(|value| !value.is_nan());
+        samples.truncate(last.map_or(0, |last| last + 1));
+        let (name, unit) = (&heading.name, heading.unit.as_deref());
+        let per_second = unit.and_then(per_second);
+        if let Some(per_second) = per_second.filter(|_| place == 0 || heading.is_time()) {
+            samples.iter_mut().for_each(|time| *time /= per_second);
+            let known = Sampling::from_times(&samples);
+            if known.is_none() {
+                let what = format!("the times in `{name}` do not rise everywhere");
+                record
+                    .warnings
+                    .push(format!("{what}, so the rate is unknown"));
+            }
+            sampling = known.unwrap_or_default();
+            continue;
+        }
+        if samples.is_empty() {
+            continue;
+        }
+        if unit.is_none() && heading.is_time() {
+            let what = format!("the unit of the times in `{name}` is not given");
+            record
+                .warnings
+                .push(format!("{what}, so the rate is unknown"));
+        }
+        let sampling = match &sampling {
+            Sampling::Times(times) if times.len() != samples.len() => Sampling::Unknown,
+            known => known.clone(),
+        };
+        let name = match heading.name.is_empty() {
+            true => format!("column{}", place + 1),
+            false => heading.name,
+        };
+        record.add(RecordChannel {
+            sampling,
+            quantity: heading.quantity,
+            unit: heading.unit,
+            ..RecordChannel::new(name, samples)
+        })?;
+    }
+    Ok(())
+}
+
+/// The sampling of columns that begin with hour, minute, second and microsecond, and rise.
+fn clock(columns: &[Vec<f64>]) -> Option<Sampling> {
+    let (clock, [_, ..]) = columns.split_first_chunk::<4>()? else {
+        return None;
+    };
+    let is_part = |(column, end): (&Vec<f64>, f64)| {
+        let is_one = |value: &f64| (0.0..end).contains(value) && value.fract() == 0.0;
+        column.iter().all(is_one)
+    };
+    if !clock.iter().zip(CLOCK).all(is_part) {
+        return None;
+    }
+    let [hours, minutes, seconds, micros] = clock;
+    let time =
+        |row: usize| 3600.0 * hours[row] + 60.0 * minutes[row] + seconds[row] + micros[row] / 1e6;
+    let times: Vec<f64> = (0..micros.len()).map(time).collect();
+    Sampling::from_times(&times)
+}

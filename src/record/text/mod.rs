@@ -1,0 +1,97 @@
+//! Tables as text: rows of numbers below a header or none, however separated.
+
+mod columns;
+mod dialect;
+mod header;
+
+use super::bytes::Bytes;
+use super::{MOST_CHANNELS, Problem, Record, too_many};
+use dialect::{Dialect, Rows, is_passed};
+
+#[cfg(feature = "parquet")]
+pub(super) use columns::add;
+#[cfg(feature = "parquet")]
+pub(super) use header::Heading;
+
+/// What spreadsheets write in front of a file.
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+
+/// Reads a table whose first bytes are known.
+pub(super) fn read(record: &mut Record, head: &[u8], mut bytes: Bytes<'_>) -> Result<(), Problem> {
+    let is_whole = head.len() as u64 == bytes.left();
+    let text = head.strip_prefix(BYTE_ORDER_MARK).unwrap_or(head);
+    let mut lines: Vec<&[u8]> = text.split(|byte| *byte == b'\n').collect();
+    if !is_whole {
+        // the rest of the last line is not known
+        lines.pop();
+    }
+    let rows = Rows::find(&lines, is_whole)?;
+    if rows.columns > MOST_CHANNELS {
+        return Err(too_many());
+    }
+    if rows.is_ambiguous(&lines) {
+        let what = "commas are read as separators of two columns of whole numbers; write points if they are decimal commas";
+        record.warnings.push(what.to_owned());
+    }
+    record.numbers = header::numbers(&lines, &rows);
+    let headings = header::read(&lines, &rows);
+    // a row has at least a sign and a separator a column
+    let row_length = (lines[rows.start].len() + 1).max(2 * rows.columns);
+    let expected = bytes.left() as usize / row_length;
+    let empty = |_| Vec::with_capacity(expected);
+    let mut columns: Vec<_> = (0..rows.columns).map(empty).collect();
+    fill(record, &mut columns, &mut bytes, &rows)?;
+    columns::add(record, headings, columns)
+}
+
+/// Reads all rows.
+fn fill(
+    record: &mut Record,
+    columns: &mut [Vec<f64>],
+    bytes: &mut Bytes<'_>,
+    rows: &Rows,
+) -> Result<(), Problem> {
+    let (mut line, mut number) = (Vec::new(), 0);
+    while bytes.line(&mut line)? {
+        number += 1;
+        if number <= rows.start || is_passed(&line) {
+            continue;
+        }
+        match row(columns, rows.dialect, &line) {
+            Ok(()) => {}
+            Err(what) if line.ends_with(b"\n") => return Err(Problem::line(number as u64, what)),
+            // a recorder that was stopped, or a copy, may end within a line
+            Err(what) => {
+                let warning =
+                    format!("line {number} is the last and not whole ({what}); it is left out");
+                record.warnings.push(warning);
+                let whole = columns.iter().map(Vec::len).min().unwrap_or(0);
+                columns.iter_mut().for_each(|column| column.truncate(whole));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Adds the numbers of a row to the columns.
+fn row(columns: &mut [Vec<f64>], dialect: Dialect, line: &[u8]) -> Result<(), String> {
+    let expected = columns.len();
+    let mut count = 0;
+    for cell in dialect.cells(line) {
+        if let Some(column) = columns.get_mut(count) {
+            let number = dialect.number(cell);
+            column.push(number.ok_or_else(|| no_number(cell, count))?);
+        }
+        count += 1;
+    }
+    match count == expected {
+        true => Ok(()),
+        false => Err(format!("{count} cells, where the first row has {expected}")),
+    }
+}
+
+/// What is wrong with a cell.
+fn no_number(cell: &[u8], column: usize) -> String {
+    let text: String = String::from_utf8_lossy(cell).chars().take(40).collect();
+    format!("`{text}` in column {} is not a number", column + 1)
+}
