@@ -161,12 +161,16 @@ impl Record {
         self.channels.iter().find(|channel| channel.name == name)
     }
 
-    /// The channels as a table: name, number of samples, rate and duration where the file says when they were taken, quantity
-    /// and unit.
+    /// The channels as a table: name, number of samples, rate and duration where the file says when they were taken, quantity,
+    /// unit, and place with direction.
     pub fn list(&self) -> Table<'static> {
         let channels = || self.channels.iter();
         let duration = |it: &RecordChannel| it.sampling.duration(it.samples.len());
         let word = |text: &Option<String>| text.clone().unwrap_or_default();
+        let place = |it: &RecordChannel| match it.node {
+            Some(node) => format!("{node} {}", word(&it.direction)),
+            None => word(&it.direction),
+        };
         let mut table = Table::default();
         table.words("channel", channels().map(|it| &it.name));
         table.counts("samples", channels().map(|it| it.samples.len() as f64));
@@ -174,7 +178,13 @@ impl Record {
         table.numbers("duration", "s", channels().map(duration));
         table.words("quantity", channels().map(|it| word(&it.quantity)));
         table.words("unit", channels().map(|it| word(&it.unit)));
+        table.words("place", channels().map(place));
         table
+    }
+
+    /// Adds a warning.
+    fn warn(&mut self, what: impl Into<String>) {
+        self.warnings.push(what.into());
     }
 
     /// Adds a channel, of which there may not be too many.

@@ -108,8 +108,8 @@ fn samples(
     let frames = stated.min(bytes.left()) / frame;
     if stated > bytes.left() {
         let all = stated / frame;
-        record.warnings.push(format!(
-            "the file ends after {frames} of {all} samples a channel: was the recording broken off, or the copy?"
+        record.warn(format!(
+            "the file ends after {frames} of {all} samples a channel"
         ));
     }
     let empty = |_| Vec::with_capacity(frames as usize);

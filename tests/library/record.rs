@@ -160,14 +160,18 @@ fn uneven_times_stay_and_rounded_ones_are_even() {
     }
     assert_eq!(times("binary_mixed.uff")[10], 50.0);
     for file in ["femto.csv", "femto_semicolons.csv"] {
-        let record = record(file);
+        let record = self::record(file);
         // 100 samples with times in whole microseconds
         let rate = record.channels[0].sampling.rate().unwrap();
         assert!((rate / RATE - 1.0).abs() < 1e-6 / (99.0 / RATE));
         assert_samples(&record, "column5", 0, 0.0);
         assert_samples(&record, "column6", 1, 0.0);
     }
-    let record = record("two_rates.csv");
+    let text = fs::read_to_string(folder().join("text.uff")).unwrap();
+    let in_ms = text.replace(" s                  ", " ms                 ");
+    let record = Record::from_bytes(in_ms.as_bytes(), "a.uff").unwrap();
+    assert_even(&record.channels[0], 1e3 * RATE);
+    let record = self::record("two_rates.csv");
     assert_even(record.channel("fast").unwrap(), RATE);
     assert_even(record.channel("slow").unwrap(), RATE / 10.0);
     assert_eq!(record.channel("slow").unwrap().samples.len(), LENGTH / 2);

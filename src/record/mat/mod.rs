@@ -33,7 +33,10 @@ enum Value {
 pub(super) fn read(record: &mut Record, bytes: Bytes<'_>) -> Result<(), Problem> {
     let mut variables = Variables::new(bytes)?;
     while let Some((name, value)) = variables.next()? {
-        add(record, name, value)?;
+        // without a name MATLAB keeps the contents of its objects
+        if !name.is_empty() {
+            add(record, name, value)?;
+        }
     }
     record.warnings.extend(variables.left_out);
     Ok(())
@@ -92,6 +95,11 @@ fn add_struct(
         Some(std::mem::take(&mut fields[place]))
     };
     if let (Some(Value::Text(name)), Some(data)) = (take("Name"), take("Data")) {
+        let name = if name.is_empty() {
+            format!("{path}.Data")
+        } else {
+            name
+        };
         let before = record.channels.len();
         add(record, name, data)?;
         if let Some(Value::Text(unit)) = take("Unit")

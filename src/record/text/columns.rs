@@ -26,24 +26,21 @@ pub fn add(
         let per_second = unit.and_then(per_second);
         if let Some(per_second) = per_second.filter(|_| place == 0 || heading.is_time()) {
             samples.iter_mut().for_each(|time| *time /= per_second);
-            let known = Sampling::from_times(&samples);
-            if known.is_none() {
-                let what = format!("the times in `{name}` do not rise everywhere");
-                record
-                    .warnings
-                    .push(format!("{what}, so the rate is unknown"));
-            }
-            sampling = known.unwrap_or_default();
+            sampling = Sampling::from_times(&samples).unwrap_or_else(|| {
+                record.warn(format!(
+                    "the times in `{name}` do not rise; the rate is unknown"
+                ));
+                Sampling::Unknown
+            });
             continue;
         }
         if samples.is_empty() {
             continue;
         }
         if unit.is_none() && heading.is_time() {
-            let what = format!("the unit of the times in `{name}` is not given");
-            record
-                .warnings
-                .push(format!("{what}, so the rate is unknown"));
+            record.warn(format!(
+                "the times in `{name}` have no unit; the rate is unknown"
+            ));
         }
         let sampling = match &sampling {
             Sampling::Times(times) if times.len() != samples.len() => Sampling::Unknown,

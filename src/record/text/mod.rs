@@ -31,7 +31,7 @@ pub(super) fn read(record: &mut Record, head: &[u8], mut bytes: Bytes<'_>) -> Re
     }
     if rows.is_ambiguous(&lines) {
         let what = "commas are read as separators of two columns of whole numbers; write points if they are decimal commas";
-        record.warnings.push(what.to_owned());
+        record.warn(what);
     }
     record.numbers = header::numbers(&lines, &rows);
     let headings = header::read(&lines, &rows);
@@ -62,9 +62,9 @@ fn fill(
             Err(what) if line.ends_with(b"\n") => return Err(Problem::line(number as u64, what)),
             // a recorder that was stopped, or a copy, may end within a line
             Err(what) => {
-                let warning =
-                    format!("line {number} is the last and not whole ({what}); it is left out");
-                record.warnings.push(warning);
+                record.warn(format!(
+                    "the last line, {number}, is not whole and left out: {what}"
+                ));
                 let whole = columns.iter().map(Vec::len).min().unwrap_or(0);
                 columns.iter_mut().for_each(|column| column.truncate(whole));
             }
@@ -92,6 +92,6 @@ fn row(columns: &mut [Vec<f64>], dialect: Dialect, line: &[u8]) -> Result<(), St
 
 /// What is wrong with a cell.
 fn no_number(cell: &[u8], column: usize) -> String {
-    let text: String = String::from_utf8_lossy(cell).chars().take(40).collect();
-    format!("`{text}` in column {} is not a number", column + 1)
+    let text = String::from_utf8_lossy(cell);
+    format!("`{text:.40}` in column {} is not a number", column + 1)
 }

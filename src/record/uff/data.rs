@@ -87,39 +87,26 @@ fn text(
     let total = header.count as usize * parts.len();
     let mut taken = 0;
     while let Some(line) = lines.next().filter(|line| *line != DELIMITER) {
-        for cell in line
-            .split(u8::is_ascii_whitespace)
-            .filter(|cell| !cell.is_empty())
-        {
+        let cells = line.split(u8::is_ascii_whitespace);
+        for cell in cells.filter(|cell| !cell.is_empty()) {
             let value = number(cell).map_err(|what| Problem::line(lines.number, what))?;
             values.of(parts[taken % parts.len()]).push(value);
             taken += 1;
-            if taken > total {
-                break;
-            }
         }
     }
-    match taken == total {
-        true => Ok(()),
-        false => Err(Problem::line(
-            lines.number,
-            format!("the dataset ends here, with {taken} numbers where {total} should be"),
-        )),
+    if taken == total {
+        return Ok(());
     }
+    let what = format!("the dataset ends here, with {taken} numbers where {total} should be");
+    Err(Problem::line(lines.number, what))
 }
 
 /// A number, whose exponent may be written with D.
 fn number(cell: &[u8]) -> Result<f64, String> {
     let text = String::from_utf8_lossy(cell);
-    let read = text
-        .parse()
-        .or_else(|_| text.replace(['D', 'd'], "E").parse());
-    read.map_err(|_| {
-        format!(
-            "`{}` is not a number",
-            text.chars().take(40).collect::<String>()
-        )
-    })
+    let with_e = || text.replace(['D', 'd'], "E").parse();
+    let read = text.parse().or_else(|_| with_e());
+    read.map_err(|_| format!("`{text:.40}` is not a number"))
 }
 
 fn binary(
@@ -155,22 +142,16 @@ fn binary(
         while lines.next().is_some_and(|line| line != DELIMITER) {}
         return Ok(());
     }
-    let what = format!(
-        "{} values begin here, behind which no line `-1` stands",
-        header.count
-    );
+    let count = header.count;
+    let what = format!("{count} values begin here, behind which no line `-1` stands");
     let why = "is the file cut, or were its line ends converted?";
     Err(Problem::byte(lines.at as u64, format!("{what}; {why}")))
 }
 
 /// Where so many bytes of data stand, behind which the dataset ends; stray line ends may stand on both sides.
 fn extent(bytes: &[u8], length: u64) -> Option<Range<usize>> {
-    let line_ends = |bytes: &[u8]| {
-        let mut found = bytes.iter().take(2);
-        found
-            .position(|byte| !b"\r\n".contains(byte))
-            .unwrap_or(bytes.len().min(2))
-    };
+    let is_line_end = |byte: &&u8| matches!(byte, b'\r' | b'\n');
+    let line_ends = |bytes: &[u8]| bytes.iter().take(2).take_while(is_line_end).count();
     (0..=line_ends(bytes)).find_map(|start| {
         let end = start.checked_add(length as usize)?;
         let behind = bytes.get(end..)?;

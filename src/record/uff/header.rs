@@ -4,6 +4,7 @@ use std::str::FromStr;
 
 use super::Lines;
 use crate::record::Problem;
+use crate::record::unit::per_second;
 
 /// Number of the abscissa that is time.
 const TIME: i64 = 17;
@@ -27,9 +28,11 @@ pub(super) struct Header {
     /// Number of values, or of pairs.
     pub count: u64,
     pub is_even: bool,
-    /// First abscissa, and the step to the next.
+    /// First abscissa, and the step to the next, in the unit of the abscissa.
     pub start: f64,
     pub step: f64,
+    /// A time in the unit of the abscissa that is one second.
+    pub per_second: f64,
     abscissa: i64,
     ordinate: i64,
     unit: String,
@@ -56,7 +59,9 @@ impl Header {
         Ok(Self {
             description: description.field(0, 80),
             function: place.number(0, 5)?,
-            entity: place.field(31, 41),
+            entity: Some(place.field(31, 41))
+                .filter(|it| !it.is_empty())
+                .unwrap_or("node".into()),
             node: place.number(41, 51)?,
             direction: place.number(51, 55)?,
             is_double: matches!(kind, 4 | 6),
@@ -65,6 +70,7 @@ impl Header {
             is_even: form.number::<i64>(20, 30)? != 0,
             start: form.number(30, 43)?,
             step: form.number(43, 56)?,
+            per_second: per_second(&abscissa.field(47, 67)).unwrap_or(1.0),
             abscissa: abscissa.number(0, 10)?,
             ordinate: ordinate.number(0, 10)?,
             unit: ordinate.field(47, 67),
@@ -81,13 +87,8 @@ impl Header {
         if !self.description.is_empty() {
             return self.description.clone();
         }
-        let entity = if self.entity.is_empty() {
-            "node"
-        } else {
-            &self.entity
-        };
         let direction = self.direction().unwrap_or_default();
-        format!("{entity}{}{direction}", self.node)
+        format!("{}{}{direction}", self.entity, self.node)
     }
 
     /// Its unit, as it is written.
@@ -131,11 +132,7 @@ impl Line {
         let signs = self.text.chars().skip(from).take(to - from);
         let field: String = signs.collect();
         let field = field.trim();
-        if field == "NONE" {
-            String::new()
-        } else {
-            field.to_owned()
-        }
+        field.strip_prefix("NONE").unwrap_or(field).to_owned()
     }
 
     /// A number; zero where there is none.

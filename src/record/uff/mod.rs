@@ -39,15 +39,16 @@ fn function(record: &mut Record, lines: &mut Lines<'_>, first: &[u8]) -> Result<
     let values = data::read(lines, form, &header)?;
     let name = header.name();
     if !header.is_over_time() {
-        let what = format!("`{name}` is a function of another quantity than time and is left out");
-        record.warnings.push(what);
+        let what = "is a function of another quantity than time and is left out";
+        record.warn(format!("`{name}` {what}"));
         return Ok(());
     }
-    let sampling = sampling(&header, &values);
-    if sampling == Sampling::Unknown {
-        let what = format!("the times of `{name}` do not rise everywhere, so its rate is unknown");
-        record.warnings.push(what);
-    }
+    let sampling = sampling(&header, &values).unwrap_or_else(|| {
+        record.warn(format!(
+            "the times of `{name}` do not rise everywhere; its rate is unknown"
+        ));
+        Sampling::Unknown
+    });
     let channel = |name, samples| RecordChannel {
         sampling: sampling.clone(),
         quantity: header.quantity().map(str::to_owned),
@@ -63,13 +64,14 @@ fn function(record: &mut Record, lines: &mut Lines<'_>, first: &[u8]) -> Result<
     record.add(channel(format!("{name}.imaginary"), values.imaginary))
 }
 
-fn sampling(header: &Header, values: &Values) -> Sampling {
-    let (rate, start) = (1.0 / header.step, header.start);
-    match header.is_even {
-        true if rate > 0.0 && rate.is_finite() => Sampling::Even { rate, start },
-        true => Sampling::Unknown,
-        false => Sampling::from_times(&values.abscissa).unwrap_or_default(),
+fn sampling(header: &Header, values: &Values) -> Option<Sampling> {
+    if !header.is_even {
+        let times = values.abscissa.iter().map(|time| time / header.per_second);
+        return Sampling::from_times(&times.collect::<Vec<_>>());
     }
+    let rate = header.per_second / header.step;
+    let start = header.start / header.per_second;
+    (rate > 0.0 && rate.is_finite()).then_some(Sampling::Even { rate, start })
 }
 
 /// The lines of a file, between which binary data may stand.
@@ -85,10 +87,8 @@ impl<'a> Lines<'a> {
     /// The next line without blanks at its end.
     fn next(&mut self) -> Option<&'a [u8]> {
         let rest = self.rest();
-        let length = rest
-            .iter()
-            .position(|byte| *byte == b'\n')
-            .unwrap_or(rest.len());
+        let end = rest.iter().position(|byte| *byte == b'\n');
+        let length = end.unwrap_or(rest.len());
         self.at = self.bytes.len().min(self.at + length + 1);
         self.number += 1;
         (!rest.is_empty()).then(|| rest[..length].trim_ascii_end())
