@@ -11,7 +11,7 @@ use super::motion::{motion_json, orbit_figure, poincare_table};
 use super::run_up::{maps_figures, maps_json, run_up_json, tracks_table};
 use super::scene::scene_figure;
 use super::spectra::{
-    NamedPeak, estimated_figure, estimated_json, estimated_table, frequency_limit_of, peak_table,
+    estimated_figure, estimated_json, estimated_table, frequency_limit_of, peak_table,
     spectra_figures, spectrum_table, table_name,
 };
 use super::statics::balls_figure;
@@ -131,7 +131,7 @@ struct RunSummary<'a> {
     method_use: Option<Value>,
     measured_error: Option<Value>,
     spectrum: Option<Value>,
-    peaks: Vec<NamedPeak<'a>>,
+    peaks: Value,
     motion: Option<Value>,
     #[serde(skip_serializing_if = "Option::is_none")]
     run_up: Option<Value>,
@@ -154,7 +154,6 @@ impl<'a> RunSummary<'a> {
             ..
         } = *of;
         let (method_use, spectrum) = (run.method_use.as_ref(), run.spectrum.as_ref());
-        let peaks = run.peaks.iter();
         Self {
             run,
             method_use: method_use.map(|used| method_use_json(used, parted(&run.bearings))),
@@ -166,7 +165,7 @@ impl<'a> RunSummary<'a> {
                 with_keys(error, further)
             }),
             spectrum: spectrum.map(|spectrum| with_keys(spectrum, json!({ "scaling": SCALING }))),
-            peaks: peaks.map(|peak| NamedPeak::new(peak, spectrum)).collect(),
+            peaks: of.peaks().unwrap_or_default().records(),
             motion: run.motion.as_ref().map(motion_json),
             run_up: run
                 .run_up

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_json::Value;
 
 /// Units of columns. A unit that results are to be measured in is added here.
 const UNITS: [&str; 25] = [
@@ -78,6 +79,14 @@ impl ColumnKind {
         match self {
             Self::Word(words) => words.get(number as usize).map_or("", String::as_str),
             _ => "",
+        }
+    }
+
+    /// What a number stands for, as JSON; null where there is nothing.
+    pub fn json(&self, number: f64) -> Value {
+        match self {
+            Self::Word(_) => Some(self.word(number)).filter(|word| !word.is_empty()).into(),
+            _ => number.into(),
         }
     }
 }

@@ -7,6 +7,8 @@ mod column;
 
 use std::borrow::Cow;
 
+use serde_json::{Map, Value};
+
 pub use column::{Column, ColumnKind};
 
 /// A column of numbers of things: its quantity, its unit, and its value of one, NaN where there is none.
@@ -112,6 +114,19 @@ impl<'a> Table<'a> {
             .into_iter()
             .map(|value| value.into().unwrap_or(f64::NAN));
         self.columns.push((column, values.collect()));
+    }
+
+    /// The rows as JSON, each an object with a key a column.
+    pub fn records(&self) -> Value {
+        let columns = &self.columns;
+        let record = |row: usize| -> Value {
+            let entry = |(column, values): &(Column, Cow<'_, [f64]>)| {
+                (column.name(), column.kind.json(values[row]))
+            };
+            columns.iter().map(entry).collect::<Map<_, _>>().into()
+        };
+        let length = columns.first().map_or(0, |(_, values)| values.len());
+        (0..length).map(record).collect()
     }
 
     /// The columns.

@@ -11,7 +11,7 @@ use super::figure::Figure;
 use super::terminal::Lines;
 use super::{FileAction, ReportError, write_whole};
 use crate::scenario::visible;
-use crate::table::{ColumnKind, Table};
+use crate::table::Table;
 
 const FRAME: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
@@ -87,10 +87,7 @@ impl Page<'_> {
 fn rows(name: &str, table: &Table<'_>) -> Value {
     let columns = table.iter().map(|(column, values)| {
         let shown = values.iter().take(MOST_ROWS);
-        let cell = |value: &f64| match &column.kind {
-            ColumnKind::Word(_) => json!(column.kind.word(*value)),
-            _ => json!(value),
-        };
+        let cell = |value: &f64| column.kind.json(*value);
         json!({ "name": column, "cells": shown.map(cell).collect::<Value>() })
     });
     json!({

@@ -5,10 +5,8 @@ use std::f64::consts::TAU;
 use std::io;
 use std::io::Write;
 
-use serde::Serialize;
-
 use super::shown::{NamedLine, ShownPeak, ShownSpectrum};
-use crate::analysis::{Peak, Spectrum};
+use crate::analysis::{Line, Peak, Spectrum};
 use crate::report::figure::Figure;
 use crate::report::table::CsvTable;
 use crate::report::terminal::{MICRO, MILLI};
@@ -48,81 +46,29 @@ pub(in crate::report) fn spectrum_table(spectrum: &Spectrum) -> Table<'_> {
 /// `distance` is that of the peak from its name's frequency, `nominal_f_Hz` where the same line
 /// is by the nominal contact angle.
 pub(in crate::report) fn peak_table(peaks: &[Peak], spectrum: &Spectrum) -> Table<'static> {
-    let named = peaks
-        .iter()
-        .map(|peak| NamedPeak::new(peak, Some(spectrum)));
-    let named: Vec<NamedPeak> = named.collect();
-    let peaks = || named.iter();
+    let all = || peaks.iter();
+    let lines = || all().map(|peak| peak.line);
+    let name = |line: Line| line.kind.to_string();
+    let distances = || {
+        all().map(|peak| peak.line.map_or(f64::NAN, |line| peak.frequency - line.frequency))
+    };
+    let order = |peak: &Peak| peak.frequency / spectrum.shaft_frequency;
+    let order = |peak| (spectrum.shaft_frequency > 0.0).then(|| order(peak));
+    let others = all().map(|peak| peak.others.iter().map(|line| line.kind.to_string()));
     let mut table = Table::default();
-    table.words("channel", peaks().map(|peak| peak.channel));
-    table.words("unit", peaks().map(|peak| peak.unit));
-    table.add(Column::frequency(), peaks().map(|peak| peak.frequency));
-    table.add(Column::order(), peaks().map(|peak| peak.order));
-    table.numbers("amplitude", "", peaks().map(|peak| peak.amplitude));
-    table.numbers("phase", "rad", peaks().map(|peak| peak.phase));
-    table.words(
-        "name",
-        peaks().map(|peak| peak.name.as_deref().unwrap_or_default()),
-    );
-    table.numbers("name_f", "Hz", peaks().map(|peak| peak.name_frequency));
-    table.numbers("distance", "Hz", peaks().map(|peak| peak.distance));
-    table.numbers("distance_bins", "", peaks().map(|peak| peak.distance_bins));
-    table.numbers("nominal_f", "Hz", peaks().map(|peak| peak.nominal));
-    table.words(
-        "other_names",
-        peaks().map(|peak| peak.other_names.join("; ")),
-    );
+    table.words("channel", all().map(|peak| peak.channel.name()));
+    table.words("unit", all().map(|peak| peak.channel.unit()));
+    table.add(Column::frequency(), all().map(|peak| peak.frequency));
+    table.add(Column::order(), all().map(order));
+    table.numbers("amplitude", "", all().map(|peak| peak.amplitude));
+    table.numbers("phase", "rad", all().map(|peak| peak.phase));
+    table.words("name", lines().map(|line| line.map_or_else(String::new, name)));
+    table.numbers("name_f", "Hz", lines().map(|line| Some(line?.frequency)));
+    table.numbers("distance", "Hz", distances());
+    table.numbers("distance_bins", "", distances().map(|distance| distance / spectrum.resolution));
+    table.numbers("nominal_f", "Hz", lines().map(|line| line?.nominal));
+    table.words("other_names", others.map(|names| names.collect::<Vec<_>>().join("; ")));
     table
-}
-
-/// A peak, the line that it is named after, and how far it is from it.
-#[derive(Debug, Serialize)]
-pub(in crate::report) struct NamedPeak<'a> {
-    pub channel: &'a str,
-    pub unit: &'a str,
-    #[serde(rename = "frequency_Hz")]
-    pub frequency: f64,
-    /// Multiple of the shaft's frequency; none where it stands still or its speed changes.
-    pub order: Option<f64>,
-    pub amplitude: f64,
-    #[serde(rename = "phase_rad")]
-    pub phase: f64,
-    pub name: Option<String>,
-    #[serde(rename = "name_Hz")]
-    pub name_frequency: Option<f64>,
-    /// Of the peak from the line that it is named after.
-    #[serde(rename = "distance_Hz")]
-    pub distance: Option<f64>,
-    pub distance_bins: Option<f64>,
-    /// Where the same line is by the nominal contact angle.
-    #[serde(rename = "nominal_Hz")]
-    pub nominal: Option<f64>,
-    /// What else the peak could be called, nearest first.
-    pub other_names: Vec<String>,
-}
-
-impl<'a> NamedPeak<'a> {
-    /// Of a spectrum.
-    pub fn new(peak: &'a Peak, spectrum: Option<&Spectrum>) -> Self {
-        let turning = spectrum.filter(|spectrum| spectrum.shaft_frequency > 0.0);
-        let distance = peak.line.map(|line| peak.frequency - line.frequency);
-        let bins = |(distance, spectrum): (f64, &Spectrum)| distance / spectrum.resolution;
-        let others = peak.others.iter();
-        Self {
-            channel: peak.channel.name(),
-            unit: peak.channel.unit(),
-            frequency: peak.frequency,
-            order: turning.map(|spectrum| peak.frequency / spectrum.shaft_frequency),
-            amplitude: peak.amplitude,
-            phase: peak.phase,
-            name: peak.line.map(|line| line.kind.to_string()),
-            name_frequency: peak.line.map(|line| line.frequency),
-            distance,
-            distance_bins: distance.zip(spectrum).map(bins),
-            nominal: peak.line.and_then(|line| line.nominal),
-            other_names: others.map(|line| line.kind.to_string()).collect(),
-        }
-    }
 }
 
 /// What a group of channels is called, and their unit.
