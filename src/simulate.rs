@@ -39,6 +39,7 @@ pub(crate) use warnings::{PROMISE, assembled_warnings, speed_warnings};
 pub use watch::{Monitor, SimulateError, TraceSink};
 
 pub use crate::integrate::{Counters, IntegrateError};
+use crate::analysis::Motion;
 use crate::integrate::{Progress, States, System};
 pub use crate::rotor::{BallContacts, NaturalFrequency, RotorError, Sample, Whirl};
 use crate::rotor::{Rotor, check_constraints};
@@ -155,6 +156,10 @@ fn answer(
     let analysis = sampling::analyse(model, rotor, recording, &causes);
     let estimated = spectra::estimated(model, recording, &causes, rotor.is_random());
     let (motion, maps, run_up) = observers.recorders.finish();
+    let motion = motion.map(|motion| Motion {
+        random: rotor.is_random(),
+        ..motion
+    });
     let (spectrum, peaks) = analysis.map_or_else(Default::default, |analysis| {
         (Some(analysis.spectrum), analysis.peaks)
     });

@@ -302,17 +302,17 @@ class Scenario:
 
     def campbell(
         self,
-        to: str,
+        to: str | None = None,
         *,
         start: str = "0 rpm",
         count: int = 61,
         orders: Sequence[float | str] = (1.0,),
         highest_frequency: str | None = None,
     ) -> results.Campbell:
-        """Natural frequencies from `start` to `to`, as "60000 rpm", at `count` speeds, and the critical speeds, where
-        they are `orders` times the frequency of the shaft; branches up to `highest_frequency`, as "20 kHz", or one and
+        """Natural frequencies from `start` to `to`, as "60000 rpm", or one and a half times the highest speed of the
+        scenario, at `count` speeds, and the critical speeds, where they are `orders` times the frequency of the shaft; branches up to `highest_frequency`, as "20 kHz", or one and
         a half times the highest order at the highest speed."""
-        ends, speeds = [text_of(start), text_of(to)], whole("count", count, 2, 100_000)
+        ends, speeds = (text_of(start), None if to is None else text_of(to)), whole("count", count, 2, 100_000)
         highest = None if highest_frequency is None else text_of(highest_frequency)
         return results.Campbell(self.scene.campbell(ends, speeds, [str(order) for order in orders], highest))
 

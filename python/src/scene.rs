@@ -171,16 +171,14 @@ impl Scene {
     fn campbell(
         &self,
         py: Python<'_>,
-        ends: [String; 2],
+        ends: (String, Option<String>),
         count: usize,
         orders: Vec<String>,
         highest: Option<String>,
     ) -> PyResult<Answer> {
         let refused = |issue| issue_error(py, &issue);
-        let range = [
-            speed(&ends[0]).map_err(refused)?,
-            speed(&ends[1]).map_err(refused)?,
-        ];
+        let to = ends.1.map(|text| speed(&text).map_err(refused)).transpose()?;
+        let range = (speed(&ends.0).map_err(refused)?, to);
         let highest = highest.map(|text| frequency(&text).map_err(refused));
         let orders = orders.iter().map(|order| order.parse::<Order>());
         let orders = orders.collect::<Result<Vec<_>, _>>();

@@ -22,7 +22,7 @@ impl StudyPlan {
     /// Reads and checks a study file and its scenario.
     #[staticmethod]
     fn load(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
-        let study = py.detach(|| load_study(&path));
+        let study = py.detach(|| load_study(&path, &[]));
         study.map(Self).map_err(|error| scenario_error(py, &error))
     }
 

@@ -137,12 +137,14 @@ impl OrderTracks {
             .iter()
             .zip(&self.bias)
             .filter(|(_, bias)| **bias > MOST_BIAS);
-        let biased = biased.map(|(track, bias)| {
+        let biased = biased.map(|(track, bias)| format!("{:.1} % of {}", 100.0 * bias, track.name));
+        let biased: Vec<_> = biased.collect();
+        let biased = (!biased.is_empty()).then(|| {
             format!(
-                "order tracks: {} changes so fast with the speed that windows of {revolutions} revolutions miss about {:.1} % \
-                 of its largest amplitude: the trace and the largest motion are exact, a slower change of the speed is tracked \
+                "order tracks change so fast with the speed that windows of {revolutions} revolutions miss about {} (of its \
+                 largest amplitude each): the trace and the largest motion are exact, a slower change of the speed is tracked \
                  better",
-                track.name, 100.0 * bias
+                biased.join(", ")
             )
         });
         shared.chain(biased).collect()

@@ -14,11 +14,12 @@ use serde::{Deserialize, Serialize};
 /// Source: F. J. Harris, Proc. IEEE 66 (1978) 51–83 for Hann, Hamming and the four-term
 /// Blackman–Harris; G. D'Antona & A. Ferrero, *Digital
 /// Signal Processing for Measurement Systems* (2006), p. 72, for the five-term flat top.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Window {
     /// No weighting: exact for lines on a bin, as on whole revolutions at constant speed.
+    #[default]
     Rectangular,
     /// Hann: narrow lines, amplitudes up to 15 % low between bins.
     Hann,

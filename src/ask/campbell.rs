@@ -42,6 +42,9 @@ impl FromStr for Order {
     }
 }
 
+/// Highest speed where none is given, in parts of the highest of the scenario.
+const BEYOND: f64 = 1.5;
+
 /// Natural frequencies over the speed, and the critical speeds.
 #[derive(Debug, Clone)]
 pub struct CampbellQuestion<'a> {
@@ -54,18 +57,19 @@ pub struct CampbellQuestion<'a> {
 }
 
 impl<'a> CampbellQuestion<'a> {
-    /// Asks about `count` speeds between two, rad/s, crossings with some orders, and branches up to a frequency in Hz.
+    /// Asks about `count` speeds between two, rad/s, the last of which may be left to the scenario, crossings with some orders, and branches up to a frequency in Hz.
     ///
     /// # Errors
     /// [`AskError::Asked`] where the range is empty or an order is not positive.
     pub fn new(
         scenario: &'a Scenario,
-        [from, to]: [f64; 2],
+        (from, to): (f64, Option<f64>),
         count: usize,
         orders: &[Order],
         highest: Option<f64>,
     ) -> Result<Self, AskError> {
         let rotor = scenario.question.rotor.clone();
+        let to = to.unwrap_or(BEYOND * rotor.highest_speed());
         let (mut found, mut named): (Vec<f64>, _) = (Vec::new(), Vec::new());
         for order in orders {
             match order {

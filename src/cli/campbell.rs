@@ -11,10 +11,10 @@ use crate::study::campbell::MOST_SPEEDS;
 /// Follows natural frequencies over the speed, and finds the critical speeds.
 ///
 /// The shaft is linearised about its static equilibrium at every speed, with gyroscopic moments; modes
-/// are followed by their shapes. No motion is computed, and of the speeds of the scenarios nothing is used.
+/// are followed by their shapes. No motion is computed.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  jeffcott campbell scenarios/back-to-back-7205c.toml --to \"60000 rpm\"\n  \
+    after_help = "Examples:\n  jeffcott campbell scenarios/overhung-rotor-6208.toml\n  \
                   jeffcott campbell shaft.toml --from \"1000 rpm\" --to \"9000 rpm\" --orders 1,2,bpfo\n\n\
                   Each file writes to DIR/<its name without ending>/: campbell.csv, campbell.svg,\n\
                   campbell.html and, last, campbell.json.\n\n\
@@ -27,9 +27,9 @@ pub struct Arguments {
     /// Lowest speed
     #[arg(long, value_name = "SPEED", default_value = "0 rpm", value_parser = scenario::speed)]
     from: f64,
-    /// Highest speed
+    /// Highest speed. Default: one and a half times the highest of the scenario
     #[arg(long, value_name = "SPEED", value_parser = scenario::speed)]
-    to: f64,
+    to: Option<f64>,
     /// Number of speeds
     #[arg(long, value_name = "N", default_value_t = 61, value_parser = clap::value_parser!(u32).range(2..=MOST_SPEEDS as i64))]
     count: u32,
@@ -48,7 +48,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let Some(jobs) = arguments.files.read(|_| {})? else {
         return Ok(Outcome::WrongInput);
     };
-    let (range, count) = ([arguments.from, arguments.to], arguments.count as usize);
+    let (range, count) = ((arguments.from, arguments.to), arguments.count as usize);
     let (orders, highest) = (&arguments.orders, arguments.highest_frequency);
     arguments.files.answer(
         &jobs,

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use super::demand::Demand;
-use super::jobs::name_of;
+use super::jobs::{Settings, name_of};
 use super::{Outcome, terminal};
 use crate::ask::{Asked, StudyQuestion};
 use crate::quasi_static::quasi_static;
@@ -37,6 +37,8 @@ pub struct Arguments {
     /// Print the findings as JSON
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    settings: Settings,
 }
 
 /// Checks every file.
@@ -44,7 +46,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let mut outcome = Outcome::Done;
     let mut findings = Vec::new();
     for file in &arguments.files {
-        let checked = check(file);
+        let checked = check(file, &arguments.settings.all);
         let is_right = match (&checked, &arguments.figure) {
             (Ok(checked), Some(figure)) => draw(checked, figure),
             (checked, _) => checked.is_ok(),
@@ -96,8 +98,8 @@ fn refused<E: Display>(file: &Path) -> impl FnOnce(E) -> ScenarioError {
 }
 
 /// Checks a file, and whether its motion can begin, or without one its shaft has an equilibrium.
-fn check(file: &Path) -> Result<Checked, ScenarioError> {
-    let mut checked = match scenario::load_any(file)? {
+fn check(file: &Path, settings: &[String]) -> Result<Checked, ScenarioError> {
+    let mut checked = match scenario::load_any(file, settings)? {
         Loaded::Study(study) => {
             let StudyQuestion {
                 first, schedule, ..

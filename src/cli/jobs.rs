@@ -28,6 +28,17 @@ pub struct Files {
     /// Print the results as JSON: an object, or an array for several files
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    pub settings: Settings,
+}
+
+/// Values in place of those of the files.
+#[derive(Debug, clap::Args)]
+pub struct Settings {
+    /// Put a value in place of that of the file, as `--set speed.constant="2000 rpm"` or `--set
+    /// "bearing[*].catalogue=6305"`; checked as the file is, and repeatable
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub all: Vec<String>,
 }
 
 /// A checked scenario and where its results go.
@@ -131,7 +142,7 @@ impl Files {
                 terminal::refuse(message);
                 failure(&name, message)
             };
-            let scenario = match scenario::load(file) {
+            let scenario = match scenario::load_with(file, &self.settings.all) {
                 Ok(scenario) => scenario,
                 Err(error) => {
                     terminal::tell_problems(&error);

@@ -7,7 +7,7 @@ use std::thread;
 use std::time::Instant;
 
 use super::demand::check_memory;
-use super::jobs::{Answer, Failure, Job, failure, folder_of, name_of};
+use super::jobs::{Answer, Failure, Job, Settings, failure, folder_of, name_of};
 use super::run::run_motion;
 use super::terminal::Progress;
 use super::{Outcome, terminal};
@@ -83,6 +83,8 @@ struct Make {
     /// Print the document of the study, runs.json
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    settings: Settings,
 }
 
 /// `2/8`: part 2 of 8.
@@ -107,7 +109,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     }
     let make = &arguments.make;
     let file = make.file.as_deref().unwrap_or(Path::new(""));
-    let answer = match scenario::load_study(file) {
+    let answer = match scenario::load_study(file, &make.settings.all) {
         Ok(study) => make.answer(&study, file),
         Err(error) => {
             terminal::tell_problems(&error);

@@ -171,8 +171,9 @@ fn waterfall_figure(title: &str, maps: &Maps) -> Figure {
     Figure::new(FILE, title, 2, panels.collect())
 }
 
-/// A raster over an axis that it fills.
+/// A raster over an axis that it fills, up to a little above its content.
 fn panel(raster: &Raster, name: &str, loudest: f64, x: Axis) -> Panel {
+    let raster = &raster.up_to_content(loudest);
     let [low, high] = raster.frequencies;
     let y = Axis::over(shown_column(&Column::frequency()).0, low..high);
     let is_seen = x.ends[1] > x.ends[0] && loudest > 0.0;
@@ -211,6 +212,9 @@ pub(in crate::report) const MOST_CELLS: usize = 320;
 const SPEED_CELLS: usize = 200;
 /// Decades below the loudest cell that are told apart.
 const DECADES: f64 = 4.0;
+/// What is louder than this part of the loudest cell is heard, and a map goes this much beyond it.
+const HEARD: f64 = 1e-3;
+const BEYOND: f64 = 1.2;
 /// A channel below this part of the loudest one does not move.
 const ROUND_OFF: f64 = 1e-9;
 /// Bins that hold the mean, which was taken away.
@@ -290,6 +294,22 @@ impl Raster {
             .iter()
             .flat_map(|column| column.iter().skip(MEAN_BINS));
         cells.copied().fold(0.0, f64::max)
+    }
+
+    /// Without what is far above the highest frequency that is heard.
+    fn up_to_content(&self, loudest: f64) -> Self {
+        let heard = |value: &f64| *value > HEARD * loudest;
+        let highest = |column: &Vec<f64>| column.iter().rposition(heard);
+        let rows = self.columns.iter().filter_map(highest).max();
+        let all = self.columns.first().map_or(0, Vec::len);
+        let kept = rows.map_or(all, |row| (BEYOND * (row + 1) as f64).ceil() as usize).min(all);
+        let [low, high] = self.frequencies;
+        let columns = self.columns.iter().map(|column| column[..kept.min(column.len())].to_vec());
+        Self {
+            ends: self.ends,
+            frequencies: [low, low + (high - low) * kept as f64 / all.max(1) as f64],
+            columns: columns.collect(),
+        }
     }
 
     /// Levels from the highest frequency down, 0 at [`DECADES`] below `loudest` or less, 255 there or above.

@@ -7,18 +7,28 @@ use crate::table::Column;
 
 /// The column of the variable: `load_1_constant_z_N`.
 pub(super) fn variable_column(variable: &Variable) -> Column {
-    key_column(&variable.key, &variable.unit)
+    let column = key_column(&variable.key, &variable.unit);
+    match variable.words.is_empty() {
+        true => column,
+        false => Column::words(column.quantity, variable.words.clone()),
+    }
 }
 
 fn key_column(key: &str, unit: &str) -> Column {
     let words = key.split(['.', '[', ']']);
-    let words: Vec<_> = words.filter(|word| !word.is_empty()).collect();
+    let words: Vec<_> = words.filter(|word| !matches!(*word, "" | "*")).collect();
     Column::number(words.join("_"), unit.to_owned())
 }
 
-/// The variable as the name of an axis: `load 1, z in N`.
+/// The variable as the name of an axis: `load 1, z in N`, `catalogue of bearing 1 (0: 6205, 1: 6305)`.
 pub(super) fn axis_label(variable: &Variable) -> Label {
-    (in_words(&variable.key), variable.shown_unit.as_str()).into()
+    let words = (0..).zip(&variable.words);
+    let words: Vec<_> = words.map(|(place, word): (u32, _)| format!("{place}: {word}")).collect();
+    let key = in_words(&variable.key);
+    match words.is_empty() {
+        true => (key, variable.shown_unit.as_str()).into(),
+        false => format!("{key} ({})", words.join(", ")).into(),
+    }
 }
 
 /// The key of the variable in words: `speed`, `radial clearance of bearing 1`.
@@ -29,6 +39,7 @@ pub(super) fn key_in_words(variable: &Variable) -> String {
 fn in_words(key: &str) -> String {
     let (table, rest) = key.split_once('.').unwrap_or((key, "constant"));
     let table = match table.trim_end_matches(']').split_once('[') {
+        Some((table, "*")) => format!("every {table}"),
         Some((table, number)) => format!("{table} {number}"),
         None => table.to_owned(),
     };
@@ -43,6 +54,9 @@ fn in_words(key: &str) -> String {
 
 /// A value of the variable in the unit that it was written in: `200 N`.
 pub(super) fn shown(variable: &Variable, value: f64) -> String {
+    if let Some(word) = variable.word(value) {
+        return word.to_owned();
+    }
     let number = to_digits(variable.shown(value), 6);
     let text = format!("{number} {}", variable.shown_unit);
     text.trim_end().to_owned()
@@ -63,6 +77,7 @@ mod tests {
                 "radial clearance of bearing 2",
             ),
             ("damping.ratio", "ratio of damping"),
+            ("bearing[*].catalogue", "catalogue of every bearing"),
         ];
         for (key, words) in labels {
             assert_eq!(in_words(key), words);

@@ -121,6 +121,9 @@ impl AxisReader<'_, '_> {
     /// The axis with what varies, if nothing contradicts it.
     pub fn build(mut self) -> Option<(Axis, Variable)> {
         self.refuse_unrelated();
+        if self.key.is_text() {
+            return self.words();
+        }
         let values = match (&self.input.values, self.input.distribution) {
             (Some(values), _) => self.listed(values.len())?,
             (None, Some(kind)) => Axis::Drawn(self.drawn(kind)?),
@@ -131,6 +134,25 @@ impl AxisReader<'_, '_> {
         let others = self.input.given();
         let others = others.into_iter().find_map(|(_, value)| value.as_ref());
         Some((values, self.key.variable(&listed.or(others)?.0)))
+    }
+
+    /// The words that are listed, numbered from 0.
+    fn words(&mut self) -> Option<(Axis, Variable)> {
+        let path = &self.key.path;
+        let Some(values) = &self.input.values else {
+            let message = format!("`{path}` is no number: list its `values`");
+            self.problems.refuse(Issue::new(self.named, message));
+            return None;
+        };
+        let words = (0..values.len()).map(|index| {
+            let place = self.problems.path(&entry(".values", index));
+            let value = self.key.read(&place, self.problems)?;
+            value.as_str().map(str::to_owned)
+        });
+        let words: Vec<_> = words.collect::<Vec<_>>().into_iter().collect::<Option<_>>()?;
+        let places = (0..words.len()).map(|place| place as f64);
+        let variable = self.key.variable(&Value::Null);
+        Some((Axis::Listed(places.collect()), Variable { words, ..variable }))
     }
 
     /// Refuses keys that do not go with the form in which the values are given.

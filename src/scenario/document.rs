@@ -8,6 +8,7 @@ use serde_json::Value;
 
 use super::node::{Node, read_json, read_toml};
 use super::problems::Problems;
+use super::setting::Setting;
 use super::{Format, Issue, ScenarioError, visible};
 
 /// Most bytes of a file.
@@ -25,6 +26,8 @@ pub(super) struct Document {
     pub name: String,
     text: String,
     root: Node,
+    /// What a command line sets, a line each.
+    options: String,
 }
 
 /// What a text says, unchecked: its tables and values as they are written, without defaults.
@@ -73,7 +76,34 @@ impl Document {
             root: root.map_err(|issues| ScenarioError::new(name, text, issues))?,
             name: name.to_owned(),
             text: text.to_owned(),
+            options: String::new(),
         })
+    }
+
+    /// With some values in place of its own, each as `key=value`.
+    ///
+    /// # Errors
+    /// [`ScenarioError`] with those that can be put nowhere.
+    pub fn with(mut self, settings: &[String]) -> Result<Self, ScenarioError> {
+        let mut issues = Vec::new();
+        for text in settings {
+            let start = self.text.len() + self.options.len();
+            let setting = Setting::new(text, start);
+            issues.extend(setting.and_then(|setting| setting.apply(&mut self.root)).err());
+            self.options += text;
+            self.options.push('\n');
+        }
+        match issues.is_empty() {
+            true => Ok(self),
+            false => Err(self.error(issues)),
+        }
+    }
+
+    fn error(&self, issues: Vec<Issue>) -> ScenarioError {
+        ScenarioError {
+            options: self.options.clone(),
+            ..ScenarioError::new(&self.name, &self.text, issues)
+        }
     }
 
     /// Whether it is a study file: it names the scenario that it starts from.
@@ -107,7 +137,7 @@ impl Document {
     pub fn refused(&self, issue: Issue) -> ScenarioError {
         let mut problems = self.problems();
         problems.add(issue);
-        ScenarioError::new(&self.name, &self.text, problems.issues)
+        self.error(problems.issues)
     }
 
     /// What was made of it and the warnings, or everything that is wrong with it.
@@ -119,7 +149,7 @@ impl Document {
         let issues = problems.issues;
         match made {
             Some(made) if issues.is_empty() => Ok((made, problems.warnings)),
-            _ => Err(ScenarioError::new(&self.name, &self.text, issues)),
+            _ => Err(self.error(issues)),
         }
     }
 }

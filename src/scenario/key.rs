@@ -70,13 +70,13 @@ impl JsonSchema for KeyPaths {
 }
 
 /// Every key of a number outside some tables; lists have as many entries as `given` has.
-pub(super) fn number_keys(given: &Value, left_out: &[&str]) -> Vec<Key> {
+fn number_keys(given: &Value, left_out: &[&str]) -> Vec<Key> {
     let mut keys = all_keys(given, left_out);
-    keys.retain(|key| key.words().is_empty());
+    keys.retain(|key| !key.is_text());
     keys
 }
 
-/// As [`number_keys`], with those of a word out of several.
+/// As [`number_keys`], with those of words and other texts.
 pub(super) fn all_keys(given: &Value, left_out: &[&str]) -> Vec<Key> {
     let mut keys = Vec::new();
     collect(schema(), Some(given), "", left_out, &mut keys);
@@ -106,7 +106,7 @@ fn collect(
         let inner = entry(&key.path, index);
         collect(&schema["items"], Some(item), &inner, left_out, keys);
     }
-    if key.is_number() || !key.words().is_empty() {
+    if key.is_number() || key.is_text() {
         keys.push(key);
     }
 }
@@ -259,6 +259,20 @@ impl Key {
         reader::choices(self.schema)
     }
 
+    /// Whether the key at a path of a scenario is a text, and no quantity.
+    pub fn is_text_at(path: &str) -> bool {
+        let steps = path.split('.').map(|step| match step.split_once('[') {
+            Some((list, _)) => format!("{list}[]"),
+            None => step.to_owned(),
+        });
+        Self::named(&steps.collect::<Vec<_>>().join(".")).is_text()
+    }
+
+    /// Whether it is a word out of several, or any text.
+    pub fn is_text(&self) -> bool {
+        !self.words().is_empty() || self.schema["type"] == "string" && self.dimension.is_none()
+    }
+
     /// Whether it is a number without a dimension.
     fn is_plain(&self) -> bool {
         matches!(self.schema["type"].as_str(), Some("integer" | "number"))
@@ -308,6 +322,7 @@ impl Key {
         let (shown_size, shown_unit) = shown.unwrap_or((1.0, unit.to_owned()));
         Variable {
             key: self.path.clone(),
+            words: Vec::new(),
             unit: unit.to_owned(),
             shown_unit: shown_unit.replacen("um", "µm", 1),
             shown_size,

@@ -24,6 +24,7 @@ mod reader;
 mod removed;
 mod schema;
 mod series_file;
+mod setting;
 pub(crate) mod study_file;
 mod tolerance_file;
 mod unit;
@@ -95,7 +96,15 @@ pub struct Scenario {
 /// # Errors
 /// [`ScenarioError`] with everything that is wrong, also where the file cannot be read.
 pub fn load(path: &Path) -> Result<Scenario, ScenarioError> {
-    check(&Document::open(path)?)
+    load_with(path, &[])
+}
+
+/// Reads and checks a scenario file with some values in place of its own, each as `key=value`.
+///
+/// # Errors
+/// As [`load`]; what is wrong with a value is shown at it.
+pub(crate) fn load_with(path: &Path, settings: &[String]) -> Result<Scenario, ScenarioError> {
+    check(&Document::open(path)?.with(settings)?)
 }
 
 /// A scenario or a study.
@@ -106,12 +115,12 @@ pub(crate) enum Loaded {
     Study(Box<StudyFile>),
 }
 
-/// Reads and checks a scenario or study file.
+/// Reads and checks a scenario or study file with some values in place of its own.
 ///
 /// # Errors
 /// As [`load`].
-pub(crate) fn load_any(path: &Path) -> Result<Loaded, ScenarioError> {
-    let document = Document::open(path)?;
+pub(crate) fn load_any(path: &Path, settings: &[String]) -> Result<Loaded, ScenarioError> {
+    let document = Document::open(path)?.with(settings)?;
     if document.is_study() {
         return check_study(&document).map(|study| Loaded::Study(study.into()));
     }

@@ -118,6 +118,35 @@ impl Content {
 }
 
 impl Node {
+    /// An empty table.
+    pub fn table(span: Range<usize>) -> Self {
+        Self {
+            span,
+            content: Content::Table(Vec::new()),
+        }
+    }
+
+    /// The same values at other places.
+    pub fn moved(mut self, to: impl Fn(usize) -> usize + Copy) -> Self {
+        let place = |span: &Range<usize>| to(span.start)..to(span.end);
+        self.span = place(&self.span);
+        self.content = match self.content {
+            Content::List(items) => {
+                Content::List(items.into_iter().map(|item| item.moved(to)).collect())
+            }
+            Content::Table(entries) => {
+                let entry = |entry: Entry| Entry {
+                    key_span: place(&entry.key_span),
+                    node: entry.node.moved(to),
+                    ..entry
+                };
+                Content::Table(entries.into_iter().map(entry).collect())
+            }
+            plain => plain,
+        };
+        self
+    }
+
     /// The value of a path such as `bearing[1].geometry.balls`.
     pub fn find(&self, path: &str) -> Option<&Self> {
         path.split(['.', '['])

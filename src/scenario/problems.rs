@@ -258,6 +258,8 @@ pub struct ScenarioError {
     pub text: String,
     /// The problems in the order of the file, at least one.
     pub issues: Vec<Issue>,
+    /// What a command line sets in place of what stands in the file, a line each; places count on behind the text.
+    pub options: String,
 }
 
 impl ScenarioError {
@@ -268,6 +270,7 @@ impl ScenarioError {
             name: name.to_owned(),
             text: text.to_owned(),
             issues,
+            options: String::new(),
         }
     }
 
@@ -293,11 +296,19 @@ impl ScenarioError {
         let title = Level::ERROR.primary_title(visible(&issue.message));
         let group = match &issue.span {
             Some(span) => {
-                let others = issue.related.iter().filter_map(|(_, place)| place.clone());
-                let snippet = Snippet::source(&self.text)
-                    .path(visible(&self.name))
-                    .annotation(AnnotationKind::Primary.span(span.clone()))
-                    .annotations(others.map(|other| AnnotationKind::Context.span(other)));
+                let is_set = self.is_set(span);
+                let (source, name, start) = match is_set {
+                    true => (&self.options, "--set", self.text.len()),
+                    false => (&self.text, self.name.as_str(), 0),
+                };
+                let place = |span: &Range<usize>| span.start - start..span.end - start;
+                let others = issue.related.iter().filter_map(|(_, other)| other.as_ref());
+                let others = others.filter(|other| self.is_set(other) == is_set);
+                let others = others.map(|other| AnnotationKind::Context.span(place(other)));
+                let snippet = Snippet::source(source)
+                    .path(visible(name))
+                    .annotation(AnnotationKind::Primary.span(place(span)))
+                    .annotations(others);
                 title.element(snippet)
             }
             None => title.element(Origin::path(visible(&self.name))),
@@ -308,13 +319,19 @@ impl ScenarioError {
         }
     }
 
+    /// Whether a place is one of the command line.
+    fn is_set(&self, span: &Range<usize>) -> bool {
+        !self.options.is_empty() && span.start >= self.text.len()
+    }
+
     /// Every problem for programs: its key, message, line, column and help; line and column count from 1,
     /// the column in characters.
     pub fn issues_json(&self) -> Value {
         let newlines = self.text.match_indices('\n').map(|(place, _)| place + 1);
         let lines: Vec<_> = std::iter::once(0).chain(newlines).collect();
         let issues = self.issues.iter().map(|issue| {
-            let place = issue.span.as_ref().map(|span| {
+            let place = issue.span.as_ref().filter(|span| !self.is_set(span));
+            let place = place.map(|span| {
                 let line = lines.partition_point(|start| *start <= span.start);
                 let end = span.start.min(self.text.len());
                 let before = &self.text.as_bytes()[lines[line - 1]..end];

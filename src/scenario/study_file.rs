@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use super::axis::{AxisInput, AxisReader, Scalar};
 use super::document::Document;
 use super::input::Questions;
-use super::key::{Key, KeyPaths, all_keys, entry, number_keys, set_value};
+use super::key::{Key, KeyPaths, all_keys, entry, set_value};
 use super::problems::Problems;
 use super::schema::schema_of;
 use super::{Format, Issue, Scenario, ScenarioError, built, echo, key, questions, reader, without};
@@ -76,12 +76,12 @@ pub fn study_schema() -> &'static Value {
     &SCHEMA
 }
 
-/// Reads and checks a study file and the scenario that it starts from.
+/// Reads and checks a study file, with some values in place of its own, and the scenario that it starts from.
 ///
 /// # Errors
 /// [`ScenarioError`] with everything that is wrong, of the study or else of the scenario.
-pub fn load_study(path: &Path) -> Result<StudyFile, ScenarioError> {
-    check_study(&Document::open(path)?)
+pub fn load_study(path: &Path, settings: &[String]) -> Result<StudyFile, ScenarioError> {
+    check_study(&Document::open(path)?.with(settings)?)
 }
 
 /// Checks a study and the scenario that it starts from.
@@ -175,7 +175,7 @@ impl StudyFileInput {
         self.check_asked(problems);
         let columns = self.columns(all, problems);
         let (base, repeated) = self.base_scenario(scenario, &folder, problems)?;
-        let known = number_keys(&base, left_out(self.ask));
+        let known = all_keys(&base, left_out(self.ask));
         let (mut axes, mut variables, mut keys) = (Vec::new(), Vec::new(), Vec::new());
         problems.each("axis", &self.axis, |input, problems| {
             let key = problems.take(key::find(&known, input.key.all(), ".key"))?;
@@ -402,8 +402,9 @@ impl StudyFile {
     /// [`Issue`] where its values make no scenario.
     pub fn scenario(&self, values: &[f64]) -> Result<Value, Issue> {
         let mut scenario = self.base.clone();
-        for (key, value) in self.keys.iter().zip(values) {
-            key.set(&mut scenario, &key.written(*value));
+        for ((key, variable), value) in self.keys.iter().zip(&self.variables).zip(values) {
+            let word = variable.word(*value).map(Value::from);
+            key.set(&mut scenario, &word.unwrap_or_else(|| key.written(*value)));
         }
         if let Some(cycles) = &self.cycles {
             let rotor = questions(&scenario, &self.folder)?.motion()?.rotor;

@@ -87,11 +87,21 @@ pub struct Analyses {
     pub maps: bool,
     /// Whether the bearings are observed after the settle time only: then no contacts part or meet.
     pub settled_only: bool,
-    /// The spectra are those of the displacements alone, up to this order of the shaft, and without peaks; where
-    /// `None`, all.
+    /// The spectra are those of the displacements alone, up to this order of the shaft; where `None`, all.
     pub highest_order: Option<f64>,
+    /// The spectra up to an order are whole, and have their peaks, too.
+    pub named_peaks: bool,
+    /// Whether lines beside their bins let a rectangular window be Hann's.
+    pub fits_window: bool,
     /// These spectra are of the forces, too.
     pub force_lines: bool,
+}
+
+impl Analyses {
+    /// Whether peaks of the spectra are sought and named.
+    pub fn has_peaks(&self) -> bool {
+        self.highest_order.is_none() || self.named_peaks
+    }
 }
 
 /// What is found out of a steady motion.

@@ -3,10 +3,10 @@
 use std::f64::consts::TAU;
 
 use super::recorders::{maps_of, revolutions};
-use super::{Model, Sampling, SimulateError};
+use super::{Model, Sampling, SimulateError, spectra};
 use crate::analysis::{
     Analysis, BearingFrequencies, Channel, Line, LineSurfaces, Recording, SampleGrid, Segment,
-    Sources, SpectrumKind, SpectrumRequest, causes,
+    Sources, SpectrumKind, SpectrumRequest, Window, causes,
 };
 use crate::integrate::Grid;
 use crate::physics::BallPass;
@@ -124,19 +124,22 @@ pub(super) fn analyse(
 ) -> Option<Analysis> {
     let (recording, window) = recording.zip(model.spectrum)?;
     let channels = channels(model, rotor);
-    match model.analyses.highest_order {
-        None => {
-            let found = recording.spectrum(&channels, window, causes)?;
-            Some(match rotor.is_random() {
-                true => found.without_names_of_noise(),
-                false => found,
-            })
-        }
-        Some(highest) => Some(Analysis {
+    let highest = model.analyses.highest_order;
+    if let Some(highest) = highest.filter(|_| !model.analyses.has_peaks()) {
+        return Some(Analysis {
             spectrum: recording.lines(&channels, window, highest)?,
             peaks: Vec::new(),
-        }),
+        });
     }
+    let mut found = recording.spectrum(&channels, window, causes)?;
+    // the skirts of a line beside its bin would hide weaker ones
+    if model.analyses.fits_window && spectra::leaks(&found.spectrum) {
+        found = recording.spectrum(&channels, Window::Hann, causes)?;
+    }
+    Some(match rotor.is_random() {
+        true => found.without_names_of_noise(),
+        false => found,
+    })
 }
 
 /// What can cause lines of the spectra that have names: peaks and envelopes; nothing where none is asked for.
@@ -147,7 +150,7 @@ pub(super) fn line_causes(model: &Model, rotor: &Rotor) -> Vec<Line> {
             SpectrumKind::Envelope { .. } | SpectrumKind::ImpulsiveEnvelope
         )
     };
-    let has_peaks = model.spectrum.is_some() && model.analyses.highest_order.is_none();
+    let has_peaks = model.spectrum.is_some() && model.analyses.has_peaks();
     if has_peaks || model.spectra.iter().any(is_envelope) {
         causes(&sources(model, rotor))
     } else {

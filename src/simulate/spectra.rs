@@ -97,6 +97,11 @@ pub(super) fn warnings(
     warnings
 }
 
+/// Whether a line beside its bin hides weaker ones at a constant speed.
+pub(super) fn leaks(spectrum: &Spectrum) -> bool {
+    checks(spectrum).iter().any(|check| check.leak.is_some())
+}
+
 /// What sampling and its end did to the channels of the spectra of the whole run.
 fn checks(spectrum: &Spectrum) -> Vec<ChannelCheck> {
     let floor = spectrum.noise_floor();

@@ -65,7 +65,9 @@ pub(super) fn warnings(
              {failure}"
         ));
     }
-    warnings.extend(passes.main.stiffness().as_ref().map(stiff));
+    // a method that was left open is the faster one all the same
+    let stiffness = passes.main.stiffness().filter(|_| method_use.is_none());
+    warnings.extend(stiffness.as_ref().map(stiff));
     warnings.extend(assembled_warnings(&model.rotor, rotor));
     warnings.extend(motion.and_then(not_settled));
     warnings

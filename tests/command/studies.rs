@@ -80,7 +80,7 @@ fn run_shipped(name: &str, figure: &str, out: &Path) -> serde_json::Value {
     serde_json::from_slice(&output.stdout).expect("JSON")
 }
 
-/// With the two that tests below look into, every shipped study runs.
+/// With those that tests below look into, every shipped study runs.
 #[test]
 fn every_shipped_study_runs() {
     let out = TempDir::new().expect("a folder");
@@ -97,7 +97,45 @@ fn every_shipped_study_runs() {
     let long = shipped("bifurcation-6306");
     done(study(&long, out.path(), &["--shard", "50/100"]));
     let known = toml_files(&scenarios().join("studies"));
-    assert_eq!(known.len(), 8, "{known:?}");
+    assert_eq!(known.len(), 9, "{known:?}");
+}
+
+#[test]
+fn every_cell_of_speeds_and_loads_has_its_spectrum_and_named_peaks() {
+    let out = TempDir::new().expect("a folder");
+    let fewer = ["axis[1].count=2", "axis[2].count=2", "verify_every=0"];
+    let fewer = fewer.iter().flat_map(|set| ["--set", set]);
+    let more: Vec<_> = fewer.chain(["--json"]).collect();
+    let output = done(study(&shipped("spectra-7205c"), out.path(), &more));
+    let told: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(told["digest"]["runs"], 4);
+    let folder = out.path().join("spectra-7205c");
+    let drawn = fs::read_to_string(folder.join("spectra.svg")).expect("a figure");
+    for cell in ["250 rad/s, 200 N", "2500 rad/s, 1000 N"] {
+        assert!(drawn.contains(cell), "{cell}");
+    }
+    assert!(folder.join("waterfall.svg").exists());
+    let peaks = fs::read_to_string(folder.join("peaks.csv")).expect("a table");
+    for run in 0..4 {
+        let mut lines = peaks.lines().filter(|line| line.starts_with(&format!("{run},")));
+        assert!(lines.any(|line| line.ends_with(",meshing")), "{run}");
+    }
+}
+
+#[test]
+fn words_vary_along_an_axis() {
+    let out = TempDir::new().expect("a folder");
+    let text = "ask = 'bearing'\n[[axis]]\nkey = 'bearing[*].catalogue'\nvalues = ['7205C', '7208C']\n";
+    let file = written(out.path(), text);
+    done(study(&file, out.path(), &[]));
+    let folder = out.path().join("small");
+    let rows = rows(&folder);
+    assert_eq!([&rows[0][2], &rows[1][2]], ["7205C", "7208C"]);
+    let stiffness = column(&folder.join("runs.csv"), "stiffness_x_N_m");
+    assert_ne!(stiffness[0], stiffness[1]);
+    let spaced = text.replace("values = ['7205C', '7208C']", "from = '7205C'\nto = '7208C'\ncount = 3");
+    let refused = study(&written(out.path(), &spaced), out.path(), &[]);
+    assert!(crate::support::told(&refused).contains("list its `values`"));
 }
 
 /// The balanced shaft answers where its balls pass at a natural frequency.

@@ -359,7 +359,7 @@ fn changed_studies_are_taken_or_refused() {
     let make = |chance: &mut Chance| changed(&texts[chance.below(texts.len())], chance);
     campaign(mutants(), make, String::clone, |text, _| {
         fs::write(&file, text).expect("a written file");
-        match scenario::load_study(&file) {
+        match scenario::load_study(&file, &[]) {
             Err(error) => assert_told(&error),
             Ok(study) => {
                 let last = study.plan.runs().unwrap_or(u64::MAX).saturating_sub(1);
@@ -404,7 +404,7 @@ fn changed_load_series_are_taken_or_refused() {
 #[test]
 fn changed_rows_are_gone_on_with_or_refused() {
     let folder = TempDir::new().expect("a folder");
-    let study = scenario::load_study(&scenarios().join("studies/resonance-7205c.toml"))
+    let study = scenario::load_study(&scenarios().join("studies/resonance-7205c.toml"), &[])
         .expect("it is good");
     let question = StudyQuestion::new(&study, Shard::WHOLE).expect("its first run can be made");
     let open = || open(folder.path(), question.head(), question.runs(), false);

@@ -112,6 +112,9 @@ pub struct Motion {
     pub drift: Option<Drift>,
     /// Points of every section that was asked for.
     pub(crate) sections: Vec<Section>,
+    /// Whether chance has a part in it.
+    #[serde(skip)]
+    pub random: bool,
     /// Samples a second.
     #[serde(skip)]
     pub rate: f64,
@@ -121,12 +124,13 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// Whether the motion has settled: it repeats, or its statistics hardly move; not known of an irregular one, whose
-    /// statistics move by themselves, and of a record without a drift.
+    /// Whether the motion has settled: it repeats, or its statistics hardly move; not known of an irregular or random one,
+    /// whose statistics move by themselves, and of a record without a drift.
     pub fn has_settled(&self) -> Option<bool> {
         let drift = self.drift.as_ref()?;
         match self.recognition.kind {
             Kind::Irregular { .. } => None,
+            _ if self.random => None,
             Kind::Periodic { .. } => Some(true),
             _ => Some(drift.is_settled()),
         }
@@ -263,6 +267,7 @@ impl MotionRecorder {
         let planner = &mut self.planner;
         let housing_velocity = self.housing_velocity.into_iter();
         Some(Motion {
+            random: false,
             start,
             end,
             statistics,

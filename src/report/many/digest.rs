@@ -125,6 +125,7 @@ impl Digest {
             let highest = spectrum.last().map_or(0.0, |line| line.frequency);
             self.highest_frequency = self.highest_frequency.max(highest);
             self.points += std::mem::take(&mut outcome.points).len();
+            outcome.peaks.clear();
         }
         match &mut row.outcome {
             Err(error) => {

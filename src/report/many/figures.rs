@@ -24,7 +24,7 @@ const MOST_DOTS: usize = 500;
 /// Most axes that numbers are scattered over, side by side.
 const MOST_ACROSS: usize = 4;
 /// Most maps below each other.
-const MOST_MAPS: usize = 8;
+pub(super) const MOST_MAPS: usize = 8;
 /// Height of one of several maps, px.
 const MAP_HEIGHT: u32 = 300;
 

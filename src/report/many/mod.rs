@@ -1,5 +1,6 @@
 //! The files of a study of many runs: its rows while it goes on, tables, figures and a summary at its end.
 
+mod cells;
 mod digest;
 mod error;
 mod figures;
@@ -106,7 +107,10 @@ fn write(folder: RunFolder, rows: &Rows) -> Result<WrittenFindings, StudyError> 
     for (name, text) in ross_files(&digest) {
         files.push(folder.write(&name, text.as_bytes())?);
     }
-    let findings = digest.findings(figures(&digest, rows)?);
+    let cells = digest.cells(rows)?;
+    let figures = cells.figure().into_iter().chain(figures(&digest, rows)?);
+    let mut findings = digest.findings(figures.collect());
+    cells.tell(&mut findings.text);
     Ok(findings.write_beside(folder, files)?)
 }
 

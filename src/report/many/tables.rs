@@ -24,6 +24,8 @@ enum Table {
     Runs,
     /// Amplitudes of every run.
     Spectra,
+    /// Named peaks of every run.
+    Peaks,
     /// Places of the shaft in every run.
     Points,
     /// Stiffness of every bearing in every run.
@@ -35,9 +37,10 @@ enum Table {
 }
 
 impl Table {
-    const ALL: [Self; 6] = [
+    const ALL: [Self; 7] = [
         Self::Runs,
         Self::Spectra,
+        Self::Peaks,
         Self::Points,
         Self::Stiffness,
         Self::Around,
@@ -48,7 +51,7 @@ impl Table {
         let keep = &head.keep;
         match self {
             Self::Runs => true,
-            Self::Spectra => keep.highest_order.is_some(),
+            Self::Spectra | Self::Peaks => keep.highest_order.is_some(),
             Self::Points => keep.section.is_some(),
             Self::Stiffness => keep.bearing_stiffness,
             Self::Around => head.ask == Ask::Bearing,
@@ -60,6 +63,7 @@ impl Table {
         match self {
             Self::Runs => "runs.csv",
             Self::Spectra => "spectra.csv",
+            Self::Peaks => "peaks.csv",
             Self::Points => "poincare.csv",
             Self::Stiffness => "stiffness.csv",
             Self::Around => "around.csv",
@@ -75,6 +79,12 @@ impl Table {
                 let axes = [Column::frequency(), Column::order()];
                 let amplitudes = displacements.map(|channel| channel.measure("amplitude"));
                 axes.into_iter().chain(amplitudes).collect()
+            }
+            Self::Peaks => {
+                let [channel, unit, name] =
+                    ["channel", "unit", "name"].map(|quantity| Column::words(quantity, NO_WORDS));
+                let amplitude = Column::number("amplitude", "");
+                vec![channel, unit, Column::frequency(), Column::order(), amplitude, name]
             }
             Self::Points => {
                 let time = [Channel::Time.column()].into_iter();
@@ -104,6 +114,19 @@ impl Table {
                 .map(|line| {
                     let start = vec![number(line.frequency), cell(line.order)];
                     row(start, &line.amplitudes)
+                })
+                .collect(),
+            Self::Peaks => (outcome.peaks.iter())
+                .map(|peak| {
+                    let [of, unit] = [peak.channel.name(), peak.channel.unit()];
+                    vec![
+                        of.to_owned(),
+                        unit.to_owned(),
+                        number(peak.frequency),
+                        cell(peak.order),
+                        number(peak.amplitude),
+                        peak.name.clone().unwrap_or_default(),
+                    ]
                 })
                 .collect(),
             Self::Points => (outcome.points.iter())
@@ -146,7 +169,11 @@ fn run_columns(head: &StudyHead) -> Vec<Column> {
 /// A row of the table of runs.
 fn run_row(head: &StudyHead, record: &RunRecord) -> Cells {
     let mut row = vec![record.run.to_string(), record.direction.name().to_owned()];
-    row.extend(record.values.iter().map(|value| number(*value)));
+    let values = head.axes.iter().zip(&record.values);
+    row.extend(values.map(|(axis, value)| match axis.word(*value) {
+        Some(word) => word.to_owned(),
+        None => number(*value),
+    }));
     match &record.outcome {
         Ok(outcome) => {
             // what a run does not have is an empty cell

@@ -1,28 +1,69 @@
-//! The spectra of a study over its only axis.
+//! The spectra of a study over an axis.
 
 use std::collections::BTreeMap;
 
 use super::digest::{Digest, is_down};
+use super::figures::MOST_MAPS;
 use super::rows::Rows;
 use crate::analysis::Channel;
 use crate::report::ReportError;
 use crate::report::figure::Figure;
 use crate::report::run_up::{MOST_CELLS, Raster, moving, runs_figure};
-use crate::report::variable::axis_label;
-use crate::study::many::Line;
+use crate::report::variable::{axis_label, shown};
+use crate::study::many::{Line, RunRecord};
+
+/// Key of the axis that spectra are drawn over where there are two.
+const SPEED: &str = "speed.constant";
 
 impl Digest {
-    /// Amplitudes of the displacements over the only axis of a grid and frequency, every channel a row: at even steps
-    /// of the axis the nearest run.
+    /// Amplitudes of the displacements of a grid over an axis and frequency: at even steps of the axis the nearest run.
+    ///
+    /// Over a single axis every displacement has a panel; of two axes it is the speed, or else the last one, and the loudest
+    /// displacement has a panel for each value of the other axis.
     pub(super) fn waterfall(&self, rows: &Rows) -> Result<Option<Figure>, ReportError> {
-        let head = &self.head;
-        let ([axis], Some(ends), false) = (&head.axes[..], self.ends(0), head.drawn) else {
+        let axes = &self.head.axes;
+        if self.head.drawn || !(1..=2).contains(&axes.len()) {
+            return Ok(None);
+        }
+        let speed = axes.iter().position(|axis| axis.key == SPEED);
+        let over = speed.unwrap_or(axes.len() - 1);
+        let Some(ends) = self.ends(over) else {
             return Ok(None);
         };
-        let nearest = self.nearest(ends);
+        let mut panels: Vec<(String, Raster)> = Vec::new();
+        if let [_] = axes[..] {
+            let drawn = self.rasters(rows, over, ends, &|_| true)?;
+            panels.extend(drawn.into_iter().map(|(channel, raster)| (channel.to_string(), raster)));
+        } else {
+            let other = 1 - over;
+            let mut values: Vec<f64> = self.rows.iter().map(|row| row.values[other]).collect();
+            values.sort_by(f64::total_cmp);
+            values.dedup();
+            let every = values.len().div_ceil(MOST_MAPS).max(1);
+            for value in values.into_iter().step_by(every) {
+                let drawn = self.rasters(rows, over, ends, &|row| row.values[other] == value)?;
+                let level = |(_, raster): &(Channel, Raster)| raster.loudest();
+                let loudest = drawn.into_iter().max_by(|a, b| level(a).total_cmp(&level(b)));
+                let value = shown(&axes[other], value);
+                panels.extend(loudest.map(|(of, raster)| (format!("{value}: {of}"), raster)));
+            }
+        }
+        let label = axis_label(&axes[over]);
+        Ok((!panels.is_empty()).then(|| runs_figure(&self.head.title, label, &panels)))
+    }
+
+    /// The displacements that move, each over an axis, of those runs that are asked for.
+    fn rasters(
+        &self,
+        rows: &Rows,
+        over: usize,
+        ends: [f64; 2],
+        asked: &dyn Fn(&RunRecord) -> bool,
+    ) -> Result<Vec<(Channel, Raster)>, ReportError> {
+        let nearest = self.nearest(over, ends, asked);
         let mut columns: BTreeMap<u64, _> = nearest.iter().map(|run| (*run, None)).collect();
         let runs = columns.keys().copied().collect::<Vec<_>>();
-        let channels = lengths(&head.displacements);
+        let channels = lengths(&self.head.displacements);
         rows.each_of(runs.into_iter(), |row| {
             let Ok(outcome) = &row.outcome else { return };
             if !outcome.spectrum.is_empty() {
@@ -39,17 +80,21 @@ impl Digest {
             Raster::new(ends, [0.0, self.highest_frequency], cells.collect())
         };
         let named = channels.iter().enumerate();
-        let drawn = named.map(|(place, (_, channel))| (channel.to_string(), raster(place)));
+        let drawn = named.map(|(place, (_, channel))| (*channel, raster(place)));
         let drawn: Vec<_> = drawn.collect();
         let loudest: Vec<f64> = drawn.iter().map(|(_, raster)| raster.loudest()).collect();
-        let drawn: Vec<_> = moving(&loudest).map(|row| drawn[row].clone()).collect();
-        Ok((!drawn.is_empty()).then(|| runs_figure(&head.title, axis_label(axis), &drawn)))
+        Ok(moving(&loudest).map(|row| drawn[row].clone()).collect())
     }
 
-    /// The run nearest to each of so many even steps of the axis.
-    fn nearest(&self, [low, high]: [f64; 2]) -> Vec<u64> {
-        let rows = self.rows.iter().filter(|row| !is_down(row));
-        let mut at: Vec<_> = rows.map(|row| (self.at(row, 0), row.run)).collect();
+    /// The run nearest to each of so many even steps of an axis.
+    fn nearest(
+        &self,
+        over: usize,
+        [low, high]: [f64; 2],
+        asked: &dyn Fn(&RunRecord) -> bool,
+    ) -> Vec<u64> {
+        let rows = self.rows.iter().filter(|row| !is_down(row) && asked(row));
+        let mut at: Vec<_> = rows.map(|row| (self.at(row, over), row.run)).collect();
         at.sort_by(|a, b| a.0.total_cmp(&b.0));
         let step = (high - low) / MOST_CELLS as f64;
         let nearest = |cell: usize| {

@@ -36,8 +36,8 @@ pub struct Output {
     /// where the shaft stands.
     #[schemars(extend("x-minimum" = 1e-3))]
     pub(super) sample_rate: Option<Quantity<Frequency>>,
-    /// Window of the spectra. Default: "rectangular", exact on whole revolutions.
-    pub window: Window,
+    /// Window of the spectra. Default: "rectangular", exact for lines on a bin, or "hann" where strong lines are not on one.
+    pub window: Option<Window>,
     /// Whether the trace is written. Default: true.
     pub trace: bool,
     /// Whether energy is accounted for, in `energy.csv` and the summary; that of a driven shaft
@@ -98,7 +98,7 @@ impl Default for Output {
         Self {
             samples_per_revolution: None,
             sample_rate: None,
-            window: Window::Rectangular,
+            window: None,
             trace: true,
             energy: false,
             balls: false,

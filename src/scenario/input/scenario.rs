@@ -574,6 +574,7 @@ impl ScenarioInput {
             );
         }
         let mut analyses = self.output.analyses(turning, problems);
+        analyses.fits_window = self.output.window.is_none();
         analyses.machine = self.machine.as_ref().map(MachineInput::build);
         if self.machine.is_some() && analyses.motion == MotionAnalysis::None {
             problems.warn(
@@ -590,7 +591,7 @@ impl ScenarioInput {
             verify: self.integrator.verify,
             energy: self.output.energy,
             table: self.model.table,
-            spectrum: spectra_taken.then_some(self.output.window),
+            spectrum: spectra_taken.then_some(self.output.window.unwrap_or_default()),
             analyses,
             spectra,
         })

@@ -13,13 +13,13 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 pub use numbers::{NumberColumn, number_columns};
-pub use record::{BearingStiffness, Line, Outcome, Place, Point, RunRecord, TraceSeal};
+pub use record::{BearingStiffness, KeptPeak, Line, Outcome, Place, Point, RunRecord, TraceSeal};
 use record::{Carried, RunSink};
 use schedule::Turn;
 pub use schedule::{Cycles, Direction, Schedule, Shard, Sweep, cycles_a_revolution, work};
 pub use statics::{AROUND, static_columns, static_outcome};
 
-use crate::analysis::{Channel, Motion, SectionKind, Spectrum};
+use crate::analysis::{Channel, Motion, Peak, SectionKind, Spectrum};
 use crate::integrate::IntegrateError;
 use crate::simulate::{
     Analyses, Model, Monitor, MotionAnalysis, Run, SimulateError, StaticState, TraceSink, simulate,
@@ -142,7 +142,9 @@ impl Maker<'_> {
         model.spectra.clear();
         let highest_order = self.highest_order();
         model.spectrum = model.spectrum.filter(|_| highest_order.is_some());
+        let fits_window = model.analyses.fits_window;
         model.analyses = Analyses {
+            fits_window,
             motion: match self.keep.section {
                 None => MotionAnalysis::None,
                 section => MotionAnalysis::Statistics(section),
@@ -151,6 +153,7 @@ impl Maker<'_> {
             maps: false,
             settled_only: true,
             highest_order,
+            named_peaks: self.keep.highest_order.is_some(),
             force_lines: false,
         };
         for column in self.columns {
@@ -225,6 +228,7 @@ impl Maker<'_> {
                 .map(|column| column.in_run(run))
                 .collect(),
             spectrum: spectrum.map_or_else(Vec::new, |(spectrum, order)| lines(spectrum, order)),
+            peaks: spectrum.map_or_else(Vec::new, |(spectrum, _)| kept_peaks(&run.peaks, spectrum)),
             points: points.map_or_else(Vec::new, |(motion, section)| {
                 section_points(motion, section)
             }),
@@ -255,6 +259,21 @@ fn lines(spectrum: &Spectrum, highest: f64) -> Vec<Line> {
                 .collect(),
         })
         .collect()
+}
+
+/// Peaks of the displacements.
+fn kept_peaks(peaks: &[Peak], spectrum: &Spectrum) -> Vec<KeptPeak> {
+    let turns = spectrum.shaft_frequency > 0.0;
+    let kept = peaks.iter();
+    let kept = kept.filter(|peak| matches!(peak.channel, Channel::Displacement(_)));
+    let kept = kept.map(|peak| KeptPeak {
+        channel: peak.channel,
+        frequency: peak.frequency,
+        order: turns.then(|| peak.frequency / spectrum.shaft_frequency),
+        amplitude: peak.amplitude,
+        name: peak.line.map(|line| line.kind.to_string()),
+    });
+    kept.collect()
 }
 
 /// Of every bearing that has a stiffness of its own.

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::KeptTrace;
 use super::schedule::Direction;
+use crate::analysis::Channel;
 use crate::bearing::Support;
 use crate::rotor::{InitialPosition, InitialState, Sample};
 use crate::simulate::{Model, TraceSink};
@@ -34,6 +35,9 @@ pub struct Outcome {
     /// Amplitudes of the displacements, m and rad, at frequencies in Hz; empty where none are kept.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub spectrum: Vec<Line>,
+    /// Peaks of these spectra between the bins; empty where none are kept.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub peaks: Vec<KeptPeak>,
     /// Positions of the shaft; empty where none are kept.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub points: Vec<Point>,
@@ -117,6 +121,26 @@ pub struct Line {
     /// Amplitude of every displacement that moves.
     #[serde(rename = "a")]
     pub amplitudes: Vec<f64>,
+}
+
+/// A peak of the spectrum of a displacement.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct KeptPeak {
+    /// The displacement.
+    #[serde(rename = "c")]
+    pub channel: Channel,
+    /// Frequency between the bins, Hz.
+    #[serde(rename = "f")]
+    pub frequency: f64,
+    /// Frequency over that of the shaft, where it turns.
+    #[serde(rename = "o")]
+    pub order: Option<f64>,
+    /// Amplitude, m or rad.
+    #[serde(rename = "a")]
+    pub amplitude: f64,
+    /// What causes it, where that is known.
+    #[serde(rename = "n")]
+    pub name: Option<String>,
 }
 
 /// How stiffly one bearing holds the shaft at the static equilibrium, and its part of the damping.

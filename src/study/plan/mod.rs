@@ -112,12 +112,20 @@ pub struct Variable {
     pub shown_unit: String,
     /// That unit in SI units.
     pub shown_size: f64,
+    /// Of a key of words: those that it takes; a value is the place of one of them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub words: Vec<String>,
 }
 
 impl Variable {
     /// A value of SI unit in the unit that it was written in.
     pub fn shown(&self, value: f64) -> f64 {
         value / self.shown_size
+    }
+
+    /// The word that a value stands for; none of a number.
+    pub fn word(&self, value: f64) -> Option<&str> {
+        self.words.get(value as usize).map(String::as_str)
     }
 }
 
