@@ -58,7 +58,7 @@ impl<'a> Setting<'a> {
                     index..index + 1
                 }
                 (_, Some(index)) if index < count => index..index + 1,
-                _ => return Err(format!("`{}` has no entry [{number}: they count from 1 to {count}", self.key)),
+                _ => return Err(format!("`{}` has no entry {number}: they count from 1 to {count}", self.key)),
             };
             return items[all].iter_mut().try_for_each(|item| self.put(item, rest));
         }
