@@ -30,7 +30,7 @@ pub use recorded::{RecordedRun, UnknownColumn};
 pub use recorders::Maps;
 pub use run::{MeasuredError, Reduction, ReductionError, Run, StaticState};
 pub use run_up::{Extreme, RunUp};
-pub(crate) use sampling::RunSize;
+pub(crate) use sampling::{RunSize, line_causes};
 pub(crate) use severity::Machine;
 pub(crate) use severity::VibrationSeverity;
 pub(crate) use spalls::SpallPassage;

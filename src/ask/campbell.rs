@@ -50,8 +50,8 @@ const BEYOND: f64 = 1.5;
 pub struct CampbellQuestion<'a> {
     scenario: &'a Scenario,
     question: campbell::CampbellQuestion,
-    /// What is said of orders that are those of bearings.
-    named: Vec<String>,
+    /// Orders that are those of bearings, with their names.
+    named: Vec<(f64, String)>,
     /// Frequency up to which branches are shown, Hz.
     highest: Option<f64>,
 }
@@ -80,7 +80,7 @@ impl<'a> CampbellQuestion<'a> {
                         let order = of(&pass);
                         if !found.contains(&order) {
                             found.push(order);
-                            named.push(format!("{name} of bearing {number} is order {order:.4}"));
+                            named.push((order, format!("{} of bearing {number}", name.to_uppercase())));
                         }
                     }
                 }

@@ -16,13 +16,13 @@ use crate::table::{Column, Table};
 
 /// Branches and critical speeds.
 ///
-/// `rotor` is the shaft of the diagram: where it bends its modes are drawn at the highest speed. `named_orders` says which
-/// orders are those of bearings.
+/// `rotor` is the shaft of the diagram: where it bends its modes are drawn at the highest speed. `named` are the orders of
+/// bearings with their names.
 pub fn campbell_findings(
     scenario: &Scenario,
     rotor: &RotorDefinition,
     campbell: &Campbell,
-    named_orders: &[String],
+    named: &[(f64, String)],
 ) -> Findings {
     let [_, fastest] = ends(campbell);
     let branches = campbell.branches.iter().map(|branch| {
@@ -30,12 +30,13 @@ pub fn campbell_findings(
         json!({ "whirl": branch.whirl(), "first_Hz": first, "last_Hz": last })
     });
     let title = &scenario.title;
-    let mut figures = vec![figure(title, campbell)];
+    let mut figures = vec![figure(title, campbell, named)];
     figures.extend(shapes_at(title, rotor, fastest));
     let mut text = Lines::titled(title);
-    named_orders
-        .iter()
-        .for_each(|order| text.line("order", order));
+    let told = |(order, name): &(f64, String)| format!("{name} is order {order:.4}");
+    let named_orders: Vec<_> = named.iter().map(told).collect();
+    let orders = named_orders.iter();
+    orders.for_each(|order| text.line("order", order));
     add_branches(&mut text, campbell);
     if let (Some(highest), 1..) = (campbell.highest_frequency, campbell.left_out) {
         text.put(format!(
@@ -46,7 +47,7 @@ pub fn campbell_findings(
     if campbell.critical_speeds.is_empty() {
         text.put("no critical speed in the range\n");
     } else {
-        add_critical(&mut text, campbell);
+        add_critical(&mut text, campbell, named);
     }
     let found = json!({
         "from_rad_s": campbell.speeds.first(),
@@ -130,7 +131,7 @@ fn end_modes(branch: &Branch) -> [Option<&Mode>; 2] {
 }
 
 /// The critical speeds, each of a branch.
-fn critical_table(campbell: &Campbell) -> Table<'static> {
+fn critical_table(campbell: &Campbell, named: &[(f64, String)]) -> Table<'static> {
     let found = || campbell.critical_speeds.iter();
     let whirl = |critical: &CriticalSpeed| {
         let branch = campbell.branches.get(critical.branch);
@@ -139,6 +140,7 @@ fn critical_table(campbell: &Campbell) -> Table<'static> {
     let branches = found().map(|critical| (critical.branch + 1) as f64);
     let mut table = Table::default();
     table.add(Column::order(), found().map(|critical| critical.order));
+    table.words("name", found().map(|critical| order_name(critical.order, named)));
     table.counts("branch", branches);
     table.words("whirl", found().map(whirl));
     table.numbers("speed", "rad/s", found().map(|critical| critical.speed));
@@ -155,16 +157,22 @@ fn critical_table(campbell: &Campbell) -> Table<'static> {
     table
 }
 
-fn add_critical(out: &mut Lines, campbell: &Campbell) {
+/// What an order is called: `BPFO of bearing 1`, or `2×`.
+fn order_name(order: f64, named: &[(f64, String)]) -> String {
+    let known = named.iter().find(|(known, _)| *known == order);
+    known.map_or_else(|| format!("{}×", rounded(order, 2)), |(_, name)| name.clone())
+}
+
+fn add_critical(out: &mut Lines, campbell: &Campbell, named: &[(f64, String)]) {
     let shown = [
-        ("order", "order"),
+        ("order", "name"),
         ("branch", "branch"),
         ("whirl", "whirl"),
         ("critical speed", "speed"),
         ("frequency", "frequency"),
         ("damping ratio", "damping_ratio"),
     ];
-    out.show(&critical_table(campbell), &shown, 5);
+    out.show(&critical_table(campbell, named), &shown, 5);
     let errors = campbell.critical_speeds.iter();
     let errors = errors.filter_map(|critical| critical.reduction_error);
     if let Some(largest) = errors.max_by(f64::total_cmp) {
@@ -178,12 +186,12 @@ fn add_critical(out: &mut Lines, campbell: &Campbell) {
 const HEIGHT: u32 = 322;
 
 /// Frequencies with the orders and critical speeds above, damping ratios below.
-pub(super) fn figure(title: &str, campbell: &Campbell) -> Figure {
+pub(super) fn figure(title: &str, campbell: &Campbell, named: &[(f64, String)]) -> Figure {
     let whirls = WHIRLS.map(|whirl| Name::new(whirl.to_string(), colour(whirl)));
     let orders = campbell.orders.iter();
-    let orders: Vec<String> = orders.map(|order| rounded(*order, 2).to_string()).collect();
+    let orders: Vec<String> = orders.map(|order| order_name(*order, named)).collect();
     let orders = Name::new(format!("orders {}", orders.join(", ")), GREY);
-    let panels = vec![frequencies(campbell), damping(campbell)];
+    let panels = vec![frequencies(campbell, named), damping(campbell)];
     Figure::new("campbell", title, 1, panels).with_names(whirls.into_iter().chain([orders]))
 }
 
@@ -199,7 +207,7 @@ fn colour(whirl: Whirl) -> Colour {
     distinct(WHIRLS.iter().position(|known| *known == whirl).unwrap_or(0))
 }
 
-fn frequencies(campbell: &Campbell) -> Panel {
+fn frequencies(campbell: &Campbell, named: &[(f64, String)]) -> Panel {
     let mut curves = branches(campbell, Mode::damped_frequency);
     let points = curves.iter().flat_map(|curve| &curve.points);
     let top = points.map(|point| point.1).fold(0.0, f64::max);
@@ -216,15 +224,15 @@ fn frequencies(campbell: &Campbell) -> Panel {
         let end = last.min(1.05 * top / (order * PER_SECOND)).max(first);
         let ends = [first, end].map(|speed| (PER_MINUTE * speed, order * speed * PER_SECOND));
         Curve {
-            name: format!("order {}", rounded(*order, 2)),
+            name: order_name(*order, named),
             ..Curve::line(GREY, ends.to_vec())
         }
     }));
     curves.extend(campbell.critical_speeds.iter().map(|critical| {
         let place = (PER_MINUTE * critical.speed, critical.frequency);
-        let (order, branch) = (rounded(critical.order, 2), critical.branch + 1);
+        let (order, branch) = (order_name(critical.order, named), critical.branch + 1);
         Curve {
-            name: format!("critical speed: branch {branch} crosses order {order}"),
+            name: format!("critical speed: branch {branch} crosses {order}"),
             ..Curve::dots(colour(critical.whirl), vec![place])
         }
     }));

@@ -58,6 +58,10 @@ pub(super) fn add_motion(out: &mut Lines, motion: &Motion) {
         out.line(&format!("vibration {}", each.channel), text);
         out.more(velocity(motion, each.channel));
     }
+}
+
+/// The velocities of the housings, where machines are measured.
+pub(super) fn add_housings(out: &mut Lines, motion: &Motion) {
     for ChannelLevel { channel, level } in &motion.housing_velocity {
         out.line("vibration", level_text(*channel, level));
     }

@@ -70,7 +70,12 @@ impl<'a> RunAnswer<'a> {
         } = *self;
         let title = &scenario.title;
         let limit = frequency_limit_of(run);
-        let mut figures = Vec::new();
+        let drawn = |spectrum| estimated_figure(title, spectrum, limit);
+        let named = |named| {
+            let all = run.spectra.iter();
+            all.filter(move |spectrum| spectrum.lines.is_empty() != named).map(drawn)
+        };
+        let mut figures: Vec<Figure> = named(true).collect();
         let spectrum = run.spectrum.as_ref();
         let spectra = |spectrum| spectra_figures(title, spectrum, &run.peaks);
         let mut spectra = spectrum.map_or_else(Vec::new, spectra).into_iter();
@@ -81,9 +86,8 @@ impl<'a> RunAnswer<'a> {
         let motion = run.motion.as_ref();
         figures.extend(motion.map(|motion| orbit_figure(title, motion)));
         figures.extend(run.maps.iter().flat_map(|maps| maps_figures(title, maps)));
-        figures.extend(campbell.map(|campbell| campbell::figure(title, campbell)));
-        let estimated = run.spectra.iter();
-        figures.extend(estimated.map(|spectrum| estimated_figure(title, spectrum, limit)));
+        figures.extend(campbell.map(|campbell| campbell::figure(title, campbell, &[])));
+        figures.extend(named(false));
         figures.extend(defects::figure(title, model));
         figures.extend(spectra);
         figures.extend(histories.and_then(|histories| histories.others(title)));

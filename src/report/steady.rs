@@ -9,13 +9,14 @@ use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
 use super::findings::with_keys;
 use super::histories::Histories;
 use super::run_tables::sample_table;
-use super::terminal::{Lines, MICRO, digits, listed, measured_text, shown_column, shown_unit};
+use super::terminal::{Lines, MICRO, MILLI, digits, listed, measured_text, shown_column, shown_unit};
 use super::text::reduction_text;
 use super::{FileSet, Findings};
-use crate::analysis::Channel;
+use crate::analysis::{Channel, Line, nearest_cause};
+use crate::rotor::Rotor;
 use crate::scenario::Scenario;
 use crate::shooting::Multipliers;
-use crate::simulate::Model;
+use crate::simulate::{Model, line_causes};
 use crate::steady::{Base, MotionRange, Stability, Steady, SteadyLine, SteadyLines};
 use crate::table::{Column, Table};
 
@@ -29,6 +30,7 @@ pub fn steady_findings(scenario: &Scenario, model: &Model, steady: &Steady) -> F
     let tolerance = model.integrator.tolerance;
     let measured = steady.measured.as_ref();
     let measured = measured.map(|error| with_keys(error, json!({ "tolerance": tolerance })));
+    let causes = causes(model);
     let further = json!({
         "stable": steady.is_stable(),
         "neutral": steady.stability == Stability::Neutral,
@@ -42,24 +44,24 @@ pub fn steady_findings(scenario: &Scenario, model: &Model, steady: &Steady) -> F
     Findings {
         tables: vec![
             ("steady_trace", sample_table(trace, channels)),
-            ("steady_spectrum", line_table(steady, model.rotor.speed)),
+            ("steady_spectrum", line_table(steady, model.rotor.speed, &causes)),
         ],
         figures: vec![
             histories.displacements("steady_trace", title),
-            spectrum(title, &steady.lines),
+            spectrum(title, &steady.lines, &causes),
         ],
         ..Findings::new(
             FileSet::STEADY,
             scenario,
             with_keys(steady, further),
-            text(title, model, steady),
+            text(title, model, steady, &causes),
         )
     }
 }
 
 /// Frequency, order of the shaft (where it turns), both multiples, then amplitude and phase of every
 /// channel.
-fn line_table(steady: &Steady, speed: f64) -> Table<'static> {
+fn line_table(steady: &Steady, speed: f64, causes: &[Line]) -> Table<'static> {
     let lines = || steady.lines.lines.iter();
     let mut table = Table::default();
     table.add(Column::frequency(), lines().map(|line| line.frequency));
@@ -70,6 +72,7 @@ fn line_table(steady: &Steady, speed: f64) -> Table<'static> {
             lines().map(|line| line.frequency * TAU / speed),
         );
     }
+    table.words("name", lines().map(|line| name_of(line, causes)));
     for (index, name) in ["multiple_of_first", "multiple_of_second"]
         .iter()
         .enumerate()
@@ -84,11 +87,27 @@ fn line_table(steady: &Steady, speed: f64) -> Table<'static> {
     table
 }
 
+/// What can cause lines.
+fn causes(model: &Model) -> Vec<Line> {
+    let rotor = Rotor::assemble(&model.rotor);
+    rotor.map_or_else(|_| Vec::new(), |rotor| line_causes(model, &rotor))
+}
+
+/// Part of its frequency within which a line is that of its cause.
+const NEAR: f64 = 1e-4;
+
+/// What causes a line; nothing where that is not known.
+fn name_of(line: &SteadyLine, causes: &[Line]) -> String {
+    let moves = line.multiples != [0, 0];
+    let cause = moves.then(|| nearest_cause(line.frequency, NEAR * line.frequency, causes));
+    cause.flatten().map_or_else(String::new, |line| line.kind.to_string())
+}
+
 /// Height of a plot, px.
 const HEIGHT: u32 = 480;
 
 /// Amplitudes of x, y and z (those that move) over frequency.
-fn spectrum(title: &str, lines: &SteadyLines) -> Figure {
+fn spectrum(title: &str, lines: &SteadyLines, causes: &[Line]) -> Figure {
     let lengths = lengths(lines);
     let all = || lengths.iter().flat_map(|(index, _)| tips(lines, *index));
     let strongest = all().map(|(_, amplitude)| amplitude).fold(0.0, f64::max);
@@ -108,8 +127,19 @@ fn spectrum(title: &str, lines: &SteadyLines) -> Figure {
             }
         })
     });
+    let mut peaks: Vec<(Point, String)> = Vec::new();
+    for line in moving(lines) {
+        let (name, heights) = (name_of(line, causes), lengths.iter());
+        let height = heights.map(|(index, _)| MICRO * line.amplitude[*index]).fold(0.0, f64::max);
+        if !name.is_empty() && height > floor {
+            peaks.push(((line.frequency, height), name));
+        }
+    }
+    peaks.sort_by(|(a, _), (b, _)| b.1.total_cmp(&a.1));
+    peaks.truncate(LINES);
     let panel = Panel {
         curves: strokes.collect(),
+        peaks,
         ..Panel::new(
             Axis::over(shown_column(&Column::frequency()).0, 0.0..limit),
             amplitudes,
@@ -143,7 +173,7 @@ const LINES: usize = 8;
 const MULTIPLIERS: usize = 4;
 
 /// Period, stability and the strongest lines of a steady motion.
-fn text(title: &str, model: &Model, steady: &Steady) -> Lines {
+fn text(title: &str, model: &Model, steady: &Steady, causes: &[Line]) -> Lines {
     let mut out = Lines::titled(title);
     for base in &steady.bases {
         out.line("forcing", forcing(base));
@@ -161,7 +191,7 @@ fn text(title: &str, model: &Model, steady: &Steady) -> Lines {
         out.line("shaft", reduction_text(reduction));
     }
     add_swings(&mut out, steady);
-    add_lines(&mut out, steady, model.rotor.speed);
+    add_lines(&mut out, steady, model.rotor.speed, causes);
     out
 }
 
@@ -252,7 +282,7 @@ fn add_swings(out: &mut Lines, steady: &Steady) {
 }
 
 /// The strongest lines of the displacements that are lengths.
-fn add_lines(out: &mut Lines, steady: &Steady, speed: f64) {
+fn add_lines(out: &mut Lines, steady: &Steady, speed: f64, causes: &[Line]) {
     let lines = &steady.lines;
     let lengths = lengths(lines);
     let moving = moving(lines).flat_map(|line| {
@@ -275,8 +305,10 @@ fn add_lines(out: &mut Lines, steady: &Steady, speed: f64) {
                 format!("{:.4}", line.frequency),
                 order,
                 digits(MICRO * line.amplitude[index]),
+                digits(MILLI * TAU * line.frequency * line.amplitude[index]),
+                name_of(line, causes),
                 format!("{}, {}", line.multiples[0], line.multiples[1]),
             ]
         });
-    out.table(["line", "Hz", "order", "µm", "multiples"], rows);
+    out.table(["line", "Hz", "order", "µm", "mm/s", "name", "multiples"], rows);
 }

@@ -2,14 +2,14 @@
 
 use serde_json::{Value, json};
 
-use super::motion::{add_motion, add_severity};
+use super::motion::{add_housings, add_motion, add_severity};
 use super::run_up::add_run_up;
 use super::statics::ball_pass_text;
 use super::terminal::{
     Lines, MICRO, clearance_text, displacement_text, listed, mark_estimated, measured_text,
-    of_bearing, significant,
+    of_bearing, shown_unit, significant, to_digits,
 };
-use crate::analysis::{Peak, Spectrum};
+use crate::analysis::{Axis, EnvelopeLine, EstimatedSpectrum, Peak, Spectrum};
 use crate::integrate::{ChangeReason, Method, MethodUse};
 use crate::simulate::{
     BearingHistory, EventCount, EventKind, Model, NaturalFrequency, Reduction, Run, SpallPassage,
@@ -31,8 +31,19 @@ pub fn text(title: &str, model: &Model, run: &Run, campbell: Option<&Campbell>) 
     if let Some(severity) = &run.vibration_severity {
         add_severity(&mut out, severity);
     }
+    if let Some(motion) = &run.motion {
+        add_housings(&mut out, motion);
+    }
     if let Some(run_up) = &run.run_up {
         add_run_up(&mut out, run_up, campbell);
+    }
+    for spall in &run.spalls {
+        out.line("spall", spall_text(spall));
+    }
+    for spectrum in run.spectra.iter().filter(|of| !of.lines.is_empty()) {
+        let lines = spectrum.lines.iter().take(ENVELOPE_LINES);
+        let lines = lines.map(|line| line_text(spectrum, line));
+        out.line(&spectrum.request.name, listed(lines));
     }
     let moving = model.rotor.shaft.freedoms.axes();
     let place = displacement_text(moving, &run.equilibrium.displacement);
@@ -79,14 +90,6 @@ pub fn text(title: &str, model: &Model, run: &Run, campbell: Option<&Campbell>) 
     if let Some(motion) = &run.motion {
         add_motion(&mut out, motion);
     }
-    for spall in &run.spalls {
-        out.line("spall", spall_text(spall));
-    }
-    for spectrum in run.spectra.iter().filter(|of| !of.lines.is_empty()) {
-        let lines = spectrum.lines.iter().take(ENVELOPE_LINES);
-        let names = listed(lines.map(|line| line.line.kind.to_string()));
-        out.line("lines", format!("{}: {names}", spectrum.request.name));
-    }
     if !run.peaks.is_empty() {
         add_peaks(&mut out, &run.peaks, run.spectrum.as_ref());
     }
@@ -130,6 +133,17 @@ fn spall_text(spall: &SpallPassage) -> String {
         spall.on,
         MICRO * spall.entry_to_impact
     )
+}
+
+/// `BPFO 107.4 Hz 0.53 m/s²`, over orders `BPFO 3.585×`.
+fn line_text(spectrum: &EstimatedSpectrum, line: &EnvelopeLine) -> String {
+    let (unit, factor) = shown_unit(&spectrum.unit(spectrum.columns[line.column].quantity));
+    let place = match spectrum.request.axis {
+        Axis::Frequency => format!("{:.1} Hz", line.place),
+        Axis::Order => format!("{:.3}×", line.place),
+    };
+    let value = to_digits(factor * line.value, 3);
+    format!("{} {place} {value} {unit}", line.line.kind)
 }
 
 /// The strongest peaks of x, y and z, which have one unit and so one order.

@@ -143,7 +143,7 @@ pub(super) fn analyse(
 }
 
 /// What can cause lines of the spectra that have names: peaks and envelopes; nothing where none is asked for.
-pub(super) fn line_causes(model: &Model, rotor: &Rotor) -> Vec<Line> {
+pub(crate) fn line_causes(model: &Model, rotor: &Rotor) -> Vec<Line> {
     let is_envelope = |request: &SpectrumRequest| {
         matches!(
             request.kind,

@@ -61,9 +61,12 @@ fn compare_column(
         more: 0.0,
         ..allowance
     };
-    let lines = spectra
-        .each_ref()
-        .map(|table| lines(table, &column, allowed));
+    let beyond = |limit| spectra.each_ref().map(|table| lines(table, &column, limit));
+    let mut lines = beyond(allowed);
+    if lines.iter().all(Vec::is_empty) {
+        // none is significant; how strong they are is told all the same
+        lines = beyond(0.0);
+    }
     let [first_bin, second_bin] = spectra.each_ref().map(bin);
     let bin = first_bin.max(second_bin) * (1.0 + ROUND_OFF);
     let (mut taken, mut alone) = (Vec::new(), Vec::new());

@@ -1,6 +1,7 @@
 //! The page of results that were compared: of runs also their key numbers side by side, their traces and spectra over
 //! each other.
 
+use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
@@ -12,8 +13,10 @@ use crate::analysis::Channel;
 use crate::report::envelope::Decimator;
 use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct, ends};
 use crate::report::page::Page;
-use crate::report::terminal::{Lines, MILLI, digits, or_dash, shown_column};
-use crate::table::Column;
+use crate::report::terminal::{
+    Lines, MICRO, MILLI, digits, or_dash, shown_column, shown_quantity,
+};
+use crate::table::{Column, ColumnKind};
 
 /// Height of a plot, px.
 const HEIGHT: u32 = 190;
@@ -35,6 +38,8 @@ struct Folder {
     name: String,
     trace: Option<Source<'static>>,
     spectrum: Option<Source<'static>>,
+    /// Spectra that its scenario asks for, by their names.
+    estimated: Vec<(String, Source<'static>)>,
     summary: Value,
 }
 
@@ -44,12 +49,20 @@ impl Folder {
             let file = path.join(name);
             file.exists().then(|| Source::open(&file)).transpose()
         };
+        let summary = sealed(path)?;
+        let asked = summary["spectra"].as_array().into_iter().flatten();
+        let asked = asked.filter_map(|spectrum| spectrum["table"].as_str());
+        let read = |name: &str| Ok(Some((name.to_owned(), table(&format!("{name}.csv"))?)));
+        let estimated = asked.filter_map(|name| read(name).transpose());
+        let estimated: Vec<(String, Option<_>)> = estimated.collect::<Result<_, CompareError>>()?;
+        let estimated = estimated.into_iter().filter_map(|(name, table)| Some((name, table?)));
         let name = path.file_name().unwrap_or(path.as_os_str());
         Ok(Self {
             name: name.to_string_lossy().into_owned(),
             trace: table("trace.csv")?,
             spectrum: table("spectrum.csv")?,
-            summary: sealed(path)?,
+            estimated: estimated.collect(),
+            summary,
         })
     }
 }
@@ -94,11 +107,34 @@ fn show_runs(folders: &[PathBuf], lines: &mut Lines) -> Result<Vec<Figure>, Comp
     let names = names(&runs, folders);
     tell_key_numbers(&runs, &names, lines);
     let traces = TRACES.map(Channel::column);
-    let spectra = [0, 1, 2].map(|axis| Channel::Displacement(axis).measure("amplitude"));
-    let figures = [
-        figure("traces", &runs, &traces, |run| &run.trace),
-        figure("spectra", &runs, &spectra, |run| &run.spectrum),
+    let lines = runs.iter().filter_map(|run| run.spectrum.as_ref());
+    let lines = lines.flat_map(Source::columns);
+    let mut lines: Vec<Column> = lines.filter(|column| rate_of(column).is_some()).cloned().collect();
+    let mut seen = Vec::new();
+    lines.retain(|column| {
+        let is_new = !seen.contains(column);
+        seen.push(column.clone());
+        is_new
+    });
+    // the housings, which machines are judged by, first
+    lines.sort_by_key(|column| column.unit != "m/s^2");
+    let mut figures = vec![
+        figure("velocity_spectra", &runs, &lines, rate_of, &|run| run.spectrum.as_ref()),
+        figure("traces", &runs, &traces, |_| None, &|run| run.trace.as_ref()),
     ];
+    let mut asked: Vec<&String> = Vec::new();
+    for (name, table) in runs.iter().flat_map(|run| &run.estimated) {
+        if asked.contains(&name) {
+            continue;
+        }
+        asked.push(name);
+        let columns = table.columns().filter(|column| column.has_lines());
+        let columns: Vec<_> = columns.cloned().collect();
+        figures.push(figure(name, &runs, &columns, |_| None, &|run| {
+            let found = run.estimated.iter().find(|(known, _)| known == name);
+            found.map(|(_, table)| table)
+        }));
+    }
     let names = || Name::each(names.iter().map(String::as_str));
     let figures = figures.into_iter().flatten();
     Ok(figures.map(|figure| figure.with_names(names())).collect())
@@ -118,18 +154,37 @@ fn names(runs: &[Folder], folders: &[PathBuf]) -> Vec<String> {
 /// Axes whose velocities are shown.
 const AXES: [&str; 3] = ["x", "y", "z"];
 /// Numbers of a summary beside the velocities: their names, and where they are found.
-const KEY_NUMBERS: [(&str, &str); 4] = [
-    ("largest ball\nload, N", "/largest_ball_load_N"),
+const KEY_NUMBERS: [(&str, &str, f64); 5] = [
+    ("stiffness x\nN/µm", "/stiffness/named/stiffness_x_N_m", 1.0 / MICRO),
+    ("stiffness y\nN/µm", "/stiffness/named/stiffness_y_N_m", 1.0 / MICRO),
+    ("largest ball\nload, N", "/largest_ball_load_N", 1.0),
     (
         "lowest natural\nfrequency, Hz",
         "/natural_frequencies/0/frequency_Hz",
+        1.0,
     ),
-    (
-        "life of bearing 1\nh",
-        "/bearings/0/life/after_settle/life_h",
-    ),
-    ("measured error\nof the motion", "/measured_error/relative"),
+    ("measured error\nof the motion", "/measured_error/relative", 1.0),
 ];
+
+/// A number of every entry of a list, as far as it has one.
+fn values<'a>(
+    summary: &'a Value,
+    list: &str,
+    pointer: &'a str,
+) -> impl Iterator<Item = f64> + use<'a> {
+    let entries = summary.pointer(list).and_then(Value::as_array);
+    let entries = entries.into_iter().flatten();
+    entries.filter_map(move |entry| entry.pointer(pointer)?.as_f64())
+}
+
+/// What makes an amplitude at a frequency in Hz one of a velocity, of displacements of the shaft and of accelerations.
+fn rate_of(column: &Column) -> Option<fn(f64) -> f64> {
+    match (&column.kind, &*column.unit) {
+        (ColumnKind::Measure("amplitude"), "m") => Some(|at| TAU * at),
+        (ColumnKind::Measure("amplitude"), "m/s^2") => Some(|at| 1.0 / (TAU * at)),
+        _ => None,
+    }
+}
 
 /// A row a run.
 fn tell_key_numbers(runs: &[Folder], names: &[String], out: &mut Lines) {
@@ -138,7 +193,8 @@ fn tell_key_numbers(runs: &[Folder], names: &[String], out: &mut Lines) {
     let header = header
         .into_iter()
         .chain(velocities.iter().map(String::as_str));
-    let header = header.chain(KEY_NUMBERS.map(|(name, _)| name));
+    let header = header.chain(["housings\nmm/s RMS", "shortest life\nh"]);
+    let header = header.chain(KEY_NUMBERS.map(|(name, ..)| name));
     let rows = runs.iter().zip(names).map(|(run, name)| {
         let kind = run.summary.pointer("/motion/kind/name");
         let kind = kind.and_then(Value::as_str).map(str::to_owned);
@@ -148,7 +204,14 @@ fn tell_key_numbers(runs: &[Folder], names: &[String], out: &mut Lines) {
         };
         let velocities =
             AXES.map(|axis| number(&format!("/motion/velocity_rms/{axis}/rms_m_s"), MILLI));
-        let others = KEY_NUMBERS.map(|(_, pointer)| number(pointer, 1.0));
+        let shown = |value: Option<f64>| or_dash(value.map(digits));
+        let summary = &run.summary;
+        let housings = values(summary, "/motion/housing_velocity_rms", "/rms_m_s");
+        let housings = shown(housings.map(|rms| MILLI * rms).reduce(f64::max));
+        let lives = values(summary, "/bearings", "/life/after_settle/life_h");
+        let all = [housings, shown(lives.reduce(f64::min))];
+        let others = KEY_NUMBERS.map(|(_, pointer, factor)| number(pointer, factor));
+        let others = all.into_iter().chain(others);
         let cells = [name.clone(), or_dash(kind)];
         cells.into_iter().chain(velocities).chain(others).collect()
     });
@@ -159,15 +222,17 @@ fn tell_key_numbers(runs: &[Folder], names: &[String], out: &mut Lines) {
     }
 }
 
-/// A panel a column that any of the runs has, a curve a run; none where no run has such a table.
+/// A panel a column that any of the runs has, a curve a run, as velocities where there is a rate; none where no run has such a
+/// table.
 fn figure(
     file: &str,
     runs: &[Folder],
     columns: &[Column],
-    table: fn(&Folder) -> &Option<Source<'static>>,
+    rate: fn(&Column) -> Option<fn(f64) -> f64>,
+    table: &dyn Fn(&Folder) -> Option<&Source<'static>>,
 ) -> Option<Figure> {
-    let is_spectrum = file == "spectra";
-    let tables: Vec<Option<&Source<'_>>> = runs.iter().map(|run| table(run).as_ref()).collect();
+    let is_spectrum = file != "traces";
+    let tables: Vec<Option<&Source<'_>>> = runs.iter().map(table).collect();
     let shown = columns.iter().filter(|column| {
         let mut tables = tables.iter().flatten();
         tables.any(|table| table.largest(column) > 0.0)
@@ -176,13 +241,21 @@ fn figure(
     let [first, last] = ends(axes.copied())?;
     let (over, _) = shown_column(tables.iter().flatten().next()?.axis().0);
     let panels = shown.map(|column| {
-        let (label, factor) = shown_column(column);
+        let (label, factor) = match rate(column) {
+            Some(_) => {
+                let of = shown_quantity(&column.quantity).replace(" acceleration", "");
+                ((format!("velocity of {of}"), "mm/s".to_owned()), MILLI)
+            }
+            None => shown_column(column),
+        };
         let curves = tables.iter().enumerate().filter_map(|(index, table)| {
             let table = (*table)?;
             let values = table.values(column)?.iter().map(|value| factor * value);
             let points = table.axis().1.iter().copied().zip(values);
             // the mean is listed apart from what vibrates
             let points = points.filter(|(at, _)| !is_spectrum || *at > 0.0);
+            let rate = rate(column).unwrap_or(|_| 1.0);
+            let points = points.map(|(at, value)| (at, rate(at) * value));
             let points = thinned(points, MOST_POINTS / runs.len());
             Some(Curve::line(distinct(index), points))
         });

@@ -9,8 +9,8 @@ use super::rows::StudyHead;
 use super::statistics::{ResponsePeak, Sensitivity, peaks, sensitivities};
 use crate::report::figure::Figure;
 use crate::report::findings::versioned;
-use crate::report::terminal::{Lines, digits, or_dash};
-use crate::report::variable::variable_column;
+use crate::report::terminal::{Lines, digits, or_dash, shown_column};
+use crate::report::variable::axis_label;
 use crate::report::{FileSet, Findings};
 use crate::scenario::Output;
 use crate::study::many::{Direction, RunRecord};
@@ -273,7 +273,7 @@ impl Digest {
         let ([axis], [_, ..]) = (&self.head.axes[..], &self.peaks[..]) else {
             return;
         };
-        let at = variable_column(axis).name();
+        let at = axis_label(axis).to_string();
         let header = [
             "resonance",
             "direction",
@@ -284,13 +284,14 @@ impl Digest {
         ];
         let rows = self.peaks.iter().map(|peak| {
             let half_power = [peak.half_power_from, peak.half_power_to];
-            let [from, to] = half_power.map(|at| or_dash(at.map(digits)));
-            let [at, height] = [peak.at, peak.height].map(digits);
+            let shown = |at: f64| digits(axis.shown(at));
+            let [from, to] = half_power.map(|at| or_dash(at.map(shown)));
+            let ((number, unit), factor) = shown_column(&peak.number);
             vec![
-                peak.number.name(),
+                number,
                 peak.direction.to_owned(),
-                at,
-                height,
+                shown(peak.at),
+                format!("{} {unit}", digits(factor * peak.height)),
                 from,
                 to,
             ]

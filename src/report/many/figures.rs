@@ -40,6 +40,9 @@ const MOST_PLACES: usize = 200_000;
 /// Height of a bar, px.
 const BAR: u32 = 26;
 
+/// The number that says how a motion repeats.
+const PERIOD: &str = "period_cycles";
+
 /// What the figures show where a study names nothing.
 const SHOWN: [&str; 8] = [
     "x_rms_m",
@@ -61,6 +64,19 @@ pub(super) struct Shown {
     label: Label,
     /// What its values are multiplied by for that.
     factor: f64,
+    /// Whether it is a count only where it is positive.
+    is_code: bool,
+}
+
+impl Shown {
+    /// What is drawn of a run.
+    fn value(&self, row: &RunRecord) -> f64 {
+        let value = number(row, self.column);
+        match self.is_code && value < 0.0 {
+            true => f64::NAN,
+            false => self.factor * value,
+        }
+    }
 }
 
 impl Digest {
@@ -75,10 +91,13 @@ impl Digest {
             let digest = &self.columns[column];
             let tells = digest.varies() || (self.head.named.is_some() && digest.known > 1);
             let (label, factor) = shown_column(&digest.column);
-            tells.then(|| Shown {
+            let is_code = digest.column.quantity == PERIOD;
+            let label = if is_code { "cycles of a motion that repeats".into() } else { label.into() };
+            tells.then_some(Shown {
                 column,
-                label: label.into(),
+                label,
                 factor,
+                is_code,
             })
         };
         names.iter().filter_map(known).collect()
@@ -122,8 +141,7 @@ impl Digest {
         let rows = self.rows.iter().filter(|row| is_down(row) == down);
         let mut found: Vec<(Point, u64)> = rows
             .map(|row| {
-                let value = shown.factor * number(row, shown.column);
-                ((self.at(row, 0), value), row.run)
+                ((self.at(row, 0), shown.value(row)), row.run)
             })
             .filter(|((_, value), _)| value.is_finite())
             .collect();
@@ -216,7 +234,7 @@ impl Digest {
 
     /// One number in every cell of the grid.
     fn mapped(&self, shown: &Shown, edges: [&Edges; 2], height: u32) -> Panel {
-        let value = |row: &RunRecord| shown.factor * number(row, shown.column);
+        let value = |row: &RunRecord| shown.value(row);
         let range = padded(self.rows.iter().map(value));
         let span = range.end - range.start;
         let shade = |value: f64| {
@@ -270,8 +288,7 @@ impl Digest {
     /// One number over one axis.
     fn scattered(&self, shown: &Shown, axis: usize) -> Option<Panel> {
         let rows = self.rows.iter().map(|row| {
-            let value = shown.factor * number(row, shown.column);
-            ((self.at(row, axis), value), row.run)
+            ((self.at(row, axis), shown.value(row)), row.run)
         });
         let known = rows.filter(|((_, value), _)| value.is_finite());
         let (points, runs): (Vec<Point>, Vec<u64>) = known.unzip();
@@ -303,7 +320,8 @@ impl Digest {
                     let mut axes = self.head.axes.iter();
                     let variable = axes.find(|known| variable_column(known).name() == axis);
                     let label = variable.map_or_else(|| axis.to_owned(), key_in_words);
-                    format!("{} by {label}", sensitivity.number.name())
+                    let ((number, _), _) = shown_column(&sensitivity.number);
+                    format!("{number} by {label}")
                 };
                 bars.extend(axes.into_iter().map(|(axis, part)| (name(axis), *part)));
             }

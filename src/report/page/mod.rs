@@ -7,11 +7,11 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use super::figure::Figure;
-use super::terminal::Lines;
+use super::figure::{Figure, Label};
+use super::terminal::{Lines, shown_column};
 use super::{FileAction, ReportError, write_whole};
 use crate::scenario::visible;
-use crate::table::Table;
+use crate::table::{ColumnKind, Table};
 
 const FRAME: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
@@ -87,8 +87,12 @@ impl Page<'_> {
 fn rows(name: &str, table: &Table<'_>) -> Value {
     let columns = table.iter().map(|(column, values)| {
         let shown = values.iter().take(MOST_ROWS);
-        let cell = |value: &f64| column.kind.json(*value);
-        json!({ "name": column, "cells": shown.map(cell).collect::<Value>() })
+        let (label, factor) = shown_column(column);
+        let cell = |value: &f64| match column.kind {
+            ColumnKind::Number | ColumnKind::Measure(_) => json!(factor * value),
+            _ => column.kind.json(*value),
+        };
+        json!({ "name": Label::from(label).to_string(), "cells": shown.map(cell).collect::<Value>() })
     });
     json!({
         "name": name,

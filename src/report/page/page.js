@@ -41,8 +41,8 @@
     const shown = columns[0]?.cells.length ?? 0;
     const cell = (value) => (typeof value === "string" ? value : number(value, 6));
     const cells = Array.from({ length: shown }, (_, row) => columns.map((column) => cell(column.cells[row])));
-    const rest = count > shown ? `The first ${shown} of ${count} rows; all` : "All rows with all digits";
-    return table(columns.map((column) => column.name), cells, `${rest} stand in the table ${name} beside this page.`);
+    const rest = count > shown ? `The first ${shown} of ${count} rows; all, as SI units,` : "All rows with all digits, as SI units,";
+    return table(columns.map((column) => column.name), cells, `${rest} stand in ${name}.csv beside this page.`);
   }
 
   /** What the figures show of a run of a study, and the command that makes it alone: results stand in a folder called like their file. */
@@ -78,7 +78,7 @@
     figures.follow("trace", at);
     folded("film", "In motion", figure);
   }
-  for (const entry of tables) folded(`table-${entry.name}`, `Table ${entry.name}`, rows(entry));
+  for (const entry of tables) folded(`table-${entry.name}`, `${heading(entry.name)}, a table`, rows(entry));
   const { scenario, study, ...numbers } = answer;
   if (scenario) folded("scenario", "Scenario", element("p", { class: "quiet" }, "as it was read, with defaults"), json(scenario));
   if (study) folded("study", "Study", json(study));

@@ -9,7 +9,7 @@ use super::shown::{NamedLine, ShownPeak, ShownSpectrum};
 use crate::analysis::{Line, Peak, Spectrum};
 use crate::report::figure::Figure;
 use crate::report::table::CsvTable;
-use crate::report::terminal::{MICRO, MILLI};
+use crate::report::terminal::MILLI;
 use crate::simulate::Run;
 use crate::table::{Column, Table};
 
@@ -72,15 +72,19 @@ pub(in crate::report) fn peak_table(peaks: &[Peak], spectrum: &Spectrum) -> Tabl
 }
 
 /// What a group of channels is called, and their unit.
-const GROUPS: [(&str, &str); 4] = [
+const GROUPS: [(&str, &str); 5] = [
     ("displacement", "m"),
+    ("acceleration", "m/s^2"),
     ("tilt", "rad"),
     ("force", "N"),
     ("moment", "N m"),
 ];
 
-/// What a page shows beside displacements: their velocities, then amplitudes of channels of one unit together, each a
-/// figure.
+/// Name of what shows how the housings move.
+const HOUSINGS: &str = "housing_velocity";
+
+/// What a page shows beside displacements: velocities of the housings, where there are any, and of the shaft, then amplitudes
+/// of channels of one unit together, each a figure.
 pub(in crate::report) fn spectra_figures(
     title: &str,
     spectrum: &Spectrum,
@@ -89,12 +93,15 @@ pub(in crate::report) fn spectra_figures(
     let table = spectrum_table(spectrum);
     let figures = shown_groups(&table, spectrum, peaks).map(|(name, group)| {
         let (name, group) = match name {
-            "displacement" => ("velocity", velocity_of(group)),
+            "displacement" => ("velocity", velocity_of(group, |at| TAU * at)),
+            "acceleration" => (HOUSINGS, velocity_of(group, |at| 1.0 / (TAU * at))),
             name => (name, group),
         };
         figure(&format!("{name}_spectrum"), title, name, group, PAGE_HEIGHT).only_on_page()
     });
-    figures.collect()
+    let mut figures: Vec<_> = figures.collect();
+    figures.sort_by_key(|figure| !figure.name.starts_with(HOUSINGS));
+    figures
 }
 
 /// Amplitudes of channels of one unit together, each group with its name.
@@ -120,15 +127,15 @@ fn shown_groups<'a>(
     })
 }
 
-/// Velocities of displacements: 2πf times their amplitudes.
-fn velocity_of(group: ShownSpectrum<'_>) -> ShownSpectrum<'_> {
-    let rate = |(at, value): (&f64, &f64)| TAU * at * value;
+/// Velocities of displacements, 2πf times their amplitudes, or of accelerations.
+fn velocity_of(group: ShownSpectrum<'_>, rate: fn(f64) -> f64) -> ShownSpectrum<'_> {
+    let value = |(at, value): (&f64, &f64)| if *at > 0.0 { rate(*at) * value } else { 0.0 };
     let columns = group.columns.iter().map(|(name, values)| {
-        let rates = group.over.1.iter().zip(values.iter()).map(rate);
-        (name.clone(), Cow::Owned(rates.collect()))
+        let rates = group.over.1.iter().zip(values.iter()).map(value);
+        (name.replace(" acceleration", ""), Cow::Owned(rates.collect()))
     });
     let peaks = group.peaks.iter().map(|peak| ShownPeak {
-        height: MILLI / MICRO * TAU * peak.at * peak.height,
+        height: MILLI / group.factor * rate(peak.at) * peak.height,
         ..peak.clone()
     });
     ShownSpectrum {
@@ -176,7 +183,7 @@ pub(crate) fn spectrum_figure(title: &str, spectrum: &Spectrum, peaks: &[Peak]) 
 }
 
 fn figure(name: &str, title: &str, of: &str, mut shown: ShownSpectrum<'_>, height: u32) -> Figure {
-    shown.quantity = format!("{of} {}", shown.quantity);
+    shown.quantity = format!("{} {}", of.replace('_', " "), shown.quantity);
     let figure = Figure::new(name, title, 1, vec![shown.panel(height)]);
     figure.with_names(shown.names())
 }
