@@ -38,8 +38,8 @@ pub(crate) use tables::TableUse;
 pub(crate) use warnings::{PROMISE, assembled_warnings, speed_warnings};
 pub use watch::{Monitor, SimulateError, TraceSink};
 
-pub use crate::integrate::{Counters, IntegrateError};
 use crate::analysis::Motion;
+pub use crate::integrate::{Counters, IntegrateError};
 use crate::integrate::{Progress, States, System};
 pub use crate::rotor::{BallContacts, NaturalFrequency, RotorError, Sample, Whirl};
 use crate::rotor::{Rotor, check_constraints};

@@ -177,7 +177,10 @@ impl Scene {
         highest: Option<String>,
     ) -> PyResult<Answer> {
         let refused = |issue| issue_error(py, &issue);
-        let to = ends.1.map(|text| speed(&text).map_err(refused)).transpose()?;
+        let to = ends
+            .1
+            .map(|text| speed(&text).map_err(refused))
+            .transpose()?;
         let range = (speed(&ends.0).map_err(refused)?, to);
         let highest = highest.map(|text| frequency(&text).map_err(refused));
         let orders = orders.iter().map(|order| order.parse::<Order>());

@@ -80,7 +80,10 @@ impl<'a> CampbellQuestion<'a> {
                         let order = of(&pass);
                         if !found.contains(&order) {
                             found.push(order);
-                            named.push((order, format!("{} of bearing {number}", name.to_uppercase())));
+                            named.push((
+                                order,
+                                format!("{} of bearing {number}", name.to_uppercase()),
+                            ));
                         }
                     }
                 }

@@ -1,12 +1,16 @@
-//! Words of the command line that earlier versions knew, each with the way that is left.
+//! Words of the command line that are none or none any more, each with the way there is.
 
-use clap::error::{ContextKind, ContextValue, Error};
+use clap::error::{ContextKind, ContextValue, Error, ErrorKind};
 
 use crate::scenario::way_left;
 
 const RUN_AGAIN: &str = "a run is made in one go: run it again, or with a shorter `duration`; studies go on where they ended";
 
-const REMOVED: [(&str, &str); 5] = [
+/// What the verb that is asked for most does.
+const RUN: &str = "did you mean `run`? `jeffcott run FILE` simulates a scenario";
+
+const REMOVED: [(&str, &str); 6] = [
+    ("simulate", RUN),
     (
         "report",
         "`jeffcott compare A B ... --report FILE.html` puts two and more runs on one page",
@@ -33,8 +37,11 @@ pub fn with_way_left(mut error: Error) -> Error {
         let found = REMOVED.iter().find(|(removed, _)| *removed == word);
         found.map(|(_, way)| *way).or_else(|| way_left(&word))
     });
-    let Some(way) = ways.next() else {
-        drop(ways);
+    let way = ways.next();
+    drop(ways);
+    let no_verb = error.kind() == ErrorKind::InvalidSubcommand
+        && error.get(ContextKind::SuggestedSubcommand).is_none();
+    let Some(way) = way.or(no_verb.then_some(RUN)) else {
         return error;
     };
     for alike in [

@@ -140,7 +140,10 @@ fn critical_table(campbell: &Campbell, named: &[(f64, String)]) -> Table<'static
     let branches = found().map(|critical| (critical.branch + 1) as f64);
     let mut table = Table::default();
     table.add(Column::order(), found().map(|critical| critical.order));
-    table.words("name", found().map(|critical| order_name(critical.order, named)));
+    table.words(
+        "name",
+        found().map(|critical| order_name(critical.order, named)),
+    );
     table.counts("branch", branches);
     table.words("whirl", found().map(whirl));
     table.numbers("speed", "rad/s", found().map(|critical| critical.speed));
@@ -160,7 +163,10 @@ fn critical_table(campbell: &Campbell, named: &[(f64, String)]) -> Table<'static
 /// What an order is called: `BPFO of bearing 1`, or `2×`.
 fn order_name(order: f64, named: &[(f64, String)]) -> String {
     let known = named.iter().find(|(known, _)| *known == order);
-    known.map_or_else(|| format!("{}×", rounded(order, 2)), |(_, name)| name.clone())
+    known.map_or_else(
+        || format!("{}×", rounded(order, 2)),
+        |(_, name)| name.clone(),
+    )
 }
 
 fn add_critical(out: &mut Lines, campbell: &Campbell, named: &[(f64, String)]) {

@@ -73,7 +73,8 @@ impl<'a> RunAnswer<'a> {
         let drawn = |spectrum| estimated_figure(title, spectrum, limit);
         let named = |named| {
             let all = run.spectra.iter();
-            all.filter(move |spectrum| spectrum.lines.is_empty() != named).map(drawn)
+            all.filter(move |spectrum| spectrum.lines.is_empty() != named)
+                .map(drawn)
         };
         let mut figures: Vec<Figure> = named(true).collect();
         let spectrum = run.spectrum.as_ref();

@@ -302,9 +302,14 @@ impl Raster {
         let highest = |column: &Vec<f64>| column.iter().rposition(heard);
         let rows = self.columns.iter().filter_map(highest).max();
         let all = self.columns.first().map_or(0, Vec::len);
-        let kept = rows.map_or(all, |row| (BEYOND * (row + 1) as f64).ceil() as usize).min(all);
+        let kept = rows
+            .map_or(all, |row| (BEYOND * (row + 1) as f64).ceil() as usize)
+            .min(all);
         let [low, high] = self.frequencies;
-        let columns = self.columns.iter().map(|column| column[..kept.min(column.len())].to_vec());
+        let columns = self
+            .columns
+            .iter()
+            .map(|column| column[..kept.min(column.len())].to_vec());
         Self {
             ends: self.ends,
             frequencies: [low, low + (high - low) * kept as f64 / all.max(1) as f64],

@@ -9,7 +9,9 @@ use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
 use super::findings::with_keys;
 use super::histories::Histories;
 use super::run_tables::sample_table;
-use super::terminal::{Lines, MICRO, MILLI, digits, listed, measured_text, shown_column, shown_unit};
+use super::terminal::{
+    Lines, MICRO, MILLI, digits, listed, measured_text, shown_column, shown_unit,
+};
 use super::text::reduction_text;
 use super::{FileSet, Findings};
 use crate::analysis::{Channel, Line, nearest_cause};
@@ -44,7 +46,10 @@ pub fn steady_findings(scenario: &Scenario, model: &Model, steady: &Steady) -> F
     Findings {
         tables: vec![
             ("steady_trace", sample_table(trace, channels)),
-            ("steady_spectrum", line_table(steady, model.rotor.speed, &causes)),
+            (
+                "steady_spectrum",
+                line_table(steady, model.rotor.speed, &causes),
+            ),
         ],
         figures: vec![
             histories.displacements("steady_trace", title),
@@ -100,7 +105,9 @@ const NEAR: f64 = 1e-4;
 fn name_of(line: &SteadyLine, causes: &[Line]) -> String {
     let moves = line.multiples != [0, 0];
     let cause = moves.then(|| nearest_cause(line.frequency, NEAR * line.frequency, causes));
-    cause.flatten().map_or_else(String::new, |line| line.kind.to_string())
+    cause
+        .flatten()
+        .map_or_else(String::new, |line| line.kind.to_string())
 }
 
 /// Height of a plot, px.
@@ -130,7 +137,9 @@ fn spectrum(title: &str, lines: &SteadyLines, causes: &[Line]) -> Figure {
     let mut peaks: Vec<(Point, String)> = Vec::new();
     for line in moving(lines) {
         let (name, heights) = (name_of(line, causes), lengths.iter());
-        let height = heights.map(|(index, _)| MICRO * line.amplitude[*index]).fold(0.0, f64::max);
+        let height = heights
+            .map(|(index, _)| MICRO * line.amplitude[*index])
+            .fold(0.0, f64::max);
         if !name.is_empty() && height > floor {
             peaks.push(((line.frequency, height), name));
         }
@@ -310,5 +319,8 @@ fn add_lines(out: &mut Lines, steady: &Steady, speed: f64, causes: &[Line]) {
                 format!("{}, {}", line.multiples[0], line.multiples[1]),
             ]
         });
-    out.table(["line", "Hz", "order", "µm", "mm/s", "name", "multiples"], rows);
+    out.table(
+        ["line", "Hz", "order", "µm", "mm/s", "name", "multiples"],
+        rows,
+    );
 }

@@ -23,7 +23,9 @@ fn key_column(key: &str, unit: &str) -> Column {
 /// The variable as the name of an axis: `load 1, z in N`, `catalogue of bearing 1 (0: 6205, 1: 6305)`.
 pub(super) fn axis_label(variable: &Variable) -> Label {
     let words = (0..).zip(&variable.words);
-    let words: Vec<_> = words.map(|(place, word): (u32, _)| format!("{place}: {word}")).collect();
+    let words: Vec<_> = words
+        .map(|(place, word): (u32, _)| format!("{place}: {word}"))
+        .collect();
     let key = in_words(&variable.key);
     match words.is_empty() {
         true => (key, variable.shown_unit.as_str()).into(),

@@ -149,10 +149,16 @@ impl AxisReader<'_, '_> {
             let value = self.key.read(&place, self.problems)?;
             value.as_str().map(str::to_owned)
         });
-        let words: Vec<_> = words.collect::<Vec<_>>().into_iter().collect::<Option<_>>()?;
+        let words: Vec<_> = words
+            .collect::<Vec<_>>()
+            .into_iter()
+            .collect::<Option<_>>()?;
         let places = (0..words.len()).map(|place| place as f64);
         let variable = self.key.variable(&Value::Null);
-        Some((Axis::Listed(places.collect()), Variable { words, ..variable }))
+        Some((
+            Axis::Listed(places.collect()),
+            Variable { words, ..variable },
+        ))
     }
 
     /// Refuses keys that do not go with the form in which the values are given.

@@ -89,7 +89,11 @@ impl Document {
         for text in settings {
             let start = self.text.len() + self.options.len();
             let setting = Setting::new(text, start);
-            issues.extend(setting.and_then(|setting| setting.apply(&mut self.root)).err());
+            issues.extend(
+                setting
+                    .and_then(|setting| setting.apply(&mut self.root))
+                    .err(),
+            );
             self.options += text;
             self.options.push('\n');
         }

@@ -129,7 +129,15 @@ impl Reader<'_, '_> {
             return Some(Value::Number(value));
         }
         let words = range.words(|limit| limit);
-        self.refuse(&format!("must be {words}, not {value}"))
+        let message = format!("`{}` must be {words}, not {value}", self.key());
+        let mut issue = Issue::new(self.path, message);
+        if range.is_choice() {
+            issue.help = self.schema["description"]
+                .as_str()
+                .map(|text| text.replace('\n', " "));
+        }
+        self.problems.add(issue);
+        None
     }
 
     /// One of some words.
@@ -329,6 +337,7 @@ fn wrong_type(expected: &str, content: &Content, schema: &Value, path: &str) -> 
     }
     let (due, help) = match (expected, content) {
         ("object", Content::List(_)) => ("a table", Some(format!("write `[{key}]`, once"))),
+        ("object", Content::Plain(value)) => ("a table", table_of(key, value, schema)),
         ("object", _) => ("a table", None),
         ("array", Content::Table(_)) => {
             let advice = format!("write `[[{key}]]`, once for each");
@@ -350,6 +359,16 @@ fn wrong_type(expected: &str, content: &Content, schema: &Value, path: &str) -> 
     issue
 }
 
+/// How to write a table whose keys all have a value; none where it has other keys or many.
+fn table_of(key: &str, value: &Value, schema: &Value) -> Option<String> {
+    let properties = schema["properties"].as_object()?;
+    let fits = |property: &Value| check(value.as_str().unwrap_or_default(), property, "").is_ok();
+    let fits = (1..=3).contains(&properties.len()) && properties.values().all(fits);
+    let entries = properties.keys().map(|key| format!("{key} = {value}"));
+    let entries: Vec<_> = entries.collect();
+    fits.then(|| format!("write {key} = {{ {} }}", entries.join(", ")))
+}
+
 /// How to write the number that a text ends with, as "VG 68" does; a number with a unit after it may mean another one.
 fn plain_number(key: &str, text: &str, schema: &Value) -> String {
     let number = text.trim_start_matches(|c: char| c.is_alphabetic() || c.is_whitespace());
@@ -369,6 +388,11 @@ pub(in crate::scenario) struct Range {
 }
 
 impl Range {
+    /// Whether it is of two numbers that stand for something.
+    fn is_choice(self) -> bool {
+        self.minimum.zip(self.maximum) == Some((1.0, 2.0))
+    }
+
     /// Limits of a plain number, or of a quantity in SI units.
     pub fn from_schema(schema: &Value) -> Self {
         let keys = match schema["x-dimension"].is_null() {

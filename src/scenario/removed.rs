@@ -1,6 +1,10 @@
-//! Keys and words that earlier versions knew, each with the way that is left.
+//! Keys and words that scenarios do not have or have no longer, each with the way there is.
 
-const REMOVED: [(&str, &str); 7] = [
+const REMOVED: [(&str, &str); 8] = [
+    (
+        "step",
+        "steps follow from the error: tolerance = 1e-8; how often is written, `sample_rate` in [output] says",
+    ),
     (
         "side_by_side",
         "leave it out: every run is integrated by itself",
@@ -20,7 +24,7 @@ const REMOVED: [(&str, &str); 7] = [
     ),
 ];
 
-/// What to do instead of a key or word that is gone.
+/// What to do instead of a key or word that is not there.
 pub fn way_left(word: &str) -> Option<&'static str> {
     let found = REMOVED.iter().find(|(removed, _)| *removed == word);
     found.map(|(_, way)| *way)

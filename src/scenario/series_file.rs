@@ -60,6 +60,12 @@ pub(super) fn read(path: &Path) -> Result<(Vec<f64>, Vec<SeriesComponent>), Stri
 fn columns(header: &[&str]) -> Result<Vec<SeriesComponent>, String> {
     // a file from a spreadsheet may begin with a byte order mark
     let first = header.first().unwrap_or(&"").trim_start_matches('\u{feff}');
+    if header.len() == 1 && first.contains(';') {
+        let commas = first.replace(',', ".").replace(';', ",");
+        return Err(format!(
+            "semicolons part its columns: write commas between them and points in numbers, as in `{commas}`"
+        ));
+    }
     if first != TIME {
         return Err(format!("its first column must be `{TIME}`, not `{first}`"));
     }

@@ -21,7 +21,9 @@ impl<'a> Setting<'a> {
         let (key, value) = text.split_once('=').ok_or_else(|| {
             let issue = Issue::new("", format!("`{text}` sets no key"));
             let place = start..start + text.len();
-            issue.help("write KEY=VALUE, as in speed.constant=\"2000 rpm\"").at(Some(place))
+            issue
+                .help("write KEY=VALUE, as in speed.constant=\"2000 rpm\"")
+                .at(Some(place))
         })?;
         let key = key.trim();
         Ok(Self { key, value, start })
@@ -58,9 +60,16 @@ impl<'a> Setting<'a> {
                     index..index + 1
                 }
                 (_, Some(index)) if index < count => index..index + 1,
-                _ => return Err(format!("`{}` has no entry {number}: they count from 1 to {count}", self.key)),
+                _ => {
+                    return Err(format!(
+                        "`{}` has no entry {number}: they count from 1 to {count}",
+                        self.key
+                    ));
+                }
             };
-            return items[all].iter_mut().try_for_each(|item| self.put(item, rest));
+            return items[all]
+                .iter_mut()
+                .try_for_each(|item| self.put(item, rest));
         }
         let Content::Table(entries) = &mut node.content else {
             return Err(format!("`{}` is in no table here", self.key));
@@ -70,10 +79,17 @@ impl<'a> Setting<'a> {
             let (key, key_span) = ((*step).to_owned(), span.clone());
             let is_list = rest.first().is_some_and(|next| next.ends_with(']'));
             let node = match is_list {
-                true => Node { span, content: Content::List(Vec::new()) },
+                true => Node {
+                    span,
+                    content: Content::List(Vec::new()),
+                },
                 false => Node::table(span),
             };
-            entries.push(Entry { key, key_span, node });
+            entries.push(Entry {
+                key,
+                key_span,
+                node,
+            });
             entries.len() - 1
         });
         self.put(&mut entries[place].node, rest)

@@ -85,7 +85,9 @@ impl ColumnKind {
     /// What a number stands for, as JSON; null where there is nothing.
     pub fn json(&self, number: f64) -> Value {
         match self {
-            Self::Word(_) => Some(self.word(number)).filter(|word| !word.is_empty()).into(),
+            Self::Word(_) => Some(self.word(number))
+                .filter(|word| !word.is_empty())
+                .into(),
             _ => number.into(),
         }
     }

@@ -127,7 +127,7 @@ fn orders_of_bearings_mix_with_numbers() {
     }
     let named = &campbell["orders_of_bearings"][0];
     let named = named.as_str().unwrap();
-    assert!(named.starts_with("bpfo of bearing 1 is order 4.80"));
+    assert!(named.starts_with("BPFO of bearing 1 is order 4.80"));
     let wrong = jeffcott_in(
         &folder,
         &["campbell", "a.toml", "--to", "9rpm", "--orders", "x"],

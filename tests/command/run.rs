@@ -58,7 +58,9 @@ fn every_shipped_scenario_runs_and_states_its_error() {
     // what a warning says nobody could have avoided by a default
     let warned = text(&output.stderr);
     let warned = warned.lines().filter(|line| line.starts_with("warning:"));
-    let warned: Vec<_> = warned.filter(|line| !line.contains("order tracks")).collect();
+    let warned: Vec<_> = warned
+        .filter(|line| !line.contains("order tracks"))
+        .collect();
     assert!(warned.is_empty(), "{warned:#?}");
     for file in files {
         let run = folder.path().join(file.file_stem().expect("a stem"));
@@ -89,9 +91,15 @@ fn a_value_of_the_command_line_stands_for_that_of_the_file() {
     let set = |settings: &[&str]| {
         let settings = settings.iter().flat_map(|set| ["--set", set]);
         let more: Vec<_> = settings.chain(["--json"]).collect();
-        verb("bearing", &[&file], folder.path(), &more).output().expect("the command starts")
+        verb("bearing", &[&file], folder.path(), &more)
+            .output()
+            .expect("the command starts")
     };
-    let found = done(set(&["speed.constant=2000 rpm", "bearing[*].catalogue=7208C", "title=\"Set\""]));
+    let found = done(set(&[
+        "speed.constant=2000 rpm",
+        "bearing[*].catalogue=7208C",
+        "title=\"Set\"",
+    ]));
     let found: serde_json::Value = serde_json::from_slice(&found.stdout).expect("JSON");
     assert_eq!(found["title"], "Set");
     assert_eq!(found["scenario"]["speed"]["constant"], "2000 rpm");
@@ -105,7 +113,10 @@ fn a_value_of_the_command_line_stands_for_that_of_the_file() {
         let refused = set(&[setting]);
         let told = crate::support::told(&refused);
         assert_eq!(refused.status.code(), Some(2), "{told}");
-        assert!(told.contains(words) && told.contains("--> --set:1:"), "{told}");
+        assert!(
+            told.contains(words) && told.contains("--> --set:1:"),
+            "{told}"
+        );
     }
 }
 

@@ -117,7 +117,9 @@ fn every_cell_of_speeds_and_loads_has_its_spectrum_and_named_peaks() {
     assert!(folder.join("waterfall.svg").exists());
     let peaks = fs::read_to_string(folder.join("peaks.csv")).expect("a table");
     for run in 0..4 {
-        let mut lines = peaks.lines().filter(|line| line.starts_with(&format!("{run},")));
+        let mut lines = peaks
+            .lines()
+            .filter(|line| line.starts_with(&format!("{run},")));
         assert!(lines.any(|line| line.ends_with(",meshing")), "{run}");
     }
 }
@@ -125,7 +127,8 @@ fn every_cell_of_speeds_and_loads_has_its_spectrum_and_named_peaks() {
 #[test]
 fn words_vary_along_an_axis() {
     let out = TempDir::new().expect("a folder");
-    let text = "ask = 'bearing'\n[[axis]]\nkey = 'bearing[*].catalogue'\nvalues = ['7205C', '7208C']\n";
+    let text =
+        "ask = 'bearing'\n[[axis]]\nkey = 'bearing[*].catalogue'\nvalues = ['7205C', '7208C']\n";
     let file = written(out.path(), text);
     done(study(&file, out.path(), &[]));
     let folder = out.path().join("small");
@@ -133,7 +136,10 @@ fn words_vary_along_an_axis() {
     assert_eq!([&rows[0][2], &rows[1][2]], ["7205C", "7208C"]);
     let stiffness = column(&folder.join("runs.csv"), "stiffness_x_N_m");
     assert_ne!(stiffness[0], stiffness[1]);
-    let spaced = text.replace("values = ['7205C', '7208C']", "from = '7205C'\nto = '7208C'\ncount = 3");
+    let spaced = text.replace(
+        "values = ['7205C', '7208C']",
+        "from = '7205C'\nto = '7208C'\ncount = 3",
+    );
     let refused = study(&written(out.path(), &spaced), out.path(), &[]);
     assert!(crate::support::told(&refused).contains("list its `values`"));
 }

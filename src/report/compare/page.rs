@@ -13,9 +13,7 @@ use crate::analysis::Channel;
 use crate::report::envelope::Decimator;
 use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct, ends};
 use crate::report::page::Page;
-use crate::report::terminal::{
-    Lines, MICRO, MILLI, digits, or_dash, shown_column, shown_quantity,
-};
+use crate::report::terminal::{Lines, MICRO, MILLI, digits, or_dash, shown_column, shown_quantity};
 use crate::table::{Column, ColumnKind};
 
 /// Height of a plot, px.
@@ -55,7 +53,9 @@ impl Folder {
         let read = |name: &str| Ok(Some((name.to_owned(), table(&format!("{name}.csv"))?)));
         let estimated = asked.filter_map(|name| read(name).transpose());
         let estimated: Vec<(String, Option<_>)> = estimated.collect::<Result<_, CompareError>>()?;
-        let estimated = estimated.into_iter().filter_map(|(name, table)| Some((name, table?)));
+        let estimated = estimated
+            .into_iter()
+            .filter_map(|(name, table)| Some((name, table?)));
         let name = path.file_name().unwrap_or(path.as_os_str());
         Ok(Self {
             name: name.to_string_lossy().into_owned(),
@@ -109,7 +109,10 @@ fn show_runs(folders: &[PathBuf], lines: &mut Lines) -> Result<Vec<Figure>, Comp
     let traces = TRACES.map(Channel::column);
     let lines = runs.iter().filter_map(|run| run.spectrum.as_ref());
     let lines = lines.flat_map(Source::columns);
-    let mut lines: Vec<Column> = lines.filter(|column| rate_of(column).is_some()).cloned().collect();
+    let mut lines: Vec<Column> = lines
+        .filter(|column| rate_of(column).is_some())
+        .cloned()
+        .collect();
     let mut seen = Vec::new();
     lines.retain(|column| {
         let is_new = !seen.contains(column);
@@ -119,8 +122,12 @@ fn show_runs(folders: &[PathBuf], lines: &mut Lines) -> Result<Vec<Figure>, Comp
     // the housings, which machines are judged by, first
     lines.sort_by_key(|column| column.unit != "m/s^2");
     let mut figures = vec![
-        figure("velocity_spectra", &runs, &lines, rate_of, &|run| run.spectrum.as_ref()),
-        figure("traces", &runs, &traces, |_| None, &|run| run.trace.as_ref()),
+        figure("velocity_spectra", &runs, &lines, rate_of, &|run| {
+            run.spectrum.as_ref()
+        }),
+        figure("traces", &runs, &traces, |_| None, &|run| {
+            run.trace.as_ref()
+        }),
     ];
     let mut asked: Vec<&String> = Vec::new();
     for (name, table) in runs.iter().flat_map(|run| &run.estimated) {
@@ -155,15 +162,27 @@ fn names(runs: &[Folder], folders: &[PathBuf]) -> Vec<String> {
 const AXES: [&str; 3] = ["x", "y", "z"];
 /// Numbers of a summary beside the velocities: their names, and where they are found.
 const KEY_NUMBERS: [(&str, &str, f64); 5] = [
-    ("stiffness x\nN/µm", "/stiffness/named/stiffness_x_N_m", 1.0 / MICRO),
-    ("stiffness y\nN/µm", "/stiffness/named/stiffness_y_N_m", 1.0 / MICRO),
+    (
+        "stiffness x\nN/µm",
+        "/stiffness/named/stiffness_x_N_m",
+        1.0 / MICRO,
+    ),
+    (
+        "stiffness y\nN/µm",
+        "/stiffness/named/stiffness_y_N_m",
+        1.0 / MICRO,
+    ),
     ("largest ball\nload, N", "/largest_ball_load_N", 1.0),
     (
         "lowest natural\nfrequency, Hz",
         "/natural_frequencies/0/frequency_Hz",
         1.0,
     ),
-    ("measured error\nof the motion", "/measured_error/relative", 1.0),
+    (
+        "measured error\nof the motion",
+        "/measured_error/relative",
+        1.0,
+    ),
 ];
 
 /// A number of every entry of a list, as far as it has one.
@@ -177,8 +196,11 @@ fn values<'a>(
     entries.filter_map(move |entry| entry.pointer(pointer)?.as_f64())
 }
 
+/// A factor at a frequency in Hz.
+type Rate = fn(f64) -> f64;
+
 /// What makes an amplitude at a frequency in Hz one of a velocity, of displacements of the shaft and of accelerations.
-fn rate_of(column: &Column) -> Option<fn(f64) -> f64> {
+fn rate_of(column: &Column) -> Option<Rate> {
     match (&column.kind, &*column.unit) {
         (ColumnKind::Measure("amplitude"), "m") => Some(|at| TAU * at),
         (ColumnKind::Measure("amplitude"), "m/s^2") => Some(|at| 1.0 / (TAU * at)),
@@ -228,7 +250,7 @@ fn figure(
     file: &str,
     runs: &[Folder],
     columns: &[Column],
-    rate: fn(&Column) -> Option<fn(f64) -> f64>,
+    rate: fn(&Column) -> Option<Rate>,
     table: &dyn Fn(&Folder) -> Option<&Source<'static>>,
 ) -> Option<Figure> {
     let is_spectrum = file != "traces";

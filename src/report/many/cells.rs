@@ -70,7 +70,8 @@ impl Cells<'_> {
         let turning = |cell: &&Cell| cell.spectrum.iter().any(|line| line.order.is_some());
         let turning: Vec<_> = self.cells.iter().filter(turning).collect();
         let lines = || turning.iter().flat_map(|cell| &cell.spectrum);
-        let amplitudes = lines().flat_map(|line| lengths.iter().map(|(of, _)| line.amplitudes[*of]));
+        let amplitudes =
+            lines().flat_map(|line| lengths.iter().map(|(of, _)| line.amplitudes[*of]));
         let strongest = MICRO * amplitudes.fold(0.0, f64::max);
         let highest = lines().filter_map(|line| line.order).fold(0.0, f64::max);
         let panel = |cell: &&Cell| {
@@ -81,7 +82,8 @@ impl Cells<'_> {
                 points.collect()
             };
             let curves = lengths.iter().enumerate();
-            let curves = curves.map(|(place, (of, _))| Curve::envelope(distinct(place), points(*of)));
+            let curves =
+                curves.map(|(place, (of, _))| Curve::envelope(distinct(place), points(*of)));
             Panel {
                 title: self.values(cell).join(", "),
                 curves: curves.collect(),
@@ -97,7 +99,11 @@ impl Cells<'_> {
         let mut last: Vec<_> = turning.iter().map(|cell| cell.values[1]).collect();
         last.sort_by(f64::total_cmp);
         last.dedup();
-        let columns = if last.len() <= COLUMNS + 1 { last.len() } else { COLUMNS };
+        let columns = if last.len() <= COLUMNS + 1 {
+            last.len()
+        } else {
+            COLUMNS
+        };
         let names = Name::each(lengths.iter().map(|(_, channel)| channel.name()));
         let figure = Figure::new("spectra", &head.title, columns, panels).with_names(names);
         (strongest > 0.0).then_some(figure)
@@ -109,8 +115,15 @@ impl Cells<'_> {
         let mut heads: Vec<_> = std::iter::once("run".to_owned()).chain(axes).collect();
         heads.extend(["strongest peak", "second"].map(str::to_owned));
         let told = |peak: &KeptPeak| {
-            let KeptPeak { channel, frequency, name, .. } = peak;
-            let name = name.as_deref().map_or_else(String::new, |name| format!(" {name}"));
+            let KeptPeak {
+                channel,
+                frequency,
+                name,
+                ..
+            } = peak;
+            let name = name
+                .as_deref()
+                .map_or_else(String::new, |name| format!(" {name}"));
             let amplitude = to_digits(MICRO * peak.amplitude, 3);
             format!("{channel}{name} {frequency:.0} Hz {amplitude} µm")
         };

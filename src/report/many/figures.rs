@@ -92,7 +92,11 @@ impl Digest {
             let tells = digest.varies() || (self.head.named.is_some() && digest.known > 1);
             let (label, factor) = shown_column(&digest.column);
             let is_code = digest.column.quantity == PERIOD;
-            let label = if is_code { "cycles of a motion that repeats".into() } else { label.into() };
+            let label = if is_code {
+                "cycles of a motion that repeats".into()
+            } else {
+                label.into()
+            };
             tells.then_some(Shown {
                 column,
                 label,
@@ -140,9 +144,7 @@ impl Digest {
     fn curve(&self, shown: &Shown, down: bool) -> Option<Curve> {
         let rows = self.rows.iter().filter(|row| is_down(row) == down);
         let mut found: Vec<(Point, u64)> = rows
-            .map(|row| {
-                ((self.at(row, 0), shown.value(row)), row.run)
-            })
+            .map(|row| ((self.at(row, 0), shown.value(row)), row.run))
             .filter(|((_, value), _)| value.is_finite())
             .collect();
         found.sort_by(|(a, _), (b, _)| a.0.total_cmp(&b.0));
@@ -287,9 +289,10 @@ impl Digest {
 
     /// One number over one axis.
     fn scattered(&self, shown: &Shown, axis: usize) -> Option<Panel> {
-        let rows = self.rows.iter().map(|row| {
-            ((self.at(row, axis), shown.value(row)), row.run)
-        });
+        let rows = self
+            .rows
+            .iter()
+            .map(|row| ((self.at(row, axis), shown.value(row)), row.run));
         let known = rows.filter(|((_, value), _)| value.is_finite());
         let (points, runs): (Vec<Point>, Vec<u64>) = known.unzip();
         let heights = Axis::around(shown.label.clone(), points.iter().map(|point| point.1));

@@ -84,7 +84,14 @@ impl Table {
                 let [channel, unit, name] =
                     ["channel", "unit", "name"].map(|quantity| Column::words(quantity, NO_WORDS));
                 let amplitude = Column::number("amplitude", "");
-                vec![channel, unit, Column::frequency(), Column::order(), amplitude, name]
+                vec![
+                    channel,
+                    unit,
+                    Column::frequency(),
+                    Column::order(),
+                    amplitude,
+                    name,
+                ]
             }
             Self::Points => {
                 let time = [Channel::Time.column()].into_iter();

@@ -33,7 +33,11 @@ impl Digest {
         let mut panels: Vec<(String, Raster)> = Vec::new();
         if let [_] = axes[..] {
             let drawn = self.rasters(rows, over, ends, &|_| true)?;
-            panels.extend(drawn.into_iter().map(|(channel, raster)| (channel.to_string(), raster)));
+            panels.extend(
+                drawn
+                    .into_iter()
+                    .map(|(channel, raster)| (channel.to_string(), raster)),
+            );
         } else {
             let other = 1 - over;
             let mut values: Vec<f64> = self.rows.iter().map(|row| row.values[other]).collect();
@@ -43,7 +47,9 @@ impl Digest {
             for value in values.into_iter().step_by(every) {
                 let drawn = self.rasters(rows, over, ends, &|row| row.values[other] == value)?;
                 let level = |(_, raster): &(Channel, Raster)| raster.loudest();
-                let loudest = drawn.into_iter().max_by(|a, b| level(a).total_cmp(&level(b)));
+                let loudest = drawn
+                    .into_iter()
+                    .max_by(|a, b| level(a).total_cmp(&level(b)));
                 let value = shown(&axes[other], value);
                 panels.extend(loudest.map(|(of, raster)| (format!("{value}: {of}"), raster)));
             }

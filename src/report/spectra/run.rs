@@ -50,7 +50,10 @@ pub(in crate::report) fn peak_table(peaks: &[Peak], spectrum: &Spectrum) -> Tabl
     let lines = || all().map(|peak| peak.line);
     let name = |line: Line| line.kind.to_string();
     let distances = || {
-        all().map(|peak| peak.line.map_or(f64::NAN, |line| peak.frequency - line.frequency))
+        all().map(|peak| {
+            peak.line
+                .map_or(f64::NAN, |line| peak.frequency - line.frequency)
+        })
     };
     let order = |peak: &Peak| peak.frequency / spectrum.shaft_frequency;
     let order = |peak| (spectrum.shaft_frequency > 0.0).then(|| order(peak));
@@ -62,12 +65,22 @@ pub(in crate::report) fn peak_table(peaks: &[Peak], spectrum: &Spectrum) -> Tabl
     table.add(Column::order(), all().map(order));
     table.numbers("amplitude", "", all().map(|peak| peak.amplitude));
     table.numbers("phase", "rad", all().map(|peak| peak.phase));
-    table.words("name", lines().map(|line| line.map_or_else(String::new, name)));
+    table.words(
+        "name",
+        lines().map(|line| line.map_or_else(String::new, name)),
+    );
     table.numbers("name_f", "Hz", lines().map(|line| Some(line?.frequency)));
     table.numbers("distance", "Hz", distances());
-    table.numbers("distance_bins", "", distances().map(|distance| distance / spectrum.resolution));
+    table.numbers(
+        "distance_bins",
+        "",
+        distances().map(|distance| distance / spectrum.resolution),
+    );
     table.numbers("nominal_f", "Hz", lines().map(|line| line?.nominal));
-    table.words("other_names", others.map(|names| names.collect::<Vec<_>>().join("; ")));
+    table.words(
+        "other_names",
+        others.map(|names| names.collect::<Vec<_>>().join("; ")),
+    );
     table
 }
 
@@ -132,7 +145,10 @@ fn velocity_of(group: ShownSpectrum<'_>, rate: fn(f64) -> f64) -> ShownSpectrum<
     let value = |(at, value): (&f64, &f64)| if *at > 0.0 { rate(*at) * value } else { 0.0 };
     let columns = group.columns.iter().map(|(name, values)| {
         let rates = group.over.1.iter().zip(values.iter()).map(value);
-        (name.replace(" acceleration", ""), Cow::Owned(rates.collect()))
+        (
+            name.replace(" acceleration", ""),
+            Cow::Owned(rates.collect()),
+        )
     });
     let peaks = group.peaks.iter().map(|peak| ShownPeak {
         height: MILLI / group.factor * rate(peak.at) * peak.height,

@@ -145,11 +145,16 @@ fn leakage_and_aliasing_are_told_with_numbers_and_remedies() {
         found.into_iter().find(|warning| warning.starts_with(what))
     };
     // nothing but the ball pass, between the bins of eleven revolutions
-    let warning = told("", "leakage").expect("the ball pass leaks");
+    let plain = "[output]\nwindow = \"rectangular\"\n";
+    let warning = told(plain, "leakage").expect("the ball pass leaks");
     assert!(warning.contains("window = \"hann\""), "{warning}");
     assert!(warning.contains("bins beside its bin"), "{warning}");
     assert_eq!(told("[output]\nwindow = \"flat_top\"\n", "leakage"), None);
     assert_eq!(told("", "aliasing"), None);
+    // where no window is asked for, such a line is seen through Hann's
+    assert_eq!(told("", "leakage"), None);
+    let balanced = run(&model(&text(STEADY, "").replace("10 um", "0 um")));
+    assert_eq!(balanced.spectrum.expect("a spectrum").window, Window::Hann);
     let coarse = "[output]\nsamples_per_revolution = 10\n";
     let warning = told(coarse, "aliasing").expect("half the rate is just above the ball pass");
     assert!(
