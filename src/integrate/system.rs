@@ -2,6 +2,8 @@
 
 use nalgebra::DMatrix;
 
+use super::Separated;
+
 /// A system of first-order differential equations.
 ///
 /// The derivative must be a pure function of time and state, or the error estimate lies. Where it
@@ -26,6 +28,18 @@ pub trait System {
         by_time.fill(f64::NAN);
     }
 
+    /// The derivative as a linear part and forces that few states decide, about a state at a time; none of a system of
+    /// which this is not known, or where it saves nothing.
+    fn separated(&self, _time: f64, _state: &[f64]) -> Option<Separated> {
+        None
+    }
+
+    /// Writes the forces w of [`System::separated`], by the states that it says they depend on: what stands in the others
+    /// is of no matter, and neither is what is written for forces that never act.
+    fn forces(&self, _time: f64, _state: &[f64], forces: &mut [f64]) {
+        forces.fill(0.0);
+    }
+
     /// The first time after `after`, in s, at which the derivative or its slope by time jumps, as
     /// where a shock begins; infinite where it is smooth from there on. No step reaches over such a
     /// time, so none can miss what begins there.
@@ -39,7 +53,8 @@ pub trait System {
     }
 
     /// Writes the event functions: how far the state is past every event surface, negative before it. Each is
-    /// continuous, with a simple zero at its surface.
+    /// continuous, with a simple zero at its surface. Where the derivative is separated, they depend on the states that
+    /// its forces do.
     fn events(&self, _time: f64, _state: &[f64], _values: &mut [f64]) {}
 
     /// Writes an upper bound of the force jump: what each component of the derivative gains at a distance past an
@@ -151,6 +166,14 @@ impl System for Shifted<'_> {
     ) {
         let system = self.system;
         system.linearisation(self.start + time, state, jacobian, by_time);
+    }
+
+    fn separated(&self, time: f64, state: &[f64]) -> Option<Separated> {
+        self.system.separated(self.start + time, state)
+    }
+
+    fn forces(&self, time: f64, state: &[f64], forces: &mut [f64]) {
+        self.system.forces(self.start + time, state, forces);
     }
 
     fn next_break(&self, after: f64) -> f64 {

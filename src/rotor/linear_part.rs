@@ -60,11 +60,35 @@ impl LinearPart {
         self.circulatory.add_product(speed, place, sum);
     }
 
-    /// Entry of C + ω G: what resists, and the gyroscopic coupling of the tilts.
-    pub fn rate_entry(&self, row: usize, column: usize, speed: f64) -> f64 {
-        let [resisting, coupling] =
-            [&self.damping, &self.gyroscopic].map(|matrix| matrix.entries[(row, column)]);
-        resisting + coupling * speed
+    /// K − ω H, of all coordinates.
+    pub fn by_place(&self, speed: f64) -> DMatrix<f64> {
+        &self.stiffness.entries - &self.circulatory.entries * speed
+    }
+
+    /// C + ω G, of all coordinates: what resists, and the gyroscopic coupling of the tilts.
+    pub fn by_rate(&self, speed: f64) -> DMatrix<f64> {
+        &self.damping.entries + &self.gyroscopic.entries * speed
+    }
+
+    /// Writes the slopes of `(q̇, −M⁻¹ (A q + B q̇))` by (q, q̇), where the first rows and columns of A and B are those of the
+    /// degrees of freedom.
+    pub fn write_state_matrix(
+        &self,
+        [by_place, by_rate]: &[DMatrix<f64>; 2],
+        matrix: &mut DMatrix<f64>,
+    ) {
+        let dofs = self.dofs();
+        matrix.fill(0.0);
+        for column in 0..dofs {
+            matrix[(column, dofs + column)] = 1.0;
+            for row in 0..dofs {
+                matrix[(dofs + row, column)] = -by_place[(row, column)];
+                matrix[(dofs + row, dofs + column)] = -by_rate[(row, column)];
+            }
+        }
+        for mut column in matrix.column_iter_mut() {
+            self.mass.accelerate(&mut column.as_mut_slice()[dofs..]);
+        }
     }
 
     /// Dynamic stiffness `K_t − ΩH − ω² M + iω (C + ΩG)` at an angular frequency ω while the shaft turns at Ω, with K_t the
@@ -75,9 +99,10 @@ impl LinearPart {
         omega: f64,
         speed: f64,
     ) -> DMatrix<Complex<f64>> {
+        let by_rate = self.by_rate(speed);
         DMatrix::from_fn(self.dofs(), self.dofs(), |row, column| {
             let inertia = omega * omega * self.mass.entries[(row, column)];
-            let rate = self.rate_entry(row, column, speed);
+            let rate = by_rate[(row, column)];
             let turning = speed * self.circulatory.entries[(row, column)];
             Complex::new(tangent[(row, column)] - turning - inertia, omega * rate)
         })
@@ -85,7 +110,7 @@ impl LinearPart {
 
     /// `K_t − ω H` and `C + ω G` in coordinates in which the mass is one.
     pub fn normalised(&self, tangent: &DMatrix<f64>, speed: f64) -> [DMatrix<f64>; 2] {
-        let rate = &self.damping.entries + &self.gyroscopic.entries * speed;
+        let rate = self.by_rate(speed);
         let stiffness = tangent - &self.circulatory.entries * speed;
         [&stiffness, &rate].map(|matrix| self.mass.normalised(matrix))
     }

@@ -3,7 +3,7 @@
 use nalgebra::{ArrayStorage, DMatrix};
 
 use super::Rotor;
-use super::element::{AttachedBearing, ElementMotion, seen_by};
+use super::element::{AttachedBearing, ElementMotion, Instant, seen_by};
 use super::excitation::{TIME_STEP, forward_rate};
 use crate::bearing::{BearingRotation, Geometry, Matrix5, Support, Vector5};
 use crate::integrate::System;
@@ -41,29 +41,14 @@ impl Rotor {
         let at = self.instant(state, &rotation);
         // of what holds the structure: K, the bearings, and the damping of their contacts; what a change of speed does to
         // the inertia of the balls is left out, as it is slow beside the passing of a ball
-        let (linear, size) = (&self.linear, self.structure.coordinates.len());
-        let mut by_place = &linear.stiffness.entries - &linear.circulatory.entries * rotation.speed;
-        let (mut by_rate, mut held) = (DMatrix::zeros(size, size), vec![0.0; size]);
-        for (bearing, motion) in self.elements.bearings_at(&at) {
-            let slopes = self.bearing_slopes(time, &bearing, &motion);
-            let attachment = bearing.attachment;
-            attachment.add_stiffness(&slopes.by_place, &mut by_place);
-            attachment.add_stiffness(&slopes.by_rate, &mut by_rate);
-            attachment.add_force(1.0, &slopes.by_time, &mut held);
-        }
-        jacobian.fill(0.0);
+        let linear = &self.linear;
+        let mut slopes = [
+            linear.by_place(rotation.speed),
+            linear.by_rate(rotation.speed),
+        ];
+        let held = self.add_element_slopes(time, &at, &mut slopes);
+        linear.write_state_matrix(&slopes, jacobian);
         by_time.fill(0.0);
-        for column in 0..dofs {
-            jacobian[(column, dofs + column)] = 1.0;
-            for row in 0..dofs {
-                let rate = linear.rate_entry(row, column, rotation.speed);
-                jacobian[(dofs + row, column)] = -by_place[(row, column)];
-                jacobian[(dofs + row, dofs + column)] = -(rate + by_rate[(row, column)]);
-            }
-        }
-        for mut column in jacobian.column_iter_mut() {
-            linear.mass.accelerate(&mut column.as_mut_slice()[dofs..]);
-        }
         let by_time = &mut by_time[dofs..];
         for (by_time, held) in by_time.iter_mut().zip(&held) {
             *by_time -= held;
@@ -73,6 +58,25 @@ impl Rotor {
         linear.gyroscopic.add_product(-change, at.velocity, by_time);
         linear.circulatory.add_product(change, at.place, by_time);
         linear.mass.accelerate(by_time);
+    }
+
+    /// Adds the slopes of the forces onto the bearings at an instant by place and by rate of all coordinates; the rate of
+    /// change of these forces in a state that stays.
+    pub(super) fn add_element_slopes(
+        &self,
+        time: f64,
+        at: &Instant<'_>,
+        [by_place, by_rate]: &mut [DMatrix<f64>; 2],
+    ) -> Vec<f64> {
+        let mut by_time = vec![0.0; by_place.nrows()];
+        for (bearing, motion) in self.elements.bearings_at(at) {
+            let slopes = self.bearing_slopes(time, &bearing, &motion);
+            let attachment = bearing.attachment;
+            attachment.add_stiffness(&slopes.by_place, by_place);
+            attachment.add_stiffness(&slopes.by_rate, by_rate);
+            attachment.add_force(1.0, &slopes.by_time, &mut by_time);
+        }
+        by_time
     }
 
     /// Slopes of the force onto a bearing in a motion at a time, contacts and their damping.

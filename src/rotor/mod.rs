@@ -30,6 +30,7 @@ mod motion_scale;
 mod observation;
 mod phases;
 mod point;
+mod separation;
 mod shaft_shapes;
 mod speed_profile;
 mod static_search;

@@ -200,6 +200,11 @@ impl Attachment {
         }
     }
 
+    /// Coordinates that the displacement u depends on.
+    pub(super) fn coordinates(&self) -> impl Iterator<Item = usize> {
+        self.entries().map(|(_, _, coordinate)| coordinate)
+    }
+
     /// Largest displacement u with every degree of freedom within an amplitude.
     pub(super) fn reach(&self, amplitudes: &[f64]) -> Vector5 {
         let mut reach = [0.0; 5];

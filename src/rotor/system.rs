@@ -6,7 +6,7 @@ use super::coordinate::Coordinate;
 use super::energy::Works;
 use super::{InitialPosition, MotionScale, Rotation, Rotor};
 use crate::bearing::{Support, Vector5};
-use crate::integrate::{Scaling, System};
+use crate::integrate::{Scaling, Separated, System};
 
 /// The states are
 ///
@@ -43,6 +43,14 @@ impl System for Rotor {
         } else {
             self.linearise(time, state, jacobian, by_time);
         }
+    }
+
+    fn separated(&self, time: f64, state: &[f64]) -> Option<Separated> {
+        self.separation(time, state)
+    }
+
+    fn forces(&self, time: f64, state: &[f64], forces: &mut [f64]) {
+        self.few_forces(time, state, forces);
     }
 
     fn next_break(&self, after: f64) -> f64 {

@@ -10,9 +10,11 @@
 use fearless_simd::Level;
 use nalgebra::{Complex, DMatrix};
 
-use super::basis::Basis;
-use super::basis::{balanced_units, norm_in};
-use crate::integrate::chunks::{Chunk, Padded, add_product, add_scaled, chunks_of};
+use super::basis::{Basis, balanced_units, norm_in};
+use super::matrix::ChunkMatrix;
+use super::remainder::FewForces;
+use crate::integrate::Separated;
+use crate::integrate::chunks::{Chunk, Padded, add_product, chunks_of};
 
 /// Damping that parts modes that are nearly the same, over the norm of the Jacobian: the root of it is how far
 /// apart they then are.
@@ -36,6 +38,8 @@ pub(super) struct LinearPart {
     /// V and V⁻¹.
     shapes: ChunkMatrix,
     parts: ChunkMatrix,
+    /// The remainder by the few forces that make it, where the system knows them.
+    pub few_forces: Option<FewForces>,
 }
 
 /// A state as its deviation from the origin, and the modal coordinates of that.
@@ -72,6 +76,22 @@ impl LinearPart {
             against: vec![[[0.0; 4]; 2]; chunks_of(states)],
             shapes: unity.clone(),
             parts: unity,
+            few_forces: None,
+        }
+    }
+
+    /// The linear part A + D K of a separated derivative, with the remainder by its forces about the scaling's origin; where
+    /// its modes are no sound basis, that of a matrix next to it.
+    pub fn from_separated(separated: &Separated, origin: &[f64]) -> Self {
+        let jacobian = separated.jacobian();
+        let units = balanced_units(&jacobian);
+        let Some(basis) = Basis::new(&jacobian, &units) else {
+            return Self::near(&jacobian);
+        };
+        Self {
+            norm: norm_in(&units, &jacobian),
+            few_forces: Some(FewForces::new(separated, &basis, origin)),
+            ..Self::from_basis(basis)
         }
     }
 
@@ -97,17 +117,15 @@ impl LinearPart {
                     jacobian.column_mut(position).fill(0.0);
                 }
             }
-            Self::from_modes(&jacobian, &units)
+            Basis::new(&jacobian, &units)
         };
-        let own = Self::from_modes(jacobian, &units).or_else(apart);
-        let own = own.unwrap_or_else(|| Self::none(units.len()));
+        let basis = Basis::new(jacobian, &units).or_else(apart);
+        let own = basis.map_or_else(|| Self::none(units.len()), Self::from_basis);
         Self { norm, ..own }
     }
 
-    /// By the modes of a Jacobian with the units in which it is smallest; none where they are no sound basis.
-    fn from_modes(jacobian: &DMatrix<f64>, units: &[f64]) -> Option<Self> {
-        let basis = Basis::new(jacobian, units)?;
-        let mut part = Self::none(units.len());
+    fn from_basis(basis: Basis) -> Self {
+        let mut part = Self::none(basis.eigenvalues.len());
         for (coordinate, eigenvalue) in basis.eigenvalues.iter().enumerate() {
             let [own, given] = &mut part.against[coordinate / 4];
             own[coordinate % 4] = -eigenvalue.re;
@@ -116,7 +134,7 @@ impl LinearPart {
         part.shapes = ChunkMatrix::from_matrix(&basis.shapes);
         part.parts = ChunkMatrix::from_matrix(&basis.parts);
         part.eigenvalues = basis.eigenvalues;
-        Some(part)
+        part
     }
 
     /// Finds the coordinates of a deviation.
@@ -147,56 +165,6 @@ impl LinearPart {
             *remainder = joined(&sums);
         }
         self.parts.multiply::<true>(rate, remainder.chunks_mut());
-    }
-}
-
-/// A square matrix: column after column in chunks.
-#[derive(Debug, Clone)]
-struct ChunkMatrix(Vec<Chunk>);
-
-impl ChunkMatrix {
-    fn from_matrix(matrix: &DMatrix<f64>) -> Self {
-        let columns = matrix.as_slice().chunks_exact(matrix.nrows());
-        let chunks = columns.flat_map(|column| Padded::from_slice(column).chunks().to_vec());
-        Self(chunks.collect())
-    }
-
-    /// Finds the product with a vector, or adds it.
-    #[inline(always)]
-    fn multiply<const ADD: bool>(&self, vector: &[f64], sums: &mut [Chunk]) {
-        // with the sums in registers
-        match sums.len() {
-            1 => self.multiply_rows::<ADD, 1>(vector, sums, 0),
-            2 => self.multiply_rows::<ADD, 2>(vector, sums, 0),
-            3 => self.multiply_rows::<ADD, 3>(vector, sums, 0),
-            chunks => {
-                for chunk in 0..chunks {
-                    self.multiply_rows::<ADD, 1>(vector, sums, chunk);
-                }
-            }
-        }
-    }
-
-    /// Finds the product of some chunks of rows with a vector, or adds it.
-    #[inline(always)]
-    fn multiply_rows<const ADD: bool, const CHUNKS: usize>(
-        &self,
-        vector: &[f64],
-        sums: &mut [Chunk],
-        first: usize,
-    ) {
-        let width = sums.len();
-        let sums = &mut sums[first..first + CHUNKS];
-        let mut own = [[0.0; 4]; CHUNKS];
-        if ADD {
-            own.copy_from_slice(sums);
-        }
-        for (column, value) in self.0.chunks_exact(width).zip(vector) {
-            for (own, entries) in own.iter_mut().zip(&column[first..first + CHUNKS]) {
-                add_scaled(own, *value, entries);
-            }
-        }
-        sums.copy_from_slice(&own);
     }
 }
 
@@ -254,8 +222,7 @@ mod tests {
             [0.0, 1.0, -300.0, -400.0],
         ];
         let jacobian = DMatrix::from_column_slice(4, 4, columns.as_flattened());
-        let part =
-            LinearPart::from_modes(&jacobian, &balanced_units(&jacobian)).expect("a sound basis");
+        let part = LinearPart::near(&jacobian);
         assert!(part.eigenvalues[0].im > 0.0 && part.eigenvalues[3].im == 0.0);
         let (deviation, rate) = ([1e-6, -2e-6, 3e-3, 4e-3], [3e-3, 4e-3, 70.0, -50.0]);
         let found = remainder(&part, &rate, &deviation);
@@ -277,7 +244,7 @@ mod tests {
         for columns in [held, free] {
             let jacobian = DMatrix::from_column_slice(3, 3, columns.as_flattened());
             let units = balanced_units(&jacobian);
-            assert!(LinearPart::from_modes(&jacobian, &units).is_none());
+            assert!(Basis::new(&jacobian, &units).is_none());
             let part = LinearPart::near(&jacobian);
             assert!(part.eigenvalues.iter().any(|value| value.norm() > 0.0));
             for position in 0..3 {

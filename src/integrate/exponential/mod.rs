@@ -9,9 +9,19 @@
 //! part; sweeps over the points solve for the y_j. A shaft on preloaded bearings oscillates far faster
 //! than what drives it, and nearly linearly: g is small and follows the drive, and so do the steps.
 //!
-//! All this is done in the coordinates of the modes of J, where its functions are numbers. Any J will do, the remainder
-//! takes what it lacks: where the modes are no sound basis, as at critical damping, J is a matrix next to the slopes whose
-//! modes are.
+//! All this is done in the coordinates z of the modes of J, y = V z with J V = V Λ, where its functions are numbers. A step
+//! of the size h is
+//!
+//! ```text
+//! z_i = E_i z + Σ_j A_ij g_j,   g_j = V⁻¹ g(t + c_j h, V z_j)        E_i = exp(c_i h Λ)
+//! ```
+//!
+//! with the E_i and A_ij of `propagator.rs`, the g_j of `remainder.rs`, in which few states and forces do where the system
+//! knows that its remainder depends on few, and the solution for the z_i by the sweeps of `sweeps.rs`. A change δz of its start
+//! goes through the same step: `δz_i = E_i δz + Σ_j A_ij G_j δz_j`, with the slopes G_j of the g_j by the z_j.
+//!
+//! Any J will do, the remainder takes what it lacks: where the modes are no sound basis, as at critical damping, J is a
+//! matrix next to the slopes whose modes are.
 //!
 //! Sources: Hochbruck & Ostermann, *Exponential integrators*, Acta Numerica 19 (2010) 209–286, sec. 2.1
 //! (exponential collocation); Buvoli, *SIAM J. Sci. Comput.* 42 (2020) B1–B27 (its solution by sweeps).
@@ -19,9 +29,11 @@
 mod basis;
 mod dense;
 mod linear;
+mod matrix;
 mod nodes;
 mod plan;
 mod propagator;
+mod remainder;
 mod stepper;
 mod sweeps;
 

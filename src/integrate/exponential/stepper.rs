@@ -124,11 +124,15 @@ impl ExponentialStepper {
     /// Takes the linear part anew.
     fn linearise(&mut self, problem: &Problem<'_>) {
         problem.write_state(&self.from.deviation, &mut self.state);
-        let (jacobian, by_time) = (&mut self.jacobian, &mut self.by_time);
-        problem
-            .system
-            .linearisation(self.start, &self.state, jacobian, by_time);
-        self.linear = LinearPart::near(jacobian);
+        let (system, time) = (problem.system, self.start);
+        self.linear = match system.separated(time, &self.state) {
+            Some(separated) => LinearPart::from_separated(&separated, &problem.scaling.origin),
+            None => {
+                let (jacobian, by_time) = (&mut self.jacobian, &mut self.by_time);
+                system.linearisation(time, &self.state, jacobian, by_time);
+                LinearPart::near(jacobian)
+            }
+        };
         self.linear.to_coordinates(&mut self.from);
         (self.fresh, self.excess) = (true, 0);
         self.propagators.clear();
@@ -138,9 +142,9 @@ impl ExponentialStepper {
     /// Forgets the remainder before the start, which is no guess of what follows.
     fn forget(&mut self, problem: &Problem<'_>) {
         self.remainder_size = 0.0;
-        let evaluation = &mut self.sweeps.evaluation;
-        let from = [&self.from.coordinates, &self.from.deviation];
-        evaluation.evaluate(&self.linear, problem.system, self.start, from);
+        let (evaluation, from) = (&mut self.sweeps.evaluation, &self.from.coordinates);
+        let (system, time) = (problem.system, self.start);
+        evaluation.evaluate(&self.linear, system, time, from, &mut self.state);
         for (points, now) in self.remainder.iter_mut().zip(evaluation.remainder.chunks()) {
             points[POINTS - 1] = *now;
         }

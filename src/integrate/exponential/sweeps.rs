@@ -1,16 +1,17 @@
 //! Sweeps over the points of a trial step, until the nonlinear remainders are those of the states there.
 //!
 //! ```text
-//! z_i = E_i z + Σ_j A_ij g_j,   y_i = V z_i,   g_i = V⁻¹ f(t + c_i h, y_i) − Λ z_i        i = 1 … 6
+//! z_i = E_i z + Σ_j A_ij g_j,   g_i = g(t + c_i h, z_i)        i = 1 … 6
 //! ```
 //!
-//! A sweep goes through the points once, in their order, each with the latest g of all (Gauss–Seidel). z are modal
-//! coordinates of the deviation y from the scaling's origin; point 0 is the start of the step and the last one its end.
+//! A sweep goes through the points once, in their order, each with the latest g of all (Gauss–Seidel). z and g are modal
+//! coordinates, of the deviation y = V z from the scaling's origin and of the remainder; point 0 is the start of the step and
+//! the last one its end.
 
 use super::linear::{LinearPart, ModalState};
 use super::nodes::{NODES, POINTS, Points, SPARE, combined, no_points};
 use super::propagator::Propagator;
-use crate::integrate::System;
+use super::remainder::Evaluation;
 use crate::integrate::chunks::{Padded, add_scaled};
 use crate::integrate::problem::Problem;
 use crate::numerics::registers::in_wide_registers;
@@ -47,7 +48,7 @@ pub(super) struct Sweeps {
     pub remainder: Points,
     /// The state at the end of the step.
     pub to: ModalState,
-    /// y_i at the points after the first, with which the latest sweep evaluated the remainder.
+    /// Deviations at the points after the first, as by [`Evaluation::evaluate`] of the latest sweep.
     deviations: Vec<Padded>,
     /// Δg_j of the latest sweep.
     change: Points,
@@ -64,18 +65,6 @@ pub(super) struct Sweeps {
     events: [Vec<f64>; 2],
 }
 
-/// An evaluation of the remainder.
-#[derive(Debug, Clone)]
-pub(super) struct Evaluation {
-    /// The scaling's origin y₀.
-    origin: Padded,
-    /// y₀ + y, and f there.
-    state: Padded,
-    rate: Padded,
-    /// The modal coordinates of g that were found.
-    pub remainder: Padded,
-}
-
 /// How the sweeps ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Outcome {
@@ -86,53 +75,19 @@ pub(super) enum Outcome {
     NotFinite,
 }
 
-impl Evaluation {
-    /// Finds the modal coordinates V⁻¹ f(t, y₀ + y) − Λ z of the remainder at a deviation y = V z from the origin y₀. What J
-    /// would do to y₀ itself so stays in g.
-    #[inline(always)]
-    pub fn evaluate(
-        &mut self,
-        linear: &LinearPart,
-        system: &dyn System,
-        time: f64,
-        [coordinates, deviation]: [&Padded; 2],
-    ) {
-        self.find_state(deviation);
-        system.derivative(time, &self.state, &mut self.rate);
-        linear.find_remainder(&self.rate, coordinates, &mut self.remainder);
-    }
-
-    /// Finds the state at a deviation.
-    #[inline(always)]
-    fn find_state(&mut self, deviation: &Padded) {
-        let parts = self.origin.chunks().iter().zip(deviation.chunks());
-        for (state, (origin, deviation)) in self.state.chunks_mut().iter_mut().zip(parts) {
-            for i in 0..4 {
-                state[i] = origin[i] + deviation[i];
-            }
-        }
-    }
-}
-
 impl Sweeps {
     /// Room for the sweeps of a problem.
     pub fn new(problem: &Problem<'_>) -> Self {
         let (states, events) = (problem.system.states(), problem.system.event_count());
-        let zeros = Padded::zeros(states);
         Self {
             remainder: no_points(states),
             to: ModalState::zeros(states),
-            deviations: vec![zeros.clone(); POINTS],
+            deviations: vec![Padded::zeros(states); POINTS],
             change: no_points(states),
             inverse: vec![0.0; states],
             count: 0,
             crossed: false,
-            evaluation: Evaluation {
-                origin: Padded::from_slice(&problem.scaling.origin),
-                state: zeros.clone(),
-                rate: zeros.clone(),
-                remainder: zeros,
-            },
+            evaluation: Evaluation::new(problem),
             shift: ModalState::zeros(states),
             events: [vec![0.0; events], vec![0.0; events]],
         }
@@ -208,13 +163,12 @@ impl Sweeps {
         let coordinates = &mut self.shift.coordinates;
         let evaluation = &mut self.evaluation;
         for point in 1..POINTS {
-            // y_i = V (E_i z + Σ_j A_ij g_j), the latest g_j
+            // z_i = E_i z + Σ_j A_ij g_j, the latest g_j
             let (from, deviation) = (&trial.from.coordinates, &mut self.deviations[point]);
             operator.find_coordinates(point, from, &self.remainder, coordinates);
-            linear.find_deviation(coordinates, deviation);
-            // g_i = V⁻¹ f(t + c_i h, y_i) − Λ z_i
-            let time = trial.time_of(point);
-            evaluation.evaluate(linear, trial.problem.system, time, [coordinates, deviation]);
+            // g_i of z_i at t + c_i h
+            let (system, time) = (trial.problem.system, trial.time_of(point));
+            evaluation.evaluate(linear, system, time, coordinates, deviation);
             // Δg_i, and g_i in place of the one before
             let points = self.remainder.iter_mut().zip(&mut self.change);
             for ((known, change), found) in points.zip(evaluation.remainder.chunks()) {
@@ -319,11 +273,11 @@ impl Sweeps {
         problem.write_state(&trial.from.deviation, &mut evaluation.state);
         system.events(trial.start, &evaluation.state, at_start);
         (1..POINTS).any(|point| {
-            // the end has moved since the latest sweep evaluated there
-            evaluation.find_state(match point + 1 {
-                POINTS => &self.to.deviation,
-                _ => &self.deviations[point],
-            });
+            match point + 1 {
+                // the end has moved since the latest sweep evaluated there
+                POINTS => problem.write_state(&self.to.deviation, &mut evaluation.state),
+                _ => evaluation.find_state(trial.linear, problem, &self.deviations[point]),
+            }
             system.events(trial.time_of(point), &evaluation.state, later);
             let mut sides = at_start.iter().zip(&*later);
             sides.any(|(start, later)| start.is_sign_positive() != later.is_sign_positive())
@@ -357,7 +311,7 @@ mod tests {
 
     use super::super::propagator::Propagators;
     use super::*;
-    use crate::integrate::{Method, Scaling, Settings};
+    use crate::integrate::{Method, Scaling, Settings, System};
 
     const NATURAL: f64 = 200.0;
 
@@ -397,7 +351,7 @@ mod tests {
         let square = -1.06 * NATURAL * NATURAL;
         let linear = LinearPart::near(&DMatrix::from_row_slice(2, 2, &[0.0, 1.0, square, 0.0]));
         let mut propagators = Propagators::new(2);
-        let mut from = ModalState::zeros(2);
+        let (mut from, mut seen) = (ModalState::zeros(2), Padded::zeros(2));
         from.deviation.copy_from_slice(&[0.98, 0.0]);
         linear.to_coordinates(&mut from);
         let size = time / f64::from(steps);
@@ -405,12 +359,9 @@ mod tests {
         let mut sweeps = Sweeps::new(&problem);
         for step in 0..steps {
             let start = f64::from(step) * size;
-            sweeps.evaluation.evaluate(
-                &linear,
-                &Hardening,
-                start,
-                [&from.coordinates, &from.deviation],
-            );
+            sweeps
+                .evaluation
+                .evaluate(&linear, &Hardening, start, &from.coordinates, &mut seen);
             for (points, guess) in sweeps
                 .remainder
                 .iter_mut()

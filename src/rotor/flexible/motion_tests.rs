@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::bearing::{
     ContactDamping, ContactLaw, Facing, Housing, Imperfections, MountedBearing, Preload, catalogue,
 };
-use crate::integrate::{Grid, Integration, Method, Settings, States, System};
+use crate::integrate::{Counters, Grid, Integration, Method, Settings, States, System};
 use crate::physics::{BeamElement, Material};
 use crate::rotor::load::{Harmonic, HarmonicRate};
 use crate::rotor::{
@@ -111,6 +111,17 @@ fn rigid(definition: &RotorDefinition) -> RotorDefinition {
 
 /// The motion from the start, sampled every 0.2 ms.
 fn integrated(rotor: &Rotor, method: Method, count: usize) -> (Grid, States) {
+    let (grid, states, _) = integrated_to(1e-10, rotor, method, count);
+    (grid, states)
+}
+
+/// It and the work, to a tolerance.
+fn integrated_to(
+    tolerance: f64,
+    rotor: &Rotor,
+    method: Method,
+    count: usize,
+) -> (Grid, States, Counters) {
     let (stop, scale) = (AtomicBool::new(false), rotor.motion_scale(1e-10));
     let grid = Grid {
         interval: 2e-4,
@@ -118,7 +129,7 @@ fn integrated(rotor: &Rotor, method: Method, count: usize) -> (Grid, States) {
     };
     let settings = Settings {
         method,
-        tolerance: 1e-10,
+        tolerance,
         step_limit: 10_000_000,
     };
     let scaling = rotor.scaling(&scale);
@@ -126,7 +137,7 @@ fn integrated(rotor: &Rotor, method: Method, count: usize) -> (Grid, States) {
     let mut integration = Integration::new(rotor, scaling, grid, settings, &stop, &start);
     let mut states = States::with_capacity(start.len(), count);
     integration.advance(count, &mut states).expect("a motion");
-    (grid, states)
+    (grid, states, integration.counters())
 }
 
 /// All that may act: two loads at their places, a base that shakes, a housing, damping of both kinds.
@@ -210,6 +221,91 @@ fn a_stiff_shaft_moves_as_a_rigid_one() {
     assert!(largest[0] < 2e-2 * largest[1], "{largest:?}");
 }
 
+/// A state off that of the start in all of its components.
+fn somewhere(rotor: &Rotor) -> Vec<f64> {
+    let (mut state, states) = (rotor.start_state(), rotor.states());
+    for (index, state) in state.iter_mut().enumerate() {
+        let size = if index < states / 2 { 1e-6 } else { 1e-3 };
+        *state += size * (1.7 * index as f64 + 0.4).sin();
+    }
+    state
+}
+
+/// c + A y + D w is the derivative, and A + D K its slopes, by the forces that act and the states that they depend on alone:
+/// with contacts damped or not, and with a base that shakes or not.
+#[test]
+fn both_parts_of_the_derivative_make_it() {
+    for (damped, shaken) in [(false, false), (true, false), (false, true)] {
+        let mut definition = everything();
+        if !shaken {
+            definition.loads.remove(1);
+        }
+        if damped {
+            definition.bearings[0].contact_damping.inner = 0.2;
+        }
+        let rotor = Rotor::assemble(&definition).expect("a rotor");
+        let (state, states) = (somewhere(&rotor), rotor.states());
+        let separated = rotor.separated(0.01, &state).expect("two parts");
+        let few = separated.seen.len() + separated.acting.len();
+        assert!(few < states, "{few} of {states}");
+        // what is not seen is no number
+        let mut seen = vec![f64::NAN; states];
+        for position in &separated.seen {
+            seen[*position] = state[*position];
+        }
+        let mut forces = vec![f64::NAN; states];
+        rotor.forces(0.01, &seen, &mut forces);
+        let acting = separated.acting.iter().map(|position| forces[*position]);
+        let acting = DVector::from_iterator(separated.acting.len(), acting);
+        let found = &separated.matrix * DVector::from_column_slice(&state)
+            + DVector::from_column_slice(&separated.constant)
+            + &separated.inputs * acting;
+        let mut rate = vec![0.0; states];
+        rotor.derivative(0.01, &state, &mut rate);
+        let mut slopes = DMatrix::zeros(states, states);
+        rotor.linearisation(0.01, &state, &mut slopes, &mut vec![0.0; states]);
+        let jacobian = separated.jacobian();
+        let largest = DVector::from_column_slice(&rate).amax();
+        for row in 0..states {
+            let apart = (found[row] - rate[row]).abs();
+            assert!(apart < 1e-9 * largest, "{row}: {apart:e} of {largest:e}");
+            let apart = (jacobian.row(row) - slopes.row(row)).amax();
+            let largest = slopes.row(row).amax();
+            assert!(apart < 1e-10 * largest, "{row}: {apart:e} of {largest:e}");
+        }
+    }
+}
+
+/// With four times as many modes an evaluation of the exponential method sees as few states and forces, and half as many more
+/// are enough for the same error, from a start at which all modes vibrate.
+#[test]
+fn modes_cost_the_exponential_method_few_steps() {
+    let tolerance = 1e-6;
+    let [few, many] = [2, 8].map(|modes| {
+        let rotor = Rotor::assemble(&on_bearings(FlexibleShaft {
+            modes: Some(modes),
+            ..shaft(1.0)
+        }))
+        .expect("a rotor");
+        let (_, states, counters) = integrated_to(tolerance, &rotor, Method::Exponential, 16);
+        let exact = integrated(&rotor, Method::Verner76, 16).1;
+        let scaling = rotor.scaling(&rotor.motion_scale(1e-10));
+        let pairs = states.iter().zip(exact.iter());
+        let apart = pairs.flat_map(|(found, exact)| {
+            let [found, exact] = [found, exact].map(|state| scaling.scaled(state));
+            found.into_iter().zip(exact).map(|(a, b)| (a - b).abs())
+        });
+        let error = apart.fold(0.0, f64::max);
+        assert!(error < 3.0 * tolerance, "{modes} modes: {error:e}");
+        let separated = rotor.separated(0.0, &rotor.start_state());
+        let separated = separated.expect("two parts");
+        let width = separated.seen.len() + separated.acting.len();
+        (counters.evaluations as f64, width)
+    });
+    assert!(many.0 < 1.5 * few.0, "{many:?} and {few:?} evaluations");
+    assert_eq!(many.1, few.1);
+}
+
 #[test]
 fn slopes_are_those_of_the_derivative() {
     let mut definition = everything();
@@ -218,11 +314,7 @@ fn slopes_are_those_of_the_derivative() {
         speed: 900.0,
     }];
     let rotor = Rotor::assemble(&definition).expect("a rotor");
-    let (mut state, states) = (rotor.start_state(), rotor.states());
-    for (index, state) in state.iter_mut().enumerate() {
-        let size = if index < states / 2 { 1e-6 } else { 1e-3 };
-        *state += size * (1.7 * index as f64 + 0.4).sin();
-    }
+    let (state, states) = (somewhere(&rotor), rotor.states());
     let (mut slopes, mut by_time) = (DMatrix::zeros(states, states), vec![0.0; states]);
     rotor.linearisation(0.01, &state, &mut slopes, &mut by_time);
     let (mut expected, mut expected_by_time) = (slopes.clone(), by_time.clone());

@@ -1,0 +1,66 @@
+//! Products of matrices with vectors, in chunks.
+
+use nalgebra::DMatrix;
+
+use crate::integrate::chunks::{Chunk, Padded, add_scaled, chunks_of};
+
+/// A matrix: column after column in chunks.
+#[derive(Debug, Clone)]
+pub(super) struct ChunkMatrix {
+    /// Chunks of a column.
+    width: usize,
+    columns: Vec<Chunk>,
+}
+
+impl ChunkMatrix {
+    /// The matrix of some entries.
+    pub fn from_matrix(matrix: &DMatrix<f64>) -> Self {
+        let columns = matrix.as_slice().chunks_exact(matrix.nrows().max(1));
+        let chunks = columns.flat_map(|column| Padded::from_slice(column).chunks().to_vec());
+        Self {
+            width: chunks_of(matrix.nrows()),
+            columns: chunks.collect(),
+        }
+    }
+
+    /// Finds the product with the first numbers of a vector, or adds it, within code for wide registers.
+    #[inline(always)]
+    pub fn multiply<const ADD: bool>(&self, vector: &[f64], sums: &mut [Chunk]) {
+        // a few chunks of rows at a time, with the sums in registers
+        match self.width {
+            1 => self.multiply_rows::<ADD, 1>(vector, sums, 0),
+            2 => self.multiply_rows::<ADD, 2>(vector, sums, 0),
+            3 => self.multiply_rows::<ADD, 3>(vector, sums, 0),
+            width => {
+                let whole = width - width % 4;
+                for first in (0..whole).step_by(4) {
+                    self.multiply_rows::<ADD, 4>(vector, sums, first);
+                }
+                for first in whole..width {
+                    self.multiply_rows::<ADD, 1>(vector, sums, first);
+                }
+            }
+        }
+    }
+
+    /// Finds the product of some chunks of rows with a vector, or adds it.
+    #[inline(always)]
+    fn multiply_rows<const ADD: bool, const CHUNKS: usize>(
+        &self,
+        vector: &[f64],
+        sums: &mut [Chunk],
+        first: usize,
+    ) {
+        let sums = &mut sums[first..first + CHUNKS];
+        let mut own = [[0.0; 4]; CHUNKS];
+        if ADD {
+            own.copy_from_slice(sums);
+        }
+        for (column, value) in self.columns.chunks_exact(self.width).zip(vector) {
+            for (own, entries) in own.iter_mut().zip(&column[first..first + CHUNKS]) {
+                add_scaled(own, *value, entries);
+            }
+        }
+        sums.copy_from_slice(&own);
+    }
+}
