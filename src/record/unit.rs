@@ -23,7 +23,7 @@ pub(super) fn split(header: &str) -> (&str, Option<&str>) {
     let divided = || header.split_once('/').filter(|(name, _)| !is_unit(name));
     match bracketed.next().or_else(divided) {
         Some((name, unit)) if !name.trim().is_empty() && is_unit(unit) => {
-            (name.trim(), Some(unit.trim()))
+            (name.trim_end_matches([' ', '/', ',']), Some(unit.trim()))
         }
         _ => (header, None),
     }

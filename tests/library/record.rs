@@ -276,6 +276,28 @@ fn what_a_file_lacks_is_not_guessed() {
 }
 
 #[test]
+fn lines_above_the_rows_give_names_and_numbers() {
+    let labview = "Samples\t3\nDelta_X\t0.5\nX_Value\tVolt\tComment\n0\t1\n2\t3\n4\t5\n";
+    let record = Record::from_bytes(labview.as_bytes(), "a.lvm").unwrap();
+    let names: Vec<_> = record.channels.iter().map(|it| it.name.as_str()).collect();
+    assert_eq!(names, ["X_Value", "Volt"]);
+    assert_eq!(record.numbers[1], ("Delta_X".to_owned(), 0.5));
+    let text = "Fs = 25600 Hz\nCh1 [g] Ch2 [mm/s]\n1 2\n3 4\n5 6\n";
+    let record = Record::from_bytes(text.as_bytes(), "a.txt").unwrap();
+    assert_eq!(record.numbers, [("Fs".to_owned(), RATE)]);
+    assert_eq!(record.channels[1].unit.as_deref(), Some("mm/s"));
+    let text = "sep=;\nt/s;a/(m/s\u{b2})\n0;1\n0,5;2\n1;3\n";
+    let record = Record::from_bytes(text.as_bytes(), "a.csv").unwrap();
+    assert_eq!(
+        (
+            record.channels[0].name.as_str(),
+            record.channels[0].sampling.rate()
+        ),
+        ("a", Some(2.0))
+    );
+}
+
+#[test]
 fn names_are_unique_and_a_list_shows_them() {
     let record = Record::from_bytes(b"a,a,b\n1,2,3\n1,2,3\n1,2,3\n", "a.csv").unwrap();
     let names: Vec<_> = record.channels.iter().map(|it| it.name.as_str()).collect();

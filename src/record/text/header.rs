@@ -68,7 +68,7 @@ impl Heading {
 /// columns, units in the same cells or in a line of their own below; a comment right above the rows may hold either.
 pub(super) fn read(lines: &[&[u8]], rows: &Rows) -> Vec<Heading> {
     let above = lines[..rows.start].iter().rev().enumerate();
-    let mut above = above.filter_map(|(distance, line)| cells(line, rows, distance < 2));
+    let mut above = above.filter_map(|(distance, line)| cells(line, rows, distance));
     let empty = || vec![String::new(); rows.columns];
     let last = above.next().unwrap_or_else(empty);
     let mut filled = last
@@ -89,20 +89,28 @@ pub(super) fn read(lines: &[&[u8]], rows: &Rows) -> Vec<Heading> {
         .collect()
 }
 
-/// The cells of a line, if there is one a column, but for a last one that may be empty in every row.
-fn cells(line: &[u8], rows: &Rows, may_be_comment: bool) -> Option<Vec<String>> {
+/// The cells of a line so far above the rows, if there is one a column and none is a number; one at the end may be more or
+/// less, as of comments that no row has.
+fn cells(line: &[u8], rows: &Rows, distance: usize) -> Option<Vec<String>> {
     let line = line.trim_ascii_start();
     let text = match is_passed(line) {
         // one column has no name that could be told from other comments
-        true if !may_be_comment || rows.columns == 1 => return None,
+        true if distance > 1 || rows.columns == 1 => return None,
         true => line.get(1..)?.trim_ascii(),
         false => line,
     };
     let mut cells = rows.dialect.header_cells(text);
-    if cells.len() + 1 == rows.columns {
-        cells.push(String::new());
+    let more = usize::from(distance == 0);
+    if !(rows.columns - 1..=rows.columns + more).contains(&cells.len()) {
+        return None;
     }
-    (cells.len() == rows.columns).then_some(cells)
+    cells.resize(rows.columns, String::new());
+    let is_number = |cell: &String| {
+        rows.dialect
+            .number(cell.as_bytes())
+            .is_some_and(f64::is_finite)
+    };
+    (!cells.iter().any(is_number)).then_some(cells)
 }
 
 /// Numbers that lines in front of the rows give by name: `Sample rate: 25600 Hz`.
@@ -110,10 +118,12 @@ pub(super) fn numbers(lines: &[&[u8]], rows: &Rows) -> Vec<(String, f64)> {
     let named = |line: &&[u8]| {
         let text = rows.dialect.header_cells(line).join("\t");
         let text = text.trim_matches(['#', '%', '\t', ' ']);
-        let (name, value) = text.split_once(['\t', ':', '='])?;
+        let (name, value) = text
+            .split_once([':', '='])
+            .or_else(|| text.split_once('\t'))?;
         let value = value.split([' ', '\t']).find(|word| !word.is_empty())?;
         let value = rows.dialect.number(value.as_bytes())?;
-        Some((name.trim().to_owned(), value))
+        Some((name.trim().replace('\t', " "), value))
     };
     lines[..rows.start].iter().filter_map(named).collect()
 }
