@@ -36,8 +36,11 @@ impl ChunkMatrix {
                 for first in (0..whole).step_by(4) {
                     self.multiply_rows::<ADD, 4>(vector, sums, first);
                 }
-                for first in whole..width {
-                    self.multiply_rows::<ADD, 1>(vector, sums, first);
+                match width - whole {
+                    1 => self.multiply_rows::<ADD, 1>(vector, sums, whole),
+                    2 => self.multiply_rows::<ADD, 2>(vector, sums, whole),
+                    3 => self.multiply_rows::<ADD, 3>(vector, sums, whole),
+                    _ => {}
                 }
             }
         }
@@ -62,5 +65,28 @@ impl ChunkMatrix {
             }
         }
         sums.copy_from_slice(&own);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Products of every number of chunks, with rows and columns that fill none.
+    #[test]
+    fn a_product_is_that_of_the_whole_matrix() {
+        for rows in 1..30 {
+            let entry = |row: usize, column: usize| (1.0 + (3 * row + 7 * column) as f64).sin();
+            let matrix = DMatrix::from_fn(rows, 5, entry);
+            let vector = [1.0, -2.0, 0.5, 3.0, 0.25];
+            let mut sums = Padded::zeros(rows);
+            let product = ChunkMatrix::from_matrix(&matrix);
+            product.multiply::<false>(&vector, sums.chunks_mut());
+            product.multiply::<true>(&vector, sums.chunks_mut());
+            let expected = matrix * nalgebra::DVector::from_row_slice(&vector);
+            for (found, expected) in sums.iter().zip(&expected) {
+                assert!((found - 2.0 * expected).abs() < 1e-14, "{rows} rows");
+            }
+        }
     }
 }
