@@ -104,9 +104,14 @@ impl Recording {
         self
     }
 
-    /// Samples that are kept at most, of so many.
+    /// Samples that are held at most: a few more than are kept, so that they seldom move.
+    fn most_held(&self) -> usize {
+        self.most.saturating_add(self.most / 16)
+    }
+
+    /// Samples that are held of so many.
     pub(crate) fn kept_of(&self, samples: f64) -> f64 {
-        samples.min(self.most.saturating_add(self.most / 4) as f64)
+        samples.min(self.most_held() as f64)
     }
 
     /// With room for the samples of a run that ends at a time, s.
@@ -136,8 +141,8 @@ impl Recording {
         if sample.time < self.settle {
             return;
         }
+        let most = self.most_held();
         let start = self.start.get_or_insert(sample.time);
-        let most = self.most.saturating_add(self.most / 4);
         let mut dropped = 0;
         for (channel, values) in &mut self.channels {
             values.extend(channel.of(sample));
