@@ -203,4 +203,28 @@ mod tests {
         assert!((found.peaks[0].frequency - 50.0).abs() < 1e-9);
         assert!((found.peaks[0].amplitude - 1e-6).abs() < 1e-15);
     }
+
+    #[test]
+    fn a_long_run_keeps_what_its_spectrum_rests_on() {
+        let x = Channel::Displacement(0);
+        let grid = SampleGrid::of_angle(50.0, 64);
+        let kept = grid.most_in_spectrum();
+        let mut recording = Recording::new(grid, 0.0).with([x]).of_last();
+        for n in 0..300_000 {
+            let time = f64::from(n) / 3200.0;
+            recording.record(&Sample {
+                time,
+                displacement: [1e-6 * (TAU * f64::from(n) / 64.0).cos(), 0.0, 0.0, 0.0, 0.0],
+                ..Sample::default()
+            });
+            assert!(recording.length() <= kept + kept / 16);
+        }
+        let found = recording.lines(&[x], Window::Rectangular, 2.0);
+        let spectrum = found.expect("enough samples");
+        assert_eq!(spectrum.length, kept);
+        let end = spectrum.start + spectrum.length as f64 / 3200.0;
+        assert!((end - 300_000.0 / 3200.0).abs() < 1e-6, "{end}");
+        let amplitude = &spectrum.channels[0].amplitude;
+        assert!((amplitude[kept / 64] - 1e-6).abs() < 1e-14);
+    }
 }
