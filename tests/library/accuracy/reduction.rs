@@ -47,19 +47,19 @@ fn the_stated_error_is_that_of_the_modes_left_out() {
     }
 }
 
-/// The second pass takes ten times as many digits as the run, the one with more modes no more than its difference has.
+/// The second pass has a tenth of the tolerance of the run, the one with more modes no more than its difference has.
 #[test]
-fn the_passes_that_measure_errors_take_no_more_than_the_run_and_a_half() {
+fn the_passes_that_measure_errors_take_at_most_seven_tenths() {
     let mut model = shaft("conveyor-shaft-6213", 0.4);
     model.verify = true;
     for method in [Method::Exponential, Method::Verner76] {
         model.integrator.method = method;
         let run = try_run(&model, 0.0).0.expect("a run");
         let share = run.share_of_verification().expect("a verified run");
-        assert!(share < 0.65, "{method}: {share}");
+        assert!(share < 0.7, "{method}: {share}");
         let finer = run.finer_counters.expect("a pass with more modes");
         assert!(
-            3 * finer.evaluations < 2 * run.counters.evaluations,
+            finer.evaluations < run.counters.evaluations,
             "{method}: {finer:?}"
         );
     }
