@@ -79,7 +79,9 @@ pub fn text(title: &str, model: &Model, run: &Run, campbell: Option<&Campbell>) 
         out.line("shaft", reduction_text(reduction));
         let tolerance = model.integrator.tolerance;
         if let Some(sufficient) = reduction.sufficient_tolerance(tolerance) {
-            let text = format!("the tolerance of {tolerance:.0e} is finer than that: {sufficient:.0e} would do");
+            let text = format!(
+                "the tolerance of {tolerance:.0e} is finer than that: {sufficient:.0e} would do"
+            );
             out.line("", text);
         }
     }

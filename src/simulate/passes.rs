@@ -282,7 +282,10 @@ impl<'a> Passes<'a> {
     /// Work of the pass with more modes, where it measured anything.
     pub fn finer_counters(&self) -> Option<Counters> {
         let finer = self.finer.as_ref()?;
-        finer.failure.is_none().then(|| finer.integration.counters())
+        finer
+            .failure
+            .is_none()
+            .then(|| finer.integration.counters())
     }
 
     /// What is kept of a shaft that bends, and the difference of the pass with more modes.

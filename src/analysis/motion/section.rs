@@ -119,7 +119,11 @@ impl Section {
             self.add(nodes, number as u64, if missed { 1.0 } else { part });
             number += 1.0;
         }
-        keep_last(&mut self.points, MOST_POINTS + MOST_POINTS / 16, MOST_POINTS);
+        keep_last(
+            &mut self.points,
+            MOST_POINTS + MOST_POINTS / 16,
+            MOST_POINTS,
+        );
     }
 
     /// With no more points than are kept.
