@@ -41,7 +41,7 @@ impl<'a> Integration<'a> {
             counters: Counters::default(),
         };
         let is_open = settings.method == Method::Auto;
-        let method_use = is_open.then(|| MethodUse::from_system(system));
+        let method_use = is_open.then(MethodUse::default);
         let problem = Problem {
             system,
             scaling,

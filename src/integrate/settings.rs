@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Method {
-    /// "verner76" where a ball may part from a race on this motion, else "exponential".
+    /// "exponential"; where balls part from a race again and again, which keeps its steps short, "verner76" goes on.
     Auto,
     /// Verner 7(6), explicit: its steps end where a ball parts from a race or meets it again.
     Verner76,

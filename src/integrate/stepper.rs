@@ -1,16 +1,17 @@
 //! The stepper of the method in use, and the choice of one for a run that names none.
 //!
-//! The choice is one rule, asked once: where the motion is expected to cross event surfaces, as the lift-off of a ball
-//! from a race ([`System::expects_crossings`]), the explicit pair `verner76`, whose steps end on them, takes the run;
-//! elsewhere the exponential method. And one way back: a run of the exponential method that crosses them again and
-//! again goes on with `verner76`, and so does one in which that method can take no step.
+//! The choice is one rule. A run begins with the exponential method, whose steps are longer than the vibrations of the
+//! shaft as long as its forces are smooth. Where balls part from a race again and again, each time a row of short steps
+//! finds the way over that surface. Once its steps are on average no longer than those that an explicit method takes, the
+//! explicit pair `verner76` goes on, whose steps end on such surfaces and cost less. It goes on, too, where the
+//! exponential method can take no step.
 
 use super::explicit::ExplicitStepper;
 use super::exponential::ExponentialStepper;
 use super::library::LibraryStepper;
 use super::problem::Problem;
 use super::rosenbrock::RosenbrockStepper;
-use super::{Counters, IntegrateError, Method, System};
+use super::{Counters, IntegrateError, Method};
 
 /// A method under way: its steps end where it will, not with a sample.
 pub(super) trait MethodStepper {
@@ -34,6 +35,11 @@ pub(super) trait MethodStepper {
     /// Whether the latest step crossed event surfaces without ending on them.
     fn crossed(&self) -> bool {
         false
+    }
+
+    /// Largest eigenvalue of the linear part that the method treats exactly, 1/s; zero of one that does not.
+    fn largest_eigenvalue(&self) -> f64 {
+        0.0
     }
 }
 
@@ -82,16 +88,63 @@ fn method_stepper(method: Method, problem: &Problem<'_>, start: &Start) -> Box<d
     }
 }
 
-/// Crossings of surfaces in the latest 64 steps of the exponential method from which on it gives way.
-const MOST_CROSSINGS: u32 = 16;
+/// Crossings of surfaces in the latest steps of the exponential method from which on these are looked at.
+const CROSSINGS: u32 = 2;
+/// Steps from which on they are looked at: the first ones are short in any case.
+const EARLIEST: u64 = 16;
+/// Largest angle, rad, by which the fastest vibration turns in a step of an explicit method.
+const EXPLICIT_ANGLE: f64 = 2.0;
+/// Number of the latest steps.
+const LATEST: usize = u64::BITS as usize;
+
+/// The latest steps of the exponential method.
+struct LatestSteps {
+    /// A bit for each, set where it crossed a surface.
+    crossings: u64,
+    /// Time, s, and number of trials at the starts of these steps, in turn.
+    starts: [(f64, u64); LATEST],
+    /// Steps since the method began.
+    count: u64,
+}
+
+impl LatestSteps {
+    /// Before the first step.
+    fn new(start: &Start) -> Self {
+        Self {
+            crossings: 0,
+            starts: [(start.time, trials(&start.counters)); LATEST],
+            count: 0,
+        }
+    }
+
+    /// Takes a step; whether surfaces are crossed again and again, and an explicit method takes steps as long as these are
+    /// on average, those included that were tried in vain.
+    fn are_short(&mut self, method: &dyn MethodStepper) -> bool {
+        let reached = method.reached();
+        let now = (reached.time, trials(&reached.counters));
+        self.crossings = self.crossings << 1 | u64::from(method.crossed());
+        self.count += 1;
+        // where the latest 64 steps, or all of them, started
+        let oldest = &mut self.starts[self.count as usize % LATEST];
+        let (time, trials) = std::mem::replace(oldest, now);
+        let size = (now.0 - time) / (now.1 - trials) as f64;
+        self.count >= EARLIEST
+            && self.crossings.count_ones() >= CROSSINGS
+            && size * method.largest_eigenvalue() < EXPLICIT_ANGLE
+    }
+}
+
+/// Steps that were tried.
+fn trials(counters: &Counters) -> u64 {
+    counters.steps + counters.rejected
+}
 
 /// The stepper of the method in use, and the rule that may change it.
 pub(super) struct Stepper {
     method: Box<dyn MethodStepper>,
     /// Which method carried the run, where the choice is left open.
     pub method_use: Option<MethodUse>,
-    /// The latest steps of the exponential method, a bit for each, set where a step crossed a surface.
-    crossings: u64,
+    latest: LatestSteps,
 }
 
 impl Stepper {
@@ -101,7 +154,7 @@ impl Stepper {
         Self {
             method: method_stepper(method, problem, start),
             method_use,
-            crossings: 0,
+            latest: LatestSteps::new(start),
         }
     }
 
@@ -135,8 +188,7 @@ impl Stepper {
             }
             Err(error) => return Err(error),
             Ok(()) => {
-                self.crossings = self.crossings << 1 | u64::from(self.method.crossed());
-                if self.crossings.count_ones() < MOST_CROSSINGS {
+                if !self.latest.are_short(&*self.method) {
                     return Ok(());
                 }
                 ChangeReason::Crossings
@@ -164,19 +216,17 @@ impl Stepper {
     }
 }
 
-/// Which method carried a run under [`Method::Auto`], and why.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// Which method carried a run under [`Method::Auto`]: the exponential one, until `verner76` went on from it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct MethodUse {
-    /// The method of the first step.
-    pub first: Method,
-    /// Why `verner76` went on from the exponential method, and when, s.
+    /// Why `verner76` went on, and when, s.
     pub change: Option<(ChangeReason, f64)>,
 }
 
 /// Why a run went over from the exponential method to `verner76`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ChangeReason {
-    /// The motion crossed surfaces at which the derivative is not smooth again and again.
+    /// The motion crossed surfaces again and again at which the derivative is not smooth, which kept its steps short.
     Crossings,
     /// The exponential method could take no further step.
     NoStep,
@@ -186,21 +236,8 @@ impl MethodUse {
     /// The method of the latest step.
     pub fn latest(&self) -> Method {
         match self.change {
-            None => self.first,
+            None => Method::Exponential,
             Some(_) => Method::Verner76,
-        }
-    }
-
-    /// By the rule, before the first step.
-    pub(super) fn from_system(system: &dyn System) -> Self {
-        let first = if system.expects_crossings() {
-            Method::Verner76
-        } else {
-            Method::Exponential
-        };
-        Self {
-            first,
-            change: None,
         }
     }
 }

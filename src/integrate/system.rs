@@ -68,11 +68,6 @@ pub trait System {
     fn event_exponent(&self, _event: usize) -> f64 {
         1.0
     }
-
-    /// Whether the motion is expected to cross event surfaces: estimated before the motion is known.
-    fn expects_crossings(&self) -> bool {
-        true
-    }
 }
 
 /// Makes every component of a state a number of order one: `scaled = (state − origin)/scale`.
@@ -195,9 +190,5 @@ impl System for Shifted<'_> {
 
     fn event_exponent(&self, event: usize) -> f64 {
         self.system.event_exponent(event)
-    }
-
-    fn expects_crossings(&self) -> bool {
-        self.system.expects_crossings()
     }
 }

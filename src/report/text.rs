@@ -259,12 +259,12 @@ pub(super) fn add_table_use(out: &mut Lines, tables: &[Option<TableUse>]) {
     }
 }
 
-/// Why a method was chosen before the first step; `parted` where balls then did part from a race.
-fn why_method(first: Method, parted: bool) -> &'static str {
-    match (first, parted) {
-        (Method::Verner76, _) => "a ball may part from a race on this motion",
-        (_, false) => "no ball is expected to part from a race on this motion",
-        (_, true) => "no ball was expected to part from a race, but some did",
+/// Why the exponential method began a run, or kept it; `parted` where balls parted from a race.
+fn why_exponential(used: &MethodUse, parted: bool) -> &'static str {
+    match (used.change, parted) {
+        (Some(_), _) => "every run begins with it",
+        (None, false) => "no ball parted from a race",
+        (None, true) => "balls parted from a race, but did not keep its steps short",
     }
 }
 
@@ -276,14 +276,14 @@ pub(super) fn parted(bearings: &[BearingHistory]) -> bool {
 
 fn why_changed(reason: ChangeReason) -> &'static str {
     match reason {
-        ChangeReason::Crossings => "balls part from a race again and again",
+        ChangeReason::Crossings => "balls part from a race again and again, and keep steps short",
         ChangeReason::NoStep => "exponential can take no further step",
     }
 }
 
-/// `exponential: no ball is expected to part from a race on this motion; verner76 from 1.234 ms on: …`
+/// `exponential: every run begins with it; verner76 from 1.234 ms on: …`
 pub(super) fn method_use_text(used: &MethodUse, parted: bool) -> String {
-    let mut line = format!("{}: {}", used.first, why_method(used.first, parted));
+    let mut line = format!("{}: {}", Method::Exponential, why_exponential(used, parted));
     if let Some((reason, time)) = used.change {
         let (latest, why) = (used.latest(), why_changed(reason));
         line.push_str(&format!("; {latest} from {:.3} ms on: {why}", 1e3 * time));
@@ -302,8 +302,8 @@ pub(super) fn method_use_json(used: &MethodUse, parted: bool) -> Value {
         })
     });
     json!({
-        "method": used.first,
-        "why": why_method(used.first, parted),
+        "method": Method::Exponential,
+        "why": why_exponential(used, parted),
         "change": change,
     })
 }

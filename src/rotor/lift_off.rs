@@ -4,29 +4,8 @@
 
 use super::Rotor;
 use super::element::{AttachedBearing, Instant};
-use super::motion_scale::add_sizes;
 
 impl Rotor {
-    /// Whether a ball may part from a race, or meet it again, on the motion to come: whether its amplitudes about the
-    /// static equilibrium, as they are estimated from unbalance, loads, passing balls, the initial state and the free
-    /// vibrations of a start beside the forced motion, reach the lift-off of any ball at any position of the cage; at
-    /// the start's speed, at those of the profile and at the highest.
-    pub(super) fn balls_may_part(&self) -> bool {
-        let cage_turns = self.elements.cage.turns();
-        self.elements.balls_that_lift_off > 0
-            && self.speeds().any(|speed| {
-                let mut amplitudes = self.amplitude_estimate(speed);
-                add_sizes(&mut amplitudes, &self.forced_amplitudes(speed));
-                self.elements.bearings().any(|bearing| {
-                    let place = self.static_displacement(&bearing);
-                    let reach = bearing.attachment.reach(&amplitudes);
-                    let reached = std::array::from_fn(|axis| place[axis] + reach[axis]);
-                    let support = bearing.support;
-                    support.may_part([&place, &reached], speed, cage_turns)
-                })
-            })
-    }
-
     /// Writes how far every ball is pressed past its lift-off, m.
     pub(super) fn lift_off_distances(&self, at: &Instant<'_>, values: &mut [f64]) {
         let mut first = 0;

@@ -116,21 +116,14 @@ impl Rotor {
         Support::largest(self.elements.supports(), Geometry::groove_centre_distance)
     }
 
-    /// Estimated amplitudes of the degrees of freedom under unbalance and loads at a speed of the shaft in rad/s, m and
-    /// rad. A shaft that does not start on this motion has free vibrations of as much again.
-    pub(super) fn forced_amplitudes(&self, speed: f64) -> Vec<f64> {
+    /// Estimated amplitudes of the degrees of freedom about the static equilibrium at a speed of the shaft in rad/s, m and
+    /// rad: the sum of what [`Rotor::motion_scale`] takes the largest of.
+    pub(super) fn amplitude_estimate(&self, speed: f64) -> Vec<f64> {
         let mut sum = vec![0.0; self.dofs()];
         add_sizes(&mut sum, &self.unbalance_amplitudes(speed));
         for amplitudes in self.load_amplitudes(speed) {
             add_sizes(&mut sum, &amplitudes);
         }
-        sum
-    }
-
-    /// Estimated amplitudes of the degrees of freedom about the static equilibrium at a speed of the shaft in rad/s, m and
-    /// rad: the sum of what [`Rotor::motion_scale`] takes the largest of.
-    pub(super) fn amplitude_estimate(&self, speed: f64) -> Vec<f64> {
-        let mut sum = self.forced_amplitudes(speed);
         let mut passing = vec![0.0_f64; self.dofs()];
         for shift in self.passing_amplitudes() {
             for (passing, shift) in passing.iter_mut().zip(shift) {
@@ -278,7 +271,7 @@ impl Rotor {
 }
 
 /// Adds the magnitudes of amplitudes to others.
-pub(super) fn add_sizes(sum: &mut [f64], amplitudes: &[f64]) {
+fn add_sizes(sum: &mut [f64], amplitudes: &[f64]) {
     for (sum, amplitude) in sum.iter_mut().zip(amplitudes) {
         *sum += amplitude.abs();
     }

@@ -89,10 +89,6 @@ impl System for Rotor {
         };
         bearing.map_or(1.0, |bearing| bearing.support.lift_off_exponent())
     }
-
-    fn expects_crossings(&self) -> bool {
-        self.balls_may_part()
-    }
 }
 
 impl Rotor {

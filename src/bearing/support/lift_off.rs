@@ -1,16 +1,8 @@
 //! How near the balls of a mounted bearing are to their lift-off, and with what force it sets in.
 
-use std::f64::consts::TAU;
-
-use super::{Seat, Support, Vector5};
+use super::{Support, Vector5};
 use crate::bearing::BearingRotation;
 use crate::bearing::law::{BallLaw, ContactSpring, with_law};
-
-/// Slope of the distance to lift-off by the place of the inner groove centre: one, but for what the
-/// inertia of the ball and the table of a law add.
-const LIFT_OFF_SLOPE: f64 = 1.1;
-/// Parts of one ball spacing between whose ends balls are looked at.
-const CAGE_STEPS: u32 = 8;
 
 impl Support {
     /// Number of balls whose force is not smooth where they lift off: none of a linear bearing, and
@@ -38,42 +30,6 @@ impl Support {
         }
     }
 
-    /// Whether any ball comes to its lift-off as the inner ring moves by the distance of two displacements about the first
-    /// of them, at a speed in rad/s: at the start's position of the cage, or, where the cage turns, at any, and between
-    /// two neighbouring ones where a ball is pressed at one and not at the other.
-    ///
-    /// A bound for a bearing that is held; one on a spring is taken to follow the shaft along its axis.
-    pub(crate) fn may_part(
-        &self,
-        [place, reached]: [&Vector5; 2],
-        speed: f64,
-        cage_turns: bool,
-    ) -> bool {
-        if self.balls_that_lift_off() == 0 {
-            return false;
-        }
-        let (mut from, mut to) = (*place, *reached);
-        if matches!(self.seat, Seat::Spring { .. }) {
-            (from[2], to[2]) = (0.0, 0.0);
-        }
-        let shift = self.shift_of_centres(&from, &to) + self.largest_drop();
-        let reach = LIFT_OFF_SLOPE * shift;
-        let step = TAU / (self.definition.bearing.geometry.balls() as f64 * f64::from(CAGE_STEPS));
-        let last = if cage_turns { CAGE_STEPS } else { 0 };
-        let mut past = vec![0.0; self.balls_that_lift_off()];
-        let mut before = Vec::new();
-        (0..=last).any(|position| {
-            let cage_angle = f64::from(position) * step;
-            let rotation = BearingRotation::at_start(speed).with_cage_at(cage_angle);
-            self.past_lift_offs(place, &rotation, &mut past);
-            let comes_near = past.iter().any(|past| past.abs() <= reach);
-            let mut turned = before.iter().zip(&past);
-            let parts = comes_near || turned.any(|(before, past)| before * past < 0.0);
-            before.clone_from(&past);
-            parts
-        })
-    }
-
     /// Largest approach that any ball has without inertia and film at a displacement, at any angle of the
     /// cage, m. A bound, which a ball comes to where the ring tilts towards the side to which it is shifted.
     ///
@@ -84,14 +40,6 @@ impl Support {
         let [along, across] = [axial, radial].map(|[middle, square]| middle.abs() + square.sqrt());
         let apart = self.definition.bearing.geometry.groove_centre_distance();
         along.hypot(across) - apart
-    }
-
-    /// How far inner groove centres move at most, m, as the ring goes from one place to another.
-    fn shift_of_centres(&self, from: &Vector5, to: &Vector5) -> f64 {
-        let [x, y, z, tilt_x, tilt_y] = std::array::from_fn(|axis| to[axis] - from[axis]);
-        let length = |a: f64, b: f64| (a * a + b * b).sqrt();
-        let along = z.abs() + self.ring.arm * length(tilt_x, tilt_y);
-        length(length(x, y), along)
     }
 
     /// Largest load of a ball so far past its lift-off in m, N; zero where the force is smooth there.

@@ -302,6 +302,11 @@ impl MethodStepper for ExponentialStepper {
     fn crossed(&self) -> bool {
         self.sweeps.crossed
     }
+
+    fn largest_eigenvalue(&self) -> f64 {
+        let eigenvalues = self.linear.eigenvalues.iter();
+        eigenvalues.map(|value| value.norm()).fold(0.0, f64::max)
+    }
 }
 
 #[cfg(test)]

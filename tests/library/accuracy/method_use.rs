@@ -1,4 +1,4 @@
-//! `method = "auto"`, the default: verner76 where a ball may part from a race, else the exponential method.
+//! `method = "auto"`, the default: the exponential method, until balls that part from a race keep its steps short.
 
 use std::path::Path;
 
@@ -45,7 +45,7 @@ fn a_shaft_that_turns_slowly_under_load_steps_with_its_forcing() {
     let model = open("100 rad/s", &[]);
     assert_eq!(model.integrator.method, Method::Auto);
     let (chosen, used) = run(&model);
-    assert_eq!((used.first, used.change), (Method::Exponential, None));
+    assert_eq!(used.change, None);
     let [explicit, exponential] =
         [Method::Verner76, Method::Exponential].map(|method| evaluations(&model, method));
     let all = chosen.counters.evaluations;
@@ -53,28 +53,70 @@ fn a_shaft_that_turns_slowly_under_load_steps_with_its_forcing() {
     assert_eq!(all, exponential);
 }
 
+/// A shipped scene, or one of the benches, without a second pass.
+fn scene(file: &str) -> Model {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+    let mut model = scenario::load(&file).unwrap().model.unwrap();
+    model.verify = false;
+    model
+}
+
+/// Times at which balls of any bearing parted from a race.
+fn partings(run: &Run) -> u64 {
+    let lost = |bearing: &BearingHistory| bearing.events(EventKind::ContactLost).count;
+    run.bearings.iter().map(lost).sum()
+}
+
+/// One of them passes a resonance between two speeds at which the shaft hardly moves.
+#[test]
+fn what_the_motion_might_have_done_takes_no_run_from_the_exponential_method() {
+    for (file, most) in [
+        ("benches/scenes/thirteen-balls-preloaded.toml", 6_000),
+        ("scenarios/laval-rotor.toml", 25_000),
+    ] {
+        let (chosen, used) = run(&scene(file));
+        assert_eq!(used.change, None, "{file}");
+        assert_eq!(partings(&chosen), 0, "{file}");
+        assert!(chosen.counters.evaluations < most, "{file}");
+    }
+}
+
+/// The elastic modes of a shaft are so fast that a pair held by its stability takes far shorter steps.
+#[test]
+fn balls_that_part_under_a_bent_shaft_are_no_reason_for_the_explicit_pair() {
+    let mut model = scene("scenarios/conveyor-shaft-6213.toml");
+    (model.duration, model.settle) = (0.1, 0.0);
+    let (chosen, used) = run(&model);
+    assert!(partings(&chosen) > 0);
+    assert_eq!(used.change, None);
+    let explicit = evaluations(&model, Method::Verner76);
+    let all = chosen.counters.evaluations;
+    assert!(3 * all < explicit, "{all} against {explicit}");
+}
+
 #[test]
 fn balls_that_unload_at_every_turn_are_left_to_the_pair_that_lands_on_lift_offs() {
     let model = open("1000 rad/s", &[("5 um", "50 um"), ("1000 N", "50 N")]);
     let (chosen, used) = run(&model);
-    assert_eq!((used.first, used.change), (Method::Verner76, None));
-    assert_eq!(
+    let (reason, time) = used.change.expect("a change");
+    assert_eq!(reason, ChangeReason::Crossings);
+    assert!(time < 0.02 * model.duration, "{time}");
+    let (all, explicit) = (
         chosen.counters.evaluations,
-        evaluations(&model, Method::Verner76)
+        evaluations(&model, Method::Verner76),
     );
+    assert!(20 * all < 21 * explicit, "{all} against {explicit}");
 }
 
-/// With ball inertia, too, and in the clearance of a deep groove bearing, at rest or before the cage has turned by a
-/// spacing.
+/// With ball inertia, too, in the clearance of a deep groove bearing, and at rest.
 #[test]
-fn the_rule_knows_every_law_and_the_loads_to_come() {
+fn the_rule_knows_every_law() {
     let light = [("5 um", "50 um"), ("1000 N", "50 N"), ("0.5 s", "0.02 s")];
     let jones = [&light[..], &[("\"hertz\"", "\"jones\"")]].concat();
-    let first = |changes: &[(&str, &str)]| run(&open("1000 rad/s", changes)).1.first;
-    assert_eq!(first(&jones), Method::Verner76);
-    assert_eq!(first(&[jones[2], jones[3]]), Method::Exponential);
+    let latest = |changes: &[(&str, &str)]| run(&open("1000 rad/s", changes)).1.latest();
+    assert_eq!(latest(&jones), Method::Verner76);
+    assert_eq!(latest(&[jones[2], jones[3]]), Method::Exponential);
     for (name, expected) in [
-        ("impact-short", Method::Verner76),
         ("impact-with-clearance", Method::Verner76),
         ("clearance-zero", Method::Verner76),
         ("heavy-shaft", Method::Verner76),
@@ -83,15 +125,14 @@ fn the_rule_knows_every_law_and_the_loads_to_come() {
         ("coast-down-on-films", Method::Exponential),
     ] {
         let mut model = hard(name);
-        model.duration = model.duration.min(0.03);
-        assert_eq!(run(&model).1.first, expected, "{name}");
+        model.duration = model.duration.min(0.05);
+        assert_eq!(run(&model).1.latest(), expected, "{name}");
     }
 }
 
-/// Two deep groove bearings in their clearance, where three to four of nine balls bear; and an unbalance whose start
-/// from rest swings the shaft twice as far as it whirls.
+/// Two deep groove bearings in their clearance, where three to four of nine balls bear.
 #[test]
-fn balls_that_leave_the_load_zone_or_part_at_the_start_are_expected_to_part() {
+fn balls_that_leave_the_load_zone_part_again_and_again() {
     let bearing = |position: &str| {
         format!(
             "[[bearing]]\ncatalogue = \"6205\"\nposition = \"{position}\"\n\
@@ -106,13 +147,9 @@ fn balls_that_leave_the_load_zone_or_part_at_the_start_are_expected_to_part() {
         bearing("-60 mm"),
         bearing("60 mm")
     );
-    let unbalanced = [("5 um", "1 mm"), ("-300 N", "0 N"), ("0.5 s", "0.03 s")];
-    for scene in [model(&pair), open("500 rad/s", &unbalanced)] {
-        let (chosen, used) = run(&scene);
-        let lost = |bearing: &BearingHistory| bearing.events(EventKind::ContactLost).count;
-        assert!(chosen.bearings.iter().all(|bearing| lost(bearing) > 0));
-        assert_eq!(used.first, Method::Verner76);
-    }
+    let (chosen, used) = run(&model(&pair));
+    assert!(partings(&chosen) > 0);
+    assert_eq!(used.latest(), Method::Verner76);
 }
 
 #[test]
@@ -120,15 +157,13 @@ fn stiff_contact_damping_is_not_left_to_an_explicit_method() {
     let damping = "ratio = 0.02\ncontact = { inner = \"5000 s/m\", outer = \"5000 s/m\" }\n";
     let changes = [("ratio = 0.02\n", damping), ("0.5 s", "0.05 s")];
     let (_, used) = run(&open("1000 rad/s", &changes));
-    assert_eq!(used.first, Method::Exponential);
+    assert_eq!(used.change, None);
 }
 
 /// A hard scene of the benches at a tolerance of 1e-6.
 fn hard(name: &str) -> Model {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches/scenes/hard");
-    let file = folder.join(name).with_extension("toml");
-    let mut model = scenario::load(&file).unwrap().model.unwrap();
-    (model.verify, model.integrator.tolerance) = (false, 1e-6);
+    let mut model = scene(&format!("benches/scenes/hard/{name}.toml"));
+    model.integrator.tolerance = 1e-6;
     model
 }
 
@@ -146,7 +181,6 @@ fn a_run_whose_balls_part_again_and_again_goes_on_with_the_pair_that_lands() {
     let mut model = open("1 rad/s", &changes);
     model.integrator.tolerance = 1e-6;
     let (chosen, used) = run(&model);
-    assert_eq!(used.first, Method::Exponential);
     let (reason, time) = used.change.expect("a change");
     assert_eq!(reason, ChangeReason::Crossings);
     assert!((0.05..0.2).contains(&time), "{time}");
