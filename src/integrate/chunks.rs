@@ -5,6 +5,8 @@
 
 use std::ops::{Deref, DerefMut};
 
+use fearless_simd::{Simd, f64x4};
+
 /// Numbers of a chunk.
 const WIDTH: usize = 4;
 
@@ -80,6 +82,13 @@ impl DerefMut for Padded {
     fn deref_mut(&mut self) -> &mut [f64] {
         &mut self.chunks.as_flattened_mut()[..self.len]
     }
+}
+
+/// A chunk in a register. Sums that are written in these are not taken apart again by the compiler, which would rather work
+/// on several chunks at a time and collects their numbers one by one.
+#[inline(always)]
+pub(super) fn in_register<S: Simd>(simd: S, chunk: &Chunk) -> f64x4<S> {
+    simd.load_array_ref_f64x4(chunk)
 }
 
 /// Adds a factor times a chunk.

@@ -3,20 +3,21 @@
 //! whose law is smooth across lift-off do not.
 
 use super::Rotor;
-use super::element::{AttachedBearing, Instant};
+use super::element::{AttachedBearing, Instant, seen_by};
 
 impl Rotor {
     /// Writes how far every ball is pressed past its lift-off, m.
     pub(super) fn lift_off_distances(&self, at: &Instant<'_>, values: &mut [f64]) {
-        let mut first = 0;
-        for (bearing, motion) in self.elements.bearings_at(at) {
+        let mut rest = values;
+        for bearing in self.elements.bearings() {
             let support = bearing.support;
-            let last = (first + support.balls_that_lift_off()).min(values.len());
-            if first < last {
-                let values = &mut values[first..last];
-                support.past_lift_offs(&motion.displacement, &motion.rotation, values);
+            let (own, others) = rest.split_at_mut(support.balls_that_lift_off());
+            rest = others;
+            if !own.is_empty() {
+                let displacement = bearing.attachment.displacement(at.place, at.rest);
+                let rotation = seen_by(support, at.rotation, &at.phases);
+                support.past_lift_offs(&displacement, &rotation, own);
             }
-            first = last;
         }
     }
 

@@ -1,7 +1,7 @@
 //! When balls pass the kinks of defects: at times that are known where the speed is prescribed, and as event surfaces
 //! where a drive decides it. An event function is the distance of a ball past the kink, m.
 
-use super::element::{AttachedBearing, seen_by};
+use super::element::{AttachedBearing, Instant, seen_by};
 use super::{Rotation, Rotor};
 use crate::bearing::{BearingRotation, CageJitter, Passing};
 use crate::numerics::root::root;
@@ -54,11 +54,10 @@ impl Rotor {
     }
 
     /// Writes how far balls are past them, m.
-    pub(super) fn passing_distances(&self, rotation: &Rotation, values: &mut [f64]) {
-        let phases = self.elements.phases(rotation);
+    pub(super) fn passing_distances(&self, at: &Instant<'_>, values: &mut [f64]) {
         for ((bearing, passing), value) in self.passing_events().zip(values) {
-            let seen = seen_by(bearing.support, rotation, &phases);
-            *value = passing.distance(seen.cage_angle, rotation.angle);
+            let seen = seen_by(bearing.support, at.rotation, &at.phases);
+            *value = passing.distance(seen.cage_angle, at.rotation.angle);
         }
     }
 

@@ -65,9 +65,10 @@ impl System for Rotor {
 
     fn events(&self, time: f64, state: &[f64], values: &mut [f64]) {
         let rotation = self.rotation(time, state);
+        let at = self.instant(state, &rotation);
         let (balls, kinks) = values.split_at_mut(self.elements.balls_that_lift_off);
-        self.lift_off_distances(&self.instant(state, &rotation), balls);
-        self.passing_distances(&rotation, kinks);
+        self.lift_off_distances(&at, balls);
+        self.passing_distances(&at, kinks);
     }
 
     fn force_jump(&self, event: usize, time: f64, distance: f64, rate: &mut [f64]) {

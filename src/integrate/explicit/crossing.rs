@@ -45,8 +45,8 @@ pub(super) struct Landing {
 /// Where the motion is between the event surfaces.
 #[derive(Debug, Clone)]
 pub(super) struct Crossings {
-    /// Whether the exponent of each surface's force jump is broken, as 3/2: no polynomial of the time follows it.
-    broken: Vec<bool>,
+    /// Exponent of each surface's force jump.
+    exponents: Vec<f64>,
     /// Whether the state at the end of the latest good step is past each surface; after a landing, just beyond it.
     pub past: Vec<bool>,
     /// End of the latest step that crossed a surface, s.
@@ -60,9 +60,9 @@ pub(super) struct Crossings {
     /// Which surfaces have the end of the trial and the end of the latest step on different sides.
     pub changed: Vec<bool>,
     /// The event functions at the start and at the end of the trial.
-    pub ends: [Vec<f64>; 2],
+    ends: [Vec<f64>; 2],
     /// Whether those at the end are of this trial.
-    is_end_known: bool,
+    pub is_end_known: bool,
     /// Room for a search: times of crossings, a state and its event functions.
     pub found: Vec<f64>,
     pub state: Vec<f64>,
@@ -77,9 +77,10 @@ impl Crossings {
         let (mut state, mut values) = (vec![0.0; states], vec![0.0; events]);
         problem.write_state(&start.deviation, &mut state);
         system.events(start.time, &state, &mut values);
-        let is_broken = |event| system.event_exponent(event).fract() != 0.0;
         Self {
-            broken: (0..events).map(is_broken).collect(),
+            exponents: (0..events)
+                .map(|event| system.event_exponent(event))
+                .collect(),
             past: values
                 .iter()
                 .map(|value| value.is_sign_positive())
@@ -89,7 +90,7 @@ impl Crossings {
             due: vec![f64::INFINITY; events],
             sizes: [f64::INFINITY; 2],
             changed: vec![false; events],
-            ends: [vec![0.0; events], vec![0.0; events]],
+            ends: [values.clone(), values.clone()],
             is_end_known: false,
             found: vec![f64::INFINITY; events],
             state,
@@ -100,27 +101,29 @@ impl Crossings {
     /// The earliest landing that is planned.
     pub fn next_landing(&self) -> Option<Landing> {
         let time = earliest(&self.due, f64::NEG_INFINITY);
-        let ends = |event: usize| self.due[event] == time && self.past[event] && self.broken[event];
+        let ends =
+            |event: usize| self.due[event] == time && self.past[event] && self.is_broken(event);
         (time < f64::INFINITY).then(|| Landing {
             time,
             ends: (0..self.due.len()).any(ends),
         })
+    }
+
+    /// Whether the exponent of a surface's force jump is broken, as 3/2: no polynomial of the time follows it.
+    fn is_broken(&self, event: usize) -> bool {
+        self.exponents[event].fract() != 0.0
     }
 }
 
 impl ExplicitStepper {
     /// Whether crossing an event surface spoils the trial of an error over the tolerance: landings are then planned.
     pub(super) fn is_spoiled(&mut self, problem: &Problem<'_>, plan: &Plan, error: f64) -> bool {
-        self.crossing.is_end_known = false;
         let error_in_units = error * problem.settings.tolerance;
         let is_usable = error_in_units <= UNUSABLE;
         if self.crossing.past.is_empty() || !is_usable {
             return false;
         }
-        if !self.ends_on_other_side(problem, plan.end) {
-            return false;
-        }
-        self.evaluate_events_at_ends(problem, plan.end);
+        self.find_sides(problem, plan.end);
         if !self.does_any_count(problem, plan) {
             return false;
         }
@@ -130,8 +133,8 @@ impl ExplicitStepper {
         self.plan_landings(problem, plan.size)
     }
 
-    /// Evaluates the event functions where the trial ends; whether that is on the other side of any surface.
-    fn ends_on_other_side(&mut self, problem: &Problem<'_>, end: f64) -> bool {
+    /// Evaluates the event functions where the trial ends, and finds the surfaces that it crosses.
+    fn find_sides(&mut self, problem: &Problem<'_>, end: f64) {
         let crossing = &mut self.crossing;
         problem.write_state(&self.to, &mut crossing.state);
         let values = &mut crossing.ends[1];
@@ -141,20 +144,6 @@ impl ExplicitStepper {
         for (changed, (value, past)) in crossing.changed.iter_mut().zip(sides) {
             *changed = value.is_sign_positive() != *past;
         }
-        crossing.changed.contains(&true)
-    }
-
-    /// Evaluates the event functions at both ends of the trial.
-    fn evaluate_events_at_ends(&mut self, problem: &Problem<'_>, end: f64) {
-        let Crossings {
-            ends: [at_start, at_end],
-            state,
-            ..
-        } = &mut self.crossing;
-        problem.write_state(&self.from, state);
-        problem.system.events(self.start, state, at_start);
-        problem.write_state(&self.to, state);
-        problem.system.events(end, state, at_end);
     }
 
     /// Whether the error of crossing any surface counts.
@@ -168,7 +157,7 @@ impl ExplicitStepper {
             } else if plan.lands_on(self.crossing.due[event]) {
                 self.error_of_miss(problem, plan, event) > LANDING_TOLERANCE
             } else {
-                self.error_over(problem, plan, event) > error_let_pass
+                self.is_error_over(problem, plan, event, error_let_pass)
             }
         })
     }
@@ -178,28 +167,34 @@ impl ExplicitStepper {
         self.crossing.ends.each_ref().map(|values| values[event])
     }
 
-    /// Error of crossing a surface somewhere in the trial, over the tolerance: the lesser of what the quadrature leaves of a
-    /// jump over the whole trial, wherever it begins, and of all that acts in the part past the surface.
-    fn error_over(&mut self, problem: &Problem<'_>, plan: &Plan, event: usize) -> f64 {
+    /// Whether the error of crossing a surface somewhere in the trial is more than some, over the tolerance. It is the lesser
+    /// of what the quadrature leaves of a jump over the whole trial, wherever it begins, and of all that acts in the part
+    /// past the surface.
+    fn is_error_over(
+        &mut self,
+        problem: &Problem<'_>,
+        plan: &Plan,
+        event: usize,
+        most: f64,
+    ) -> bool {
         let [from, to] = self.ends_past(event);
         // distances past the surface, and from end to end
         let (past, apart) = (from.max(to), (from - to).abs());
-        let exponent = problem.system.event_exponent(event);
+        let exponent = self.crossing.exponents[event];
         let mut change = |distance| self.change_by_jump(problem, plan, event, distance);
-        let anywhere = error_over_surface(exponent) * change(apart);
-        let part_past = error_at_end(exponent) * past / apart;
-        anywhere.min(part_past * change(past))
+        error_over_surface(exponent) * change(apart) > most
+            && error_at_end(exponent) * past / apart * change(past) > most
     }
 
     /// Error of a trial that was to end on a surface, over the tolerance.
     fn error_of_miss(&mut self, problem: &Problem<'_>, plan: &Plan, event: usize) -> f64 {
         let [from, to] = self.ends_past(event);
-        let exponent = problem.system.event_exponent(event);
+        let exponent = self.crossing.exponents[event];
         // of this step: what acts in the part between the surface and its end
         let own = error_at_end(exponent) * (to.abs() / (from - to).abs());
         // of the next one: the derivative at its start, with the weight b₁ of the first stage, is that of the wrong side; a
         // broken power is flat there, and does not count
-        let next = match self.crossing.broken[event] {
+        let next = match self.crossing.is_broken(event) {
             true => 0.0,
             false => FACTORS[LAST][0],
         };
@@ -259,23 +254,21 @@ impl ExplicitStepper {
     /// Records on which side of every surface a good step ends: where its landing is good, on the far side of it, whatever
     /// the sign of the event function.
     pub(super) fn arrive(&mut self, problem: &Problem<'_>, plan: &Plan) {
-        let crossing = &mut self.crossing;
-        crossing.fresh = false;
-        // by the signs, as far as the trial looked at them
-        let sides = crossing.past.iter_mut().zip(&crossing.ends[1]);
-        for (changed, (past, value)) in crossing.changed.iter_mut().zip(sides) {
-            *changed = crossing.is_end_known && value.is_sign_positive() != *past;
-            *past ^= *changed;
+        self.crossing.fresh = false;
+        if self.crossing.past.is_empty() {
+            return;
         }
-        if plan.landing.is_some() {
-            self.evaluate_events_at_ends(problem, plan.end);
+        if !self.crossing.is_end_known {
+            self.find_sides(problem, plan.end);
         }
         for event in 0..self.crossing.past.len() {
             let crossing = &mut self.crossing;
-            let past_before = crossing.past[event] != crossing.changed[event];
+            // by the sign, unless it lands
+            let past_before = crossing.past[event];
+            crossing.past[event] ^= crossing.changed[event];
             if plan.lands_on(crossing.due[event]) {
                 self.land(problem, plan, event, !past_before);
-            } else if crossing.past[event] != past_before {
+            } else if crossing.changed[event] {
                 // crossed without a landing: none is due any more
                 crossing.due[event] = f64::INFINITY;
             }
@@ -283,6 +276,7 @@ impl ExplicitStepper {
                 self.crossing.latest = self.time;
             }
         }
+        self.crossing.ends.swap(0, 1);
     }
 
     /// Records how a step ended that was to land on a surface; `past` is the side that it was to reach.
@@ -298,7 +292,7 @@ impl ExplicitStepper {
         if is_over || (0.0..near).contains(&time_left) || !misses {
             // the side is set, so that round-off of a state on the surface is no crossing
             crossing.past[event] = past;
-            crossing.fresh |= past && crossing.broken[event];
+            crossing.fresh |= past && crossing.is_broken(event);
         } else if (near..self.size).contains(&time_left) && self.time + time_left < self.limit {
             // a short step more leads there
             crossing.due[event] = self.time + time_left;

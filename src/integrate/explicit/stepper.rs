@@ -1,14 +1,14 @@
 //! Steps of the explicit pair, one after the other.
 
-use fearless_simd::Level;
+use fearless_simd::{Level, Simd, SimdBase, SimdFloat, f64x4};
 
 use super::crossing::Crossings;
 use super::plan::Substitution;
 use super::verner76::{
-    ERROR, FACTORS, LAST, NODES, ORDER, STABILITY, STAGES, Stages, dense_weights, entry,
+    ERROR, FACTORS, LAST, NODES, ORDER, STABILITY, STAGES, Stages, dense_sum, dense_weights, entry,
     sum_of_stages,
 };
-use crate::integrate::chunks::{Padded, add_scaled, chunks_of};
+use crate::integrate::chunks::{Padded, chunks_of, in_register};
 use crate::integrate::problem::{Control, Problem};
 use crate::integrate::stepper::{MethodStepper, Reached, Start};
 use crate::integrate::{Counters, IntegrateError};
@@ -111,7 +111,7 @@ impl ExplicitStepper {
 
     /// Evaluates the derivative in the argument as a stage.
     #[inline(always)]
-    fn evaluate(&mut self, problem: &Problem<'_>, stage: usize) {
+    fn evaluate<S: Simd>(&mut self, simd: S, problem: &Problem<'_>, stage: usize) {
         // dy/ds = h φ′(s) f(t₀ + h φ(s), y), here without h
         let [part, slope] = self.substitution.at(NODES[stage]);
         // what begins at a break is no part of a step that ends there
@@ -124,64 +124,58 @@ impl ExplicitStepper {
         problem.system.derivative(time, &self.argument, rate);
         self.counters.evaluations += 1;
         for (stages, rate) in self.stages.iter_mut().zip(rate.chunks()) {
-            stages[stage] = rate.map(|rate| slope * rate);
+            stages[stage] = *(in_register(simd, rate) * slope);
         }
     }
 
     #[inline(always)]
-    fn stage<const STAGE: usize>(&mut self, problem: &Problem<'_>) {
+    fn stage<S: Simd, const STAGE: usize>(&mut self, simd: S, problem: &Problem<'_>) {
+        let size = self.size;
         let chunks = self.origin.chunks().iter().zip(self.from.chunks());
         let chunks = chunks.zip(&self.stages);
         for (argument, ((origin, from), stages)) in
             self.argument.chunks_mut().iter_mut().zip(chunks)
         {
             // y + h Σ_j a_ij k_j
-            let sum = sum_of_stages!(FACTORS[STAGE], stages);
-            for i in 0..4 {
-                argument[i] = origin[i] + (from[i] + self.size * sum[i]);
-            }
+            let sum = sum_of_stages!(simd, FACTORS[STAGE], stages);
+            let deviation = in_register(simd, from) + sum * size;
+            *argument = *(in_register(simd, origin) + deviation);
         }
-        self.evaluate(problem, STAGE);
+        self.evaluate(simd, problem, STAGE);
     }
 
     /// Tries a step; its error over what is allowed, or no number.
     pub(super) fn trial(&mut self, problem: &Problem<'_>) -> f64 {
-        let error = in_wide_registers!(self.level, self.tried(problem)) * self.size;
-        error * self.error_factor() / problem.settings.tolerance
+        let error = in_wide_registers!(self.level, simd => self.tried(simd, problem));
+        error * self.size * self.error_factor() / problem.settings.tolerance
     }
 
     /// Tries a step; the error per time, relative to one unit and the deviation.
     #[inline(always)]
-    fn tried(&mut self, problem: &Problem<'_>) -> f64 {
-        (self.ended, self.extended) = (false, false);
-        self.stage::<1>(problem);
-        self.stage::<2>(problem);
-        self.stage::<3>(problem);
-        self.stage::<4>(problem);
-        self.stage::<5>(problem);
-        self.stage::<6>(problem);
-        self.stage::<7>(problem);
-        self.stage::<8>(problem);
-        self.stage::<9>(problem);
-        let chunks = self.from.chunks().iter().zip(&self.stages);
-        for (to, (from, stages)) in self.to.chunks_mut().iter_mut().zip(chunks) {
-            // y₁ = y + h Σ_i b_i k_i
-            let moved = sum_of_stages!(FACTORS[LAST], stages);
-            for i in 0..4 {
-                to[i] = from[i] + self.size * moved[i];
-            }
-        }
+    fn tried<S: Simd>(&mut self, simd: S, problem: &Problem<'_>) -> f64 {
+        (self.ended, self.extended, self.crossing.is_end_known) = (false, false, false);
+        self.stage::<_, 1>(simd, problem);
+        self.stage::<_, 2>(simd, problem);
+        self.stage::<_, 3>(simd, problem);
+        self.stage::<_, 4>(simd, problem);
+        self.stage::<_, 5>(simd, problem);
+        self.stage::<_, 6>(simd, problem);
+        self.stage::<_, 7>(simd, problem);
+        self.stage::<_, 8>(simd, problem);
+        self.stage::<_, 9>(simd, problem);
+        let size = self.size;
         let chunks = self.scale.chunks().iter().zip(self.from.chunks());
-        let chunks = chunks.zip(self.to.chunks().iter().zip(&self.stages));
+        let chunks = chunks.zip(self.to.chunks_mut().iter_mut().zip(&self.stages));
         let mut squares = 0.0;
         for ((scale, from), (to, stages)) in chunks {
+            // y₁ = y + h Σ_i b_i k_i
+            let from = in_register(simd, from);
+            let end = from + sum_of_stages!(simd, FACTORS[LAST], stages) * size;
+            *to = *end;
             // Σ_i e_i k_i over the unit and the deviation of each component
-            let error = sum_of_stages!(ERROR, stages);
-            let mut parts = [0.0; 4];
-            for i in 0..4 {
-                parts[i] = error[i] * (scale[i] + from[i].abs().max(to[i].abs())).recip();
-            }
-            for part in parts {
+            let unit = in_register(simd, scale) + from.abs().max(end.abs());
+            let inverse = f64x4::splat(simd, 1.0) / unit;
+            for part in *(sum_of_stages!(simd, ERROR, stages) * inverse) {
                 squares += part * part;
             }
         }
@@ -193,7 +187,7 @@ impl ExplicitStepper {
         if !self.ended {
             self.ended = true;
             problem.write_state(&self.to, &mut self.argument);
-            self.evaluate(problem, LAST);
+            in_wide_registers!(self.level, simd => self.evaluate(simd, problem, LAST));
         }
     }
 
@@ -208,25 +202,23 @@ impl ExplicitStepper {
     pub(super) fn extend(&mut self, problem: &Problem<'_>) {
         if !self.extended {
             self.extended = true;
-            self.stage::<11>(problem);
-            self.stage::<12>(problem);
+            in_wide_registers!(self.level, simd => {
+                self.stage::<_, 11>(simd, problem);
+                self.stage::<_, 12>(simd, problem);
+            });
         }
     }
 
     /// Finds the deviation within the step by the pair's own interpolant.
     pub(super) fn by_stages(&self, time: f64, deviation: &mut Padded) {
         let part = self.substitution.inverse((time - self.start) / self.size);
-        let weights = dense_weights(part);
-        let chunks = self.from.chunks().iter().zip(&self.stages);
-        for (deviation, (from, stages)) in deviation.chunks_mut().iter_mut().zip(chunks) {
-            let mut sum = [0.0; 4];
-            for (weight, slope) in weights.iter().zip(stages) {
-                add_scaled(&mut sum, *weight, slope);
+        in_wide_registers!(self.level, simd => {
+            let weights = dense_weights(simd, part);
+            let chunks = self.from.chunks().iter().zip(&self.stages);
+            for (deviation, (from, stages)) in deviation.chunks_mut().iter_mut().zip(chunks) {
+                *deviation = *(in_register(simd, from) + dense_sum(simd, &weights, stages) * self.size);
             }
-            for i in 0..4 {
-                deviation[i] = from[i] + self.size * sum[i];
-            }
-        }
+        });
     }
 }
 

@@ -16,7 +16,9 @@
 //!
 //! Zeros at the end of a row are left out.
 
-use crate::integrate::chunks::Chunk;
+use fearless_simd::{Simd, SimdBase, f64x4};
+
+use crate::integrate::chunks::{Chunk, in_register};
 
 /// Number of stages, those for dense output included.
 pub(super) const STAGES: usize = 13;
@@ -99,9 +101,47 @@ pub(super) const DENSE: [&[f64]; STAGES] = [
     &[0.0, 9.041175750584674, -31.600972402605663, 28.091889003924496, 2.4544361976293034, -7.986528549532809],
 ];
 
+/// A number of each stage, four stages side by side.
+pub(super) type StageWeights = [Chunk; STAGES.div_ceil(4)];
+
+/// Powers of θ in the weights b_i(θ).
+const POWERS: usize = 6;
+
+/// The coefficients of `DENSE`, power by power.
+const DENSE_BY_POWER: [StageWeights; POWERS] = {
+    let mut by_power = [[[0.0; 4]; STAGES.div_ceil(4)]; POWERS];
+    let mut stage = 0;
+    while stage < STAGES {
+        let mut power = 0;
+        while power < POWERS {
+            by_power[power][stage / 4][stage % 4] = entry(DENSE[stage], power);
+            power += 1;
+        }
+        stage += 1;
+    }
+    by_power
+};
+
 /// The weights b_i(θ) at a part of the step.
-pub(super) fn dense_weights(part: f64) -> [f64; STAGES] {
-    DENSE.map(|row| part * row.iter().rev().fold(0.0, |sum, term| sum * part + term))
+#[inline(always)]
+pub(super) fn dense_weights<S: Simd>(simd: S, part: f64) -> StageWeights {
+    let mut sums = [f64x4::splat(simd, 0.0); STAGES.div_ceil(4)];
+    for coefficients in DENSE_BY_POWER.iter().rev() {
+        for (sum, coefficients) in sums.iter_mut().zip(coefficients) {
+            *sum = (*sum + in_register(simd, coefficients)) * part;
+        }
+    }
+    sums.map(|sum| *sum)
+}
+
+/// Σ_i b_i(θ) k_i of a chunk by these weights.
+#[inline(always)]
+pub(super) fn dense_sum<S: Simd>(simd: S, weights: &StageWeights, stages: &Stages) -> f64x4<S> {
+    let mut sum = f64x4::splat(simd, 0.0);
+    for (weight, slope) in weights.as_flattened().iter().zip(stages) {
+        sum += in_register(simd, slope) * *weight;
+    }
+    sum
 }
 
 /// Entry of a row, zero after its end.
@@ -111,14 +151,14 @@ pub(super) const fn entry(row: &[f64], column: usize) -> f64 {
 
 /// Σ_j factor_j k_j of a chunk by a constant row, as straight-line code: factors that are zero cost nothing.
 macro_rules! sum_of_stages {
-    ($row:expr, $stages:expr) => {
-        sum_of_stages!($row, $stages, 0 1 2 3 4 5 6 7 8 9 10 11 12)
+    ($simd:expr, $row:expr, $stages:expr) => {
+        sum_of_stages!($simd, $row, $stages, 0 1 2 3 4 5 6 7 8 9 10 11 12)
     };
-    ($row:expr, $stages:expr, $($stage:literal)*) => {{
-        let mut sum = [0.0; 4];
+    ($simd:expr, $row:expr, $stages:expr, $($stage:literal)*) => {{
+        let mut sum = f64x4::splat($simd, 0.0);
         $(
             if const { entry($row, $stage) != 0.0 } {
-                add_scaled(&mut sum, const { entry($row, $stage) }, &$stages[$stage]);
+                sum += in_register($simd, &$stages[$stage]) * const { entry($row, $stage) };
             }
         )*
         sum
