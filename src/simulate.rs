@@ -202,7 +202,6 @@ fn answer(
         warnings: model.rotor.warnings_with(warnings),
         measured_error,
         reduction: passes.reduction(),
-        finer_counters: passes.finer_counters(),
         energy,
         corrected_scale: passes.corrected_scale(),
         spectrum,

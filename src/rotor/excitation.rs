@@ -169,6 +169,23 @@ impl Excitation {
         self.placed_loads().map(vibration).collect()
     }
 
+    /// Harmonics at a constant speed of the shaft: angular frequencies in rad/s, and forces on `dofs` degrees of freedom as
+    /// complex amplitudes; none where a load is not made of them.
+    pub fn harmonics(&self, speed: f64, dofs: usize) -> Option<Vec<(f64, DVector<Complex<f64>>)>> {
+        let mut all = vec![(speed, self.unbalance_phasor(speed, dofs))];
+        for (load, place) in self.placed_loads() {
+            for (omega, amplitude) in load.kind.harmonics(speed)? {
+                let [mut real, mut imaginary] = [(); 2].map(|()| vec![0.0; dofs]);
+                self.add_load(load, place, &amplitude.map(|part| part.re), &mut real);
+                self.add_load(load, place, &amplitude.map(|part| part.im), &mut imaginary);
+                let parts = real.iter().zip(&imaginary);
+                let force = parts.map(|(re, im)| Complex::new(*re, *im));
+                all.push((omega, DVector::from_iterator(dofs, force)));
+            }
+        }
+        Some(all)
+    }
+
     /// Whether any unbalance turns with the shaft.
     pub fn is_unbalanced(&self) -> bool {
         self.unbalances.iter().any(|own| own.unbalance.is_some())

@@ -11,7 +11,7 @@ use crate::integrate::{
     Counters, Grid, IntegrateError, Integration, Scaling, Settings, Shifted, States, System,
     linear_variation, variation,
 };
-use crate::rotor::{MotionScale, Rotor, RotorDefinition};
+use crate::rotor::{HarmonicMotion, MotionScale, Rotor, RotorDefinition};
 use crate::shooting::{Circle, Image, MapError, ReturnMap, Slopes, Stability};
 use crate::simulate::reference_settings;
 
@@ -69,6 +69,10 @@ pub(super) struct RotorMap<'a> {
     pub unit: Scaling,
     pub solver: Solver<'a>,
     pub scale: MotionScale,
+    /// Units of the integration.
+    scaling: Scaling,
+    /// The motion in closed form, where there is one.
+    closed: Option<HarmonicMotion>,
     pub counters: Counters,
     /// Where the rotor of another parameter comes from, and that of the present one.
     pub source: Option<(Source<'a>, f64)>,
@@ -77,8 +81,11 @@ pub(super) struct RotorMap<'a> {
 impl<'a> RotorMap<'a> {
     pub fn new(rotor: Rotor, periods: Periods, solver: Solver<'a>) -> Self {
         let scale = rotor.motion_scale(0.1 * solver.settings.tolerance);
+        let scaling = rotor.scaling(&scale);
         Self {
-            unit: rotor.scaling(&scale),
+            unit: scaling.clone(),
+            scaling,
+            closed: rotor.harmonic_motion(),
             rotor,
             periods,
             solver,
@@ -97,11 +104,8 @@ impl<'a> RotorMap<'a> {
     /// Takes another size of the motion.
     pub fn rescale(&mut self, scale: MotionScale) {
         self.scale = scale;
-        self.unit = self.scaling();
-    }
-
-    fn scaling(&self) -> Scaling {
-        self.rotor.scaling(&self.scale)
+        self.scaling = self.rotor.scaling(&self.scale);
+        self.unit = self.scaling.clone();
     }
 
     /// States on a grid from a time on.
@@ -111,11 +115,14 @@ impl<'a> RotorMap<'a> {
         state: &[f64],
         grid: Grid,
     ) -> Result<States, IntegrateError> {
+        if let Some(closed) = &self.closed {
+            return Ok(closed_trajectory(closed, start, state, grid));
+        }
         let system = Shifted {
             system: &self.rotor,
             start,
         };
-        let (scaling, solver) = (self.scaling(), &self.solver);
+        let (scaling, solver) = (self.scaling.clone(), &self.solver);
         let mut integration =
             Integration::new(&system, scaling, grid, solver.settings, solver.stop, state);
         let mut states = States::with_capacity(state.len(), grid.count as usize);
@@ -144,18 +151,11 @@ impl<'a> RotorMap<'a> {
             start,
         };
         let (solver, period) = (&self.solver, self.periods.circle.period);
-        let scaling = self.scaling();
+        let scaling = &self.scaling;
         let slopes = if self.rotor.is_linear() {
-            linear_variation(&system, &scaling, period)
+            linear_variation(&system, scaling, period)
         } else {
-            let found = variation(
-                &system,
-                &scaling,
-                &solver.slopes,
-                solver.stop,
-                period,
-                state,
-            )?;
+            let found = variation(&system, scaling, &solver.slopes, solver.stop, period, state)?;
             self.counters.add(&found.counters);
             solver.integrated.fetch_add(1, Ordering::Relaxed);
             found.slopes
@@ -181,7 +181,7 @@ impl<'a> RotorMap<'a> {
     pub fn multiplier_round_off(&self, slopes: &[DMatrix<f64>]) -> f64 {
         let states = self.rotor.states();
         let mut jacobian = DMatrix::zeros(states, states);
-        let scaling = self.scaling();
+        let scaling = &self.scaling;
         self.rotor
             .linearisation(0.0, &scaling.origin, &mut jacobian, &mut vec![0.0; states]);
         scaling.scale_jacobian(&mut jacobian);
@@ -191,6 +191,25 @@ impl<'a> RotorMap<'a> {
         let largest = slopes.iter().map(DMatrix::norm).fold(0.0, f64::max);
         f64::EPSILON * (largest + time_constants)
     }
+}
+
+/// States on a grid from a time on: the forced motion, and the departure from it at the start, which goes on as a free
+/// vibration.
+fn closed_trajectory(closed: &HarmonicMotion, start: f64, state: &[f64], grid: Grid) -> States {
+    let mut states = States::with_capacity(state.len(), grid.count as usize);
+    let forced = closed.state(start);
+    let mut departure = DVector::from_column_slice(state) - DVector::from_vec(forced);
+    let over_interval = closed.departure(grid.interval);
+    for number in 0..grid.count {
+        let mut state = closed.state(start + grid.time(number));
+        state
+            .iter_mut()
+            .zip(&departure)
+            .for_each(|(state, departure)| *state += departure);
+        states.push(&state);
+        departure = &over_interval * departure;
+    }
+    states
 }
 
 impl ReturnMap for RotorMap<'_> {
@@ -230,9 +249,11 @@ impl ReturnMap for RotorMap<'_> {
         let rotor = Rotor::assemble(&definition).map_err(|error| wrong(error.into()))?;
         self.periods = self.periods.with_rotor(&rotor).map_err(wrong)?;
         self.scale = rotor.motion_scale(0.1 * self.solver.settings.tolerance);
+        self.scaling = rotor.scaling(&self.scale);
+        self.closed = rotor.harmonic_motion();
         self.rotor = rotor;
         // the motion is followed, not the state of rest that it is about
-        self.unit.origin = self.scaling().origin;
+        self.unit.origin.copy_from_slice(&self.scaling.origin);
         self.source = Some((source, parameter));
         Ok(())
     }

@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use nalgebra::Complex;
+
 use super::MainVibration;
 use crate::bearing::Vector5;
 
@@ -45,6 +47,13 @@ impl Harmonic {
     pub(super) fn repetition(&self, speed: f64) -> Option<(f64, f64)> {
         let acts = self.amplitude.iter().any(|part| *part != 0.0);
         acts.then(|| (self.main_vibration().frequency_at(speed), 0.0))
+    }
+
+    /// Its angular frequency in rad/s at a speed of the shaft, and its complex amplitudes P̂ e^(iφ).
+    pub(super) fn phasor(&self, speed: f64) -> (f64, [Complex<f64>; 5]) {
+        let frequency = self.main_vibration().frequency_at(speed);
+        let phasor = |amplitude| Complex::from_polar(amplitude, self.phase);
+        (frequency, self.amplitude.map(phasor))
     }
 
     /// Its amplitude and frequency.

@@ -15,6 +15,8 @@ pub use series::{Interpolation, Series, SeriesComponent, SeriesError};
 pub use shock::{RandomShocks, Shock, ShockStatistics};
 pub use sprocket::{ChainDrive, Sprocket};
 
+use nalgebra::Complex;
+
 use crate::bearing::Vector5;
 
 /// A load at its position along the shaft.
@@ -156,6 +158,18 @@ impl LoadKind {
             Self::Noise(_) => Err("noise"),
             Self::Series(_) => Err("a series of values"),
             Self::Base(acceleration) => acceleration.repetition(speed),
+        }
+    }
+
+    /// Angular frequencies in rad/s and complex amplitudes of what varies of it, at a constant speed of the shaft in rad/s;
+    /// none where it is not made of harmonics.
+    pub(super) fn harmonics(&self, speed: f64) -> Option<Vec<(f64, [Complex<f64>; 5])>> {
+        match self {
+            Self::Constant(_) => Some(Vec::new()),
+            Self::Harmonic(harmonic) => Some(vec![harmonic.phasor(speed)]),
+            Self::Sprocket(sprocket) => Some(sprocket.phasors(speed)),
+            Self::Base(acceleration) => acceleration.harmonics(speed),
+            Self::Shock(_) | Self::RandomShocks(_) | Self::Noise(_) | Self::Series(_) => None,
         }
     }
 

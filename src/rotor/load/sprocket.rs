@@ -2,6 +2,8 @@
 
 use std::f64::consts::PI;
 
+use nalgebra::Complex;
+
 use super::MainVibration;
 use crate::bearing::Vector5;
 
@@ -105,6 +107,16 @@ impl Sprocket {
             frequency: 0.0,
             order: self.teeth,
         }
+    }
+
+    /// Angular frequencies in rad/s at a speed of the shaft, and amplitudes, of its harmonics.
+    pub(super) fn phasors(&self, speed: f64) -> Vec<(f64, [Complex<f64>; 5])> {
+        let harmonics = self.harmonics.iter().zip(1_u32..);
+        let phasor = |(amplitudes, k): (&[f64; 2], u32)| {
+            let frequency = f64::from(k) * self.teeth * speed;
+            (frequency, self.directed(*amplitudes).map(Complex::from))
+        };
+        harmonics.map(phasor).collect()
     }
 
     fn directed(&self, [along, across]: [f64; 2]) -> Vector5 {

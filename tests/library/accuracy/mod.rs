@@ -4,7 +4,6 @@ mod choice;
 mod measurement;
 mod method_use;
 mod promise;
-mod reduction;
 
 use crate::scenario::{self, Format, Scenario};
 

@@ -7,7 +7,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 
 use crate::analysis::Channel;
 use crate::bearing::{ContactLaw, MountedBearing};
-use crate::integrate::System;
+use crate::integrate::{Grid, Integration, Settings, Shifted, States, System};
 use crate::rotor::{Damping, Freedoms, RotorDefinition};
 use crate::scenario;
 use crate::shooting::Multipliers;
@@ -166,5 +166,68 @@ fn a_bending_shaft_on_linear_bearings_is_found_at_once() {
             expected,
             1e-8 * expected,
         );
+    }
+}
+
+const LOADS: &str = r#"
+[[load]]
+harmonic = { amplitude = { y = "20 N" }, frequency = "75 Hz", phase = "30 deg" }
+position = "150 mm"
+[[load]]
+sprocket = { teeth = 7, pitch = "20 mm", span = "0.4 m", force = "300 N" }
+position = "300 mm"
+"#;
+
+/// Where all that drives a linear rotor are harmonics, nothing is integrated, and a period of the equations from the state
+/// that is found ends there again.
+#[test]
+fn harmonics_on_a_linear_rotor_are_answered_in_closed_form() {
+    let text = format!("{BENDING}{LOADS}");
+    let scenario = scenario::parse(&text, "bending.toml", scenario::Format::Toml);
+    let mut model = scenario.expect("a scenario").model.expect("a motion");
+    model.verify = true;
+    let found = found(&model);
+    assert_eq!(found.counters.evaluations, 0);
+    assert!(found.is_stable());
+    let (start, state) = found.strobe(0);
+
+    let rotor = crate::rotor::Rotor::assemble(&model.rotor).expect("a rotor");
+    let scale = rotor.motion_scale(1e-11);
+    let (system, stop) = (
+        Shifted {
+            system: &rotor,
+            start,
+        },
+        AtomicBool::new(false),
+    );
+    let grid = Grid {
+        interval: 0.125 * found.period,
+        count: 9,
+    };
+    let settings = Settings {
+        tolerance: 1e-10,
+        ..model.integrator
+    };
+    let mut integration = Integration::new(
+        &system,
+        rotor.scaling(&scale),
+        grid,
+        settings,
+        &stop,
+        &state,
+    );
+    let mut states = States::new(state.len());
+    integration.advance(9, &mut states).expect("states");
+    let samples = found.trace.len();
+    for (number, state) in states.iter().enumerate() {
+        let sample = &found.trace[number * samples / 8 % samples];
+        for (axis, place) in rotor.displacement(state).into_iter().enumerate().take(2) {
+            assert_near(
+                "place",
+                sample.displacement[axis],
+                place,
+                1e-8 * scale.length,
+            );
+        }
     }
 }
