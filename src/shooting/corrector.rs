@@ -12,6 +12,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::map::{jacobian, residual};
 use super::multipliers::{Crossing, multipliers};
+use super::newton::{LEFT, leaves};
 use super::{BranchPoint, Continuation, Image, ReturnMap, ShootingError, Slopes};
 
 /// Most corrections of a guess; a point that needs more is sought again with a shorter step.
@@ -86,7 +87,8 @@ impl Continuer<'_> {
             let size = correction.amax();
             let is_slow = size > SLOW * before;
             let is_noise = is_slow && renewals > 0 && size <= NOISE * self.plan.tolerance;
-            if size <= self.plan.tolerance || is_noise {
+            let is_last = leaves(size, before) <= LEFT * self.plan.tolerance;
+            if size <= self.plan.tolerance || is_noise || is_last {
                 return self.node(unknowns, direction, corrections);
             }
             if !size.is_finite() || (is_slow && renewals == MOST_RENEWALS) {

@@ -14,6 +14,10 @@ const SLOW: f64 = 0.2;
 const MOST_HALVINGS: u32 = 6;
 /// Factor by which the residual may grow under a correction.
 const LEADS_AWAY: f64 = 2.0;
+/// Corrections within which the residual has to fall to half of the least before; else the search goes round in circles.
+const PATIENCE: usize = 10;
+/// Part of the tolerance that a correction may be foreseen to leave.
+pub(super) const LEFT: f64 = 0.1;
 /// Corrections of so many tolerances that stay as they are with slopes of the same states are the error
 /// of the integration.
 const NOISE: f64 = 100.0;
@@ -79,11 +83,11 @@ pub fn solve(
     };
     search.evaluate(map)?;
     let (mut before, mut renewed) = (f64::INFINITY, false);
-    for _ in 0..MOST_CORRECTIONS {
+    while search.history.len() < MOST_CORRECTIONS && !search.is_stuck() {
         let correction = search.correction(map)?;
         let size = correction.amax();
         let noise = renewed && size > 0.5 * before && size <= NOISE * tolerance;
-        if size <= tolerance || noise {
+        if size <= tolerance || noise || leaves(size, before) <= LEFT * tolerance {
             return Ok(Returned {
                 states: search.states + correction,
                 history: search.history,
@@ -100,6 +104,14 @@ pub fn solve(
     Err(ShootingError::NotFound {
         history: search.history,
     })
+}
+
+/// What a correction leaves, by how much it is smaller than the one before.
+pub(super) fn leaves(size: f64, before: f64) -> f64 {
+    match before.is_finite() {
+        true => size * (size / before),
+        false => size,
+    }
 }
 
 struct Search {
@@ -124,6 +136,15 @@ impl Search {
             self.factors = Some(jacobian(map, &image.slopes).lu());
         }
         Ok(())
+    }
+
+    /// Whether the latest corrections have led nowhere.
+    fn is_stuck(&self) -> bool {
+        let least = |residuals: &[f64]| residuals.iter().copied().fold(f64::INFINITY, f64::min);
+        let (early, late) = self
+            .history
+            .split_at(self.history.len().saturating_sub(PATIENCE));
+        least(late) > 0.5 * least(early)
     }
 
     fn correction(&mut self, map: &mut dyn ReturnMap) -> Result<DVector<f64>, ShootingError> {

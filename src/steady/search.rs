@@ -78,29 +78,31 @@ pub(super) fn find(map: &mut RotorMap<'_>) -> Result<Found, SteadyError> {
         let guess = DVector::zeros(map.size());
         return found_from(map, guess);
     }
-    let mut harmonics = FIRST_HARMONICS;
-    let mut guess: Option<DVector<f64>> = None;
+    map.periods = map.periods.with_harmonics(FIRST_HARMONICS)?;
+    let guess = DVector::zeros(map.size() * map.circle().nodes());
+    let (mut returned, waited) = returned_from(map, guess)?;
     loop {
-        let before = map.periods.circle.clone();
-        map.periods = map.periods.with_harmonics(harmonics)?;
-        let start = match &guess {
-            Some(states) => mixed(&before.values_at(&map.circle().angles), states, map.size()),
-            None => DVector::zeros(map.size() * map.circle().nodes()),
-        };
-        let (returned, waited) = returned_from(map, start)?;
         let sizes = harmonic_sizes(map.circle(), &returned.states, map.size());
-        match more_harmonics(&sizes, tolerance) {
-            None => return finished(map, returned, waited),
-            Some(_) if harmonics >= MOST_HARMONICS => {
-                return Err(SteadyError::Rough {
-                    harmonics,
-                    tail: sizes.last().copied().unwrap_or(f64::NAN),
-                    tolerance,
-                });
-            }
-            Some(more) => harmonics = more.min(MOST_HARMONICS),
+        let Some(more) = more_harmonics(&sizes, tolerance) else {
+            return finished(map, returned, waited);
+        };
+        let rough = SteadyError::Rough {
+            harmonics: sizes.len() - 1,
+            tail: sizes.last().copied().unwrap_or(f64::NAN),
+            tolerance,
+        };
+        if sizes.len() > MOST_HARMONICS {
+            return Err(rough);
         }
-        guess = Some(returned.states);
+        let before = map.periods.circle.clone();
+        map.periods = map.periods.with_harmonics(more.min(MOST_HARMONICS))?;
+        let at_nodes = before.values_at(&map.circle().angles);
+        let guess = mixed(&at_nodes, &returned.states, map.size());
+        // a curve that is smooth is found at once from one with fewer harmonics
+        returned = match solve(map, guess, None, tolerance) {
+            Err(ShootingError::NotFound { .. } | ShootingError::Singular) => return Err(rough),
+            found => found?,
+        };
     }
 }
 
