@@ -84,7 +84,7 @@ class Scene:
         self, followed: tuple[str, str, str], period: int, points: int, doubled: bool, progress: _Told
     ) -> Answer: ...
     def campbell(
-        self, ends: Sequence[str], count: int, orders: Sequence[str], highest: str | None
+        self, ends: tuple[str, str | None], count: int, orders: Sequence[str], highest: str | None
     ) -> Answer: ...
     def accuracy(
         self, methods: Sequence[str], tolerances: Sequence[float], longest: str, progress: _Told

@@ -309,9 +309,11 @@ class Scenario:
         orders: Sequence[float | str] = (1.0,),
         highest_frequency: str | None = None,
     ) -> results.Campbell:
-        """Natural frequencies from `start` to `to`, as "60000 rpm", or one and a half times the highest speed of the
-        scenario, at `count` speeds, and the critical speeds, where they are `orders` times the frequency of the shaft; branches up to `highest_frequency`, as "20 kHz", or one and
-        a half times the highest order at the highest speed."""
+        """Natural frequencies from `start` to `to`, as "60000 rpm", or to 1.5 times the highest speed of the scenario.
+
+        They are those at `count` speeds. Critical speeds are where one is `orders` times the frequency of the shaft.
+        Branches reach up to `highest_frequency`, as "20 kHz", or 1.5 times the highest order at the highest speed.
+        """
         ends, speeds = (text_of(start), None if to is None else text_of(to)), whole("count", count, 2, 100_000)
         highest = None if highest_frequency is None else text_of(highest_frequency)
         return results.Campbell(self.scene.campbell(ends, speeds, [str(order) for order in orders], highest))
