@@ -274,5 +274,5 @@ fn every_page_of_the_manual_stands_in_its_contents() {
 fn the_readme_is_short() {
     let readme = Page::read("README.md".into());
     let lines = readme.text.lines().count();
-    assert!(lines <= 130, "README.md has {lines} lines");
+    assert!(lines <= 140, "README.md has {lines} lines");
 }

@@ -637,8 +637,8 @@ fn wrong_studies_are_refused_with_a_word_on_what_to_do() {
             "jones",
         ),
         (
-            "[[axis]]\nkey = 'model.contact'\nvalues = ['jones']\n",
-            "no number `model.contact`",
+            "[[axis]]\nkey = 'model.contact'\nvalues = ['jonas']\n",
+            "jones",
         ),
         (
             "sampling = 'sobol'\nruns = 4\nsweep = 'up'\n[[axis]]\nkey = 'shaft.mass'\nvalues = ['1 kg']\n",

@@ -42,6 +42,25 @@ impl Basis {
         all.all(|entry| entry.is_finite()).then_some(basis)
     }
 
+    /// V Λ V⁻¹: the Jacobian, as far as the modes were found.
+    pub fn restored(&self) -> DMatrix<f64> {
+        let mut moved = self.shapes.clone();
+        for (own, eigenvalue) in self.eigenvalues.iter().enumerate() {
+            let mut column = self.shapes.column(own) * eigenvalue.re;
+            // J (x + i x') = (a + i b) (x + i x') of a pair of columns x, x'
+            if eigenvalue.im != 0.0 {
+                let partner = if eigenvalue.im > 0.0 {
+                    own + 1
+                } else {
+                    own - 1
+                };
+                column -= self.shapes.column(partner) * eigenvalue.im;
+            }
+            moved.set_column(own, &column);
+        }
+        moved * &self.parts
+    }
+
     /// The basis of what acts, pairs first, by the modes of its matrix in the units given.
     fn from_acting(acting: &[usize], jacobian: &DMatrix<f64>, units: &[f64]) -> Option<Self> {
         let (count, rows) = (acting.len(), jacobian.nrows());

@@ -20,6 +20,9 @@ use crate::integrate::chunks::{Chunk, Padded, add_product, chunks_of};
 /// apart they then are.
 const PARTING: f64 = 1e-3;
 
+/// Largest difference of V Λ V⁻¹ from the Jacobian, over the norm of the Jacobian, that round-off explains.
+const EXACT: f64 = 1e-12;
+
 /// A function of a linear part for a chunk of its modes: a factor for each coordinate, and one for what it adds to its
 /// partner. Pairs lie at even positions, so that none is divided between chunks.
 pub(super) type Diagonal = [Chunk; 2];
@@ -81,15 +84,20 @@ impl LinearPart {
     }
 
     /// The linear part A + D K of a separated derivative, with the remainder by its forces about the scaling's origin; where
-    /// its modes are no sound basis, that of a matrix next to it.
+    /// its modes are no sound basis, or do not make it to round-off, that of a matrix next to it with the remainder by the
+    /// whole derivative, which makes up for the difference.
     pub fn from_separated(separated: &Separated, origin: &[f64]) -> Self {
         let jacobian = separated.jacobian();
         let units = balanced_units(&jacobian);
-        let Some(basis) = Basis::new(&jacobian, &units) else {
+        let norm = norm_in(&units, &jacobian);
+        let basis = Basis::new(&jacobian, &units);
+        let exact =
+            |basis: &Basis| norm_in(&units, &(basis.restored() - &jacobian)) <= EXACT * norm;
+        let Some(basis) = basis.filter(exact) else {
             return Self::near(&jacobian);
         };
         Self {
-            norm: norm_in(&units, &jacobian),
+            norm,
             few_forces: Some(FewForces::new(separated, &basis, origin)),
             ..Self::from_basis(basis)
         }

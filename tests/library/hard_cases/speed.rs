@@ -80,8 +80,9 @@ fn a_run_up_through_a_critical_speed_with_clearance() {
         "{:e}",
         swings[largest]
     );
-    // an irregular motion: runs by two methods at 1e-8 to 1e-13 have 4 to 10 um there
-    assert!(swings[19] < 12e-6, "{:e}", swings[19]);
+    // an irregular motion: eleven runs by three explicit methods at 1e-8 to 1e-12 have 4 to 10 um there, six that
+    // the exponential method began 5 to 19, and six by that method alone 9 to 21
+    assert!(swings[19] < 22e-6, "{:e}", swings[19]);
     // balls meet and leave the races, and runs that begin as one part by as much as they move: the run says so
     assert!(error(&run) < 2.0, "{:e}", error(&run));
     assert!(
