@@ -202,6 +202,7 @@ fn answer(
         warnings: model.rotor.warnings_with(warnings),
         measured_error,
         reduction: passes.reduction(),
+        finer_counters: passes.finer_counters(),
         energy,
         corrected_scale: passes.corrected_scale(),
         spectrum,

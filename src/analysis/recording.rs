@@ -104,9 +104,14 @@ impl Recording {
         self
     }
 
-    /// Samples that are kept at most, of so many.
+    /// Samples that are held at most: a few more than are kept, so that they seldom move.
+    fn most_held(&self) -> usize {
+        self.most.saturating_add(self.most / 16)
+    }
+
+    /// Samples that are held of so many.
     pub(crate) fn kept_of(&self, samples: f64) -> f64 {
-        samples.min(self.most.saturating_add(self.most / 4) as f64)
+        samples.min(self.most_held() as f64)
     }
 
     /// With room for the samples of a run that ends at a time, s.
@@ -136,8 +141,8 @@ impl Recording {
         if sample.time < self.settle {
             return;
         }
+        let most = self.most_held();
         let start = self.start.get_or_insert(sample.time);
-        let most = self.most.saturating_add(self.most / 4);
         let mut dropped = 0;
         for (channel, values) in &mut self.channels {
             values.extend(channel.of(sample));
@@ -197,5 +202,29 @@ mod tests {
         assert_eq!(found.peaks.len(), 1);
         assert!((found.peaks[0].frequency - 50.0).abs() < 1e-9);
         assert!((found.peaks[0].amplitude - 1e-6).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_long_run_keeps_what_its_spectrum_rests_on() {
+        let x = Channel::Displacement(0);
+        let grid = SampleGrid::of_angle(50.0, 64);
+        let kept = grid.most_in_spectrum();
+        let mut recording = Recording::new(grid, 0.0).with([x]).of_last();
+        for n in 0..300_000 {
+            let time = f64::from(n) / 3200.0;
+            recording.record(&Sample {
+                time,
+                displacement: [1e-6 * (TAU * f64::from(n) / 64.0).cos(), 0.0, 0.0, 0.0, 0.0],
+                ..Sample::default()
+            });
+            assert!(recording.length() <= kept + kept / 16);
+        }
+        let found = recording.lines(&[x], Window::Rectangular, 2.0);
+        let spectrum = found.expect("enough samples");
+        assert_eq!(spectrum.length, kept);
+        let end = spectrum.start + spectrum.length as f64 / 3200.0;
+        assert!((end - 300_000.0 / 3200.0).abs() < 1e-6, "{end}");
+        let amplitude = &spectrum.channels[0].amplitude;
+        assert!((amplitude[kept / 64] - 1e-6).abs() < 1e-14);
     }
 }

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::{Bearing, Geometry, Vector5};
+use crate::numerics::cube_root::cube_root;
 use crate::physics::{
     Race, equivalent_load, life_modification_factor, reference_viscosity, reliability_factor,
 };
@@ -92,7 +93,7 @@ impl RatingLife {
                 sums[race] += if race == turning {
                     cube
                 } else {
-                    cube * loads[race].cbrt()
+                    cube * cube_root(loads[race])
                 };
             }
         }

@@ -1,5 +1,6 @@
 //! Numerical methods that know nothing of bearings and shafts.
 
+pub(crate) mod cube_root;
 pub(crate) mod eigenvectors;
 pub(crate) mod panels;
 pub(crate) mod registers;

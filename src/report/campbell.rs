@@ -191,6 +191,11 @@ fn add_critical(out: &mut Lines, campbell: &Campbell, named: &[(f64, String)]) {
 /// Height of a plot, px.
 const HEIGHT: u32 = 322;
 
+/// Part of the line of an order at which it is named.
+const NAMED_AT: f64 = 0.9;
+/// Orders that differ by less than this part of them lie on each other.
+const CLOSE: f64 = 0.05;
+
 /// Frequencies with the orders and critical speeds above, damping ratios below.
 pub(super) fn figure(title: &str, campbell: &Campbell, named: &[(f64, String)]) -> Figure {
     let whirls = WHIRLS.map(|whirl| Name::new(whirl.to_string(), colour(whirl)));
@@ -225,9 +230,20 @@ fn frequencies(campbell: &Campbell, named: &[(f64, String)]) -> Panel {
         curve.points.retain(|point| point.1 <= 1.05 * top);
     }
     let [first, last] = ends(campbell);
+    // up to the highest frequency, where the line leaves the figure
+    let end = |order: f64| last.min(1.05 * top / (order * PER_SECOND)).max(first);
+    let mut apart: Vec<(f64, f64)> = Vec::new();
+    for order in &campbell.orders {
+        // names of lines that lie on each other would cover each other
+        if apart
+            .iter()
+            .all(|(known, _)| (known / order - 1.0).abs() > CLOSE)
+        {
+            apart.push((*order, end(*order)));
+        }
+    }
     curves.extend(campbell.orders.iter().map(|order| {
-        // up to the highest frequency, where the line leaves the figure
-        let end = last.min(1.05 * top / (order * PER_SECOND)).max(first);
+        let end = end(*order);
         let ends = [first, end].map(|speed| (PER_MINUTE * speed, order * speed * PER_SECOND));
         Curve {
             name: order_name(*order, named),
@@ -242,12 +258,16 @@ fn frequencies(campbell: &Campbell, named: &[(f64, String)]) -> Panel {
             ..Curve::dots(colour(critical.whirl), vec![place])
         }
     }));
-    Panel::holding(
-        speeds(campbell),
-        ("natural frequency", "Hz"),
-        HEIGHT,
-        curves,
-    )
+    let label = |(order, end): (f64, f64)| {
+        let speed = first + NAMED_AT * (end - first);
+        let place = (PER_MINUTE * speed, order * speed * PER_SECOND);
+        (place, order_name(order, named), GREY)
+    };
+    let frequency = ("natural frequency", "Hz");
+    Panel {
+        labels: apart.into_iter().map(label).collect(),
+        ..Panel::holding(speeds(campbell), frequency, HEIGHT, curves)
+    }
 }
 
 /// From zero on, so that what hardly changes looks so.

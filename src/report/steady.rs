@@ -52,8 +52,8 @@ pub fn steady_findings(scenario: &Scenario, model: &Model, steady: &Steady) -> F
             ),
         ],
         figures: vec![
-            histories.displacements("steady_trace", title),
             spectrum(title, &steady.lines, &causes),
+            histories.displacements("steady_trace", title),
         ],
         ..Findings::new(
             FileSet::STEADY,

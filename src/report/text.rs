@@ -74,12 +74,20 @@ pub fn text(title: &str, model: &Model, run: &Run, campbell: Option<&Campbell>) 
         let sizes = [error.displacement, error.relative];
         let tolerances = [model.integrator.tolerance, error.reference_tolerance];
         out.line("error", measured_text(sizes, tolerances));
-        let share = 100.0 * error.share_of_evaluations(&run.counters);
-        let text = "of all evaluations; --no-verify saves them";
-        out.detail("", format!("by a second pass: {share:.0} % {text}"));
     }
     if let Some(reduction) = &run.reduction {
         out.line("shaft", reduction_text(reduction));
+        let tolerance = model.integrator.tolerance;
+        if let Some(sufficient) = reduction.sufficient_tolerance(tolerance) {
+            let text = format!(
+                "the tolerance of {tolerance:.0e} is finer than that: {sufficient:.0e} would do"
+            );
+            out.line("", text);
+        }
+    }
+    if let Some(share) = run.share_of_verification() {
+        let text = "of all evaluations measure errors; --no-verify saves them";
+        out.detail("verification", format!("{:.0} % {text}", 100.0 * share));
     }
     if let Some(energy) = &run.energy {
         let (residual, relative) = (energy.largest_residual, energy.relative_residual);

@@ -5,10 +5,9 @@ use std::sync::atomic::AtomicBool;
 
 use super::run::{Reduction, ReductionError};
 use super::{BLOCK, MeasuredError, Model, SimulateError, sampling};
-use crate::analysis::Moments;
 use crate::bearing::Vector5;
 use crate::integrate::{
-    Counters, Grid, IntegrateError, Integration, Progress, Settings, States, System,
+    Counters, Grid, IntegrateError, Integration, Method, Progress, Settings, States, System,
 };
 use crate::rotor::{FREEDOMS, MotionScale, Rotor};
 
@@ -16,6 +15,13 @@ use crate::rotor::{FREEDOMS, MotionScale, Rotor};
 const REFERENCE_FACTOR: f64 = 0.1;
 /// Below this tolerance the second pass is the looser one: round-off allows none that is tighter.
 const TIGHTEST_WITH_REFERENCE: f64 = 1e-12;
+
+/// Tolerance that the pass with more modes begins with: what it measures is seldom smaller, and needs no more digits.
+const FINER_TOLERANCE: f64 = 1e-5;
+/// Times its tolerance that the difference is that it measures, or the pass begins anew with a smaller one,
+const FINER_MARGIN: f64 = 2.0;
+/// by this factor at least.
+const FINER_FACTOR: f64 = 0.25;
 
 /// Settings of the second pass: a tolerance ten times as tight, or as loose where round-off allows none that is tighter.
 pub(crate) fn reference_settings(settings: Settings) -> Settings {
@@ -30,22 +36,54 @@ pub(crate) fn reference_settings(settings: Settings) -> Settings {
     }
 }
 
-/// Moments of the displacements of a shaft, x, y, z, θx and θy, over the states that were recorded.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Recorded([Moments; FREEDOMS]);
+/// Settings of the pass with more modes: by the method whose steps stability does not hold, as modes are stiff.
+fn finer_settings(settings: Settings, tolerance: f64) -> Settings {
+    Settings {
+        method: Method::Exponential,
+        tolerance,
+        ..settings
+    }
+}
+
+/// Extremes and means of the displacements of a shaft, x, y, z, θx and θy, over the states that were recorded.
+#[derive(Debug, Clone)]
+pub(crate) struct Recorded {
+    count: f64,
+    mean: Vector5,
+    lowest: Vector5,
+    highest: Vector5,
+}
+
+impl Default for Recorded {
+    fn default() -> Self {
+        Self {
+            count: 0.0,
+            mean: [0.0; FREEDOMS],
+            lowest: [f64::INFINITY; FREEDOMS],
+            highest: [f64::NEG_INFINITY; FREEDOMS],
+        }
+    }
+}
 
 impl Recorded {
     /// Adds a displacement.
     pub fn take(&mut self, displacement: &Vector5) {
-        for (moments, value) in self.0.iter_mut().zip(displacement) {
-            moments.take(*value);
+        self.count += 1.0;
+        for (axis, &value) in displacement.iter().enumerate() {
+            self.mean[axis] += (value - self.mean[axis]) / self.count;
+            self.lowest[axis] = self.lowest[axis].min(value);
+            self.highest[axis] = self.highest[axis].max(value);
         }
     }
 
     /// Largest distance of a displacement from its mean, m; tilts count by their arm.
     pub fn size(&self, scale: &MotionScale) -> f64 {
-        let axes = self.0.iter().enumerate();
-        axes.map(|(axis, moments)| scale.lever(axis) * moments.peak())
+        let peak = |axis: usize| {
+            let above = self.highest[axis] - self.mean[axis];
+            above.max(self.mean[axis] - self.lowest[axis])
+        };
+        (0..FREEDOMS)
+            .map(|axis| scale.lever(axis) * peak(axis))
             .fold(0.0, f64::max)
     }
 }
@@ -134,22 +172,16 @@ impl<'a> Passes<'a> {
             stop,
             progress: [progress, reference_progress, finer_progress],
         } = watch;
-        let second = reference_settings(model.integrator);
         let another = |rotor: &'a Rotor, settings: Settings, progress| {
-            let integration = pass(rotor, &scale, grid, settings, (stop, progress));
-            Reference {
-                rotor,
-                states: States::new(rotor.states()),
-                difference: 0.0,
-                failure: None,
-                tolerance: settings.tolerance,
-                integration,
-            }
+            Reference::start(rotor, &scale, grid, settings, (stop, progress))
         };
+        let second = reference_settings(model.integrator);
         let reference = model
             .verify
             .then(|| another(rotor, second, reference_progress));
-        let finer = finer.map(|finer| another(finer, model.integrator, finer_progress));
+        let tolerance = model.integrator.tolerance.max(FINER_TOLERANCE);
+        let few_digits = finer_settings(model.integrator, tolerance);
+        let finer = finer.map(|finer| another(finer, few_digits, finer_progress));
         Self {
             model,
             rotor,
@@ -209,8 +241,24 @@ impl<'a> Passes<'a> {
     /// # Errors
     /// [`IntegrateError::Interrupted`] where somebody asked the run to stop.
     pub fn compare(&mut self, states: &States) -> Result<(), IntegrateError> {
-        let mut others = self.reference.iter_mut().chain(&mut self.finer);
-        others.try_for_each(|other| other.compare(states, self.rotor, &self.scale))
+        let (rotor, scale) = (self.rotor, &self.scale);
+        if let Some(reference) = &mut self.reference {
+            reference.compare(states, rotor, scale)?;
+        }
+        let Some(finer) = &mut self.finer else {
+            return Ok(());
+        };
+        let is_first = finer.integration.done() == 0;
+        finer.compare(states, rotor, scale)?;
+        // after the first block the difference only grows
+        let least = self.model.integrator.tolerance;
+        while let Some(tolerance) = finer.tighter(scale, least).filter(|_| is_first) {
+            let settings = finer_settings(self.model.integrator, tolerance);
+            let watch = (self.watch.stop, self.watch.progress[2]);
+            *finer = Reference::start(finer.rotor, scale, self.grid, settings, watch);
+            finer.compare(states, rotor, scale)?;
+        }
+        Ok(())
     }
 
     /// Why the error is not known, where it was to be measured.
@@ -231,6 +279,15 @@ impl<'a> Passes<'a> {
         })
     }
 
+    /// Work of the pass with more modes, where it measured anything.
+    pub fn finer_counters(&self) -> Option<Counters> {
+        let finer = self.finer.as_ref()?;
+        finer
+            .failure
+            .is_none()
+            .then(|| finer.integration.counters())
+    }
+
     /// What is kept of a shaft that bends, and the difference of the pass with more modes.
     pub fn reduction(&self) -> Option<Reduction> {
         let measured = |finer: &Reference<'_>| {
@@ -248,7 +305,33 @@ impl<'a> Passes<'a> {
     }
 }
 
-impl Reference<'_> {
+impl<'a> Reference<'a> {
+    /// Starts a pass of a rotor.
+    fn start(
+        rotor: &'a Rotor,
+        scale: &MotionScale,
+        grid: Grid,
+        settings: Settings,
+        watch: (&'a AtomicBool, Option<&'a Progress>),
+    ) -> Self {
+        Self {
+            rotor,
+            integration: pass(rotor, scale, grid, settings, watch),
+            states: States::new(rotor.states()),
+            difference: 0.0,
+            failure: None,
+            tolerance: settings.tolerance,
+        }
+    }
+
+    /// The tolerance, `least` or more, that the difference so far asks for, where it is a smaller one than that of the pass:
+    /// its own error would be a part of what it measures.
+    fn tighter(&self, scale: &MotionScale, least: f64) -> Option<f64> {
+        let told = self.difference / scale.length / FINER_MARGIN;
+        let asks = self.failure.is_none() && told < self.tolerance && self.tolerance > least;
+        asks.then(|| told.min(FINER_FACTOR * self.tolerance).max(least))
+    }
+
     /// Advances the pass by a block and takes the largest difference from the states shown, over the recorded point of the
     /// shaft, tilts by their arm, and all housings. Where the pass cannot go on, the error stays unknown and the run goes on.
     fn compare(

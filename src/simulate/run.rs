@@ -54,6 +54,9 @@ pub struct MeasuredError {
 /// An error of the reduction of a shaft that bends above this part of the motion is worth a warning.
 const REDUCTION: f64 = 1e-2;
 
+/// A tolerance below this part of it is finer than it has use for.
+const FINE: f64 = 1e-2;
+
 /// What is kept of a shaft that bends.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
@@ -67,6 +70,12 @@ pub struct Reduction {
 }
 
 impl Reduction {
+    /// A tolerance of the integration that its error has use for, where `tolerance` is decades finer.
+    pub(crate) fn sufficient_tolerance(&self, tolerance: f64) -> Option<f64> {
+        let relative = self.error?.relative;
+        (tolerance < FINE * relative).then(|| 10_f64.powf((0.1 * relative).log10().floor()))
+    }
+
     /// What to say of an error that is large beside the motion.
     pub(crate) fn warning(&self) -> Option<String> {
         let error = self.error.filter(|error| error.relative > REDUCTION)?;
@@ -138,6 +147,9 @@ pub struct Run {
     /// What is kept of a shaft that bends.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reduction: Option<Reduction>,
+    /// Work of the pass with more modes that measures its error.
+    #[serde(skip)]
+    pub(crate) finer_counters: Option<Counters>,
     /// Account of the energy, where asked for.
     pub energy: Option<EnergyReport>,
     /// Spectra, where asked for.
@@ -167,6 +179,17 @@ pub struct Run {
     pub(crate) spalls: Vec<SpallPassage>,
     /// What the reader of the results should know, each with its numbers.
     pub warnings: Vec<String>,
+}
+
+impl Run {
+    /// Share of the passes that measure errors in the evaluations of all, where there are any.
+    pub(crate) fn share_of_verification(&self) -> Option<f64> {
+        let reference = self.measured_error.map(|error| error.counters);
+        let passes = reference.into_iter().chain(self.finer_counters);
+        let evaluations: u64 = passes.map(|counters| counters.evaluations).sum();
+        let all = evaluations + self.counters.evaluations;
+        (evaluations > 0).then(|| evaluations as f64 / all as f64)
+    }
 }
 
 impl StaticState {

@@ -351,6 +351,17 @@ fn lined(step: f64, lines: &[(f64, f64)]) -> String {
 }
 
 #[test]
+fn lines_that_are_not_significant_have_numbers() {
+    let spectrum = |y: &str| {
+        format!("f_Hz,x_amplitude_m,y_amplitude_m\n0.0,0.0,0.0\n1.0,1e-6,{y}\n2.0,0.0,0.0\n")
+    };
+    let (_folder, a, b) = files(&spectrum("1e-19"), &spectrum("2e-19"));
+    let (code, text) = result(&command(&[&a, &b], &["--lines", "--absolute", "1e-15"]));
+    assert_eq!(code, 0, "{text}");
+    assert!(text.contains("1e-19") && text.contains("2e-19"), "{text}");
+}
+
+#[test]
 fn lines_are_matched_within_a_bin_of_the_coarser_axis() {
     let fine = lined(0.5, &[(10.0, 1e-6), (30.5, 5e-7), (70.0, 2e-7)]);
     let coarse = lined(2.0, &[(10.0, 1.001e-6), (32.0, 5e-7), (70.0, 2e-7)]);

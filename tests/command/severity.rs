@@ -74,6 +74,16 @@ fn the_zone_is_that_of_the_housing_where_there_is_one() {
     let line = "boundaries 1.4, 2.8, 4.5 mm/s (group 2, rigid support)";
     let words = shown.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(words.contains("of ISO 20816-3:2022"), "{shown}");
+    // what machines are judged by stands before the motion of the shaft
+    let place = |text: &str| {
+        words
+            .find(text)
+            .unwrap_or_else(|| panic!("{text} in {shown}"))
+    };
+    assert!(
+        place("of housing1 along y") < place("vibration x"),
+        "{shown}"
+    );
     assert!(words.contains(line), "{shown}");
 }
 

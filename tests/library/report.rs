@@ -181,6 +181,7 @@ fn run() -> Run {
         samples: 257,
         bearings: vec![history()],
         reduction: None,
+        finer_counters: None,
         largest_ball_load: Some(310.0),
         tables: Vec::new(),
         spalls: Vec::new(),

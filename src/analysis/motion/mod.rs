@@ -24,7 +24,7 @@ use super::{Channel, NoiseFloor};
 use crate::keys;
 use crate::rotor::{FREEDOMS, Freedoms, Sample};
 use moments::DriftRecorder;
-use section::NODES;
+use section::{NODES, Node};
 use velocity_level::LevelRecorder;
 
 /// A motion below this part of the displacement is round-off.
@@ -151,8 +151,8 @@ pub struct MotionRecorder {
     sections: Vec<Section>,
     orbit: VecDeque<[f64; 2]>,
     times: Option<[f64; 2]>,
-    /// The last samples, which points of sections are interpolated between.
-    last: VecDeque<Sample>,
+    /// The last samples, which points of sections are interpolated between, and how many there have been.
+    last: ([Node; NODES], usize),
 }
 
 impl MotionRecorder {
@@ -184,7 +184,7 @@ impl MotionRecorder {
                 .collect(),
             orbit: VecDeque::new(),
             times: None,
-            last: VecDeque::with_capacity(NODES),
+            last: Default::default(),
             settings,
         }
     }
@@ -201,8 +201,10 @@ impl MotionRecorder {
                 moments.take(value);
             }
         }
-        for (rate, value) in self.rates.iter_mut().zip(sample.velocity) {
-            rate.take(value);
+        if self.settings.kind {
+            for (rate, value) in self.rates.iter_mut().zip(sample.velocity) {
+                rate.take(value);
+            }
         }
         for (level, value) in self.velocity.iter_mut().zip(sample.velocity) {
             level.take(value, &mut self.planner);
@@ -218,11 +220,15 @@ impl MotionRecorder {
         }
         let [x, y, ..] = sample.displacement;
         self.orbit.push_back([x, y]);
-        if self.last.len() == NODES {
-            self.last.pop_front();
-        }
-        self.last.push_back(sample.without_bearings());
-        if let Ok(nodes) = <&[Sample; NODES]>::try_from(&*self.last.make_contiguous()) {
+        self.record_sections(sample);
+    }
+
+    fn record_sections(&mut self, sample: &Sample) {
+        let (nodes, taken) = &mut self.last;
+        nodes.rotate_left(1);
+        nodes[NODES - 1] = Node::of(sample);
+        *taken += 1;
+        if *taken >= NODES {
             for section in &mut self.sections {
                 section.record(nodes);
             }

@@ -14,9 +14,31 @@ use crate::rotor::{FREEDOMS, Sample};
 /// Samples that a point is interpolated between.
 pub(super) const NODES: usize = 4;
 /// Points of a section that are kept: the last ones.
-const MOST_POINTS: usize = 1 << 15;
+const MOST_POINTS: usize = 1 << 14;
 /// Part of a cycle by which a sample may miss a point and still be it.
 const ON_THE_SPOT: f64 = 1e-9;
+
+/// What a point is interpolated from.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Node {
+    time: f64,
+    /// Of the shaft, rad.
+    angle: f64,
+    displacement: [f64; FREEDOMS],
+    velocity: [f64; FREEDOMS],
+}
+
+impl Node {
+    /// What a sample says of it.
+    pub fn of(sample: &Sample) -> Self {
+        Self {
+            time: sample.time,
+            angle: sample.angle,
+            displacement: sample.displacement,
+            velocity: sample.velocity,
+        }
+    }
+}
 
 /// When a point is taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -66,7 +88,7 @@ pub struct Section {
     /// Cycles a revolution of the shaft.
     #[serde(rename = "cycles_per_revolution")]
     pub order: f64,
-    /// The points, by time: the last 32 768.
+    /// The points, by time: the last 16 384.
     #[serde(serialize_with = "keys::count")]
     pub points: Vec<PoincarePoint>,
     /// Largest difference of a displacement from that through three samples only, m and rad by freedom:
@@ -87,8 +109,8 @@ impl Section {
     }
 
     /// Takes four samples that follow each other and finds the points between the middle two, the second included.
-    pub(super) fn record(&mut self, nodes: &[Sample; NODES]) {
-        let phase = |sample: &Sample| self.order * sample.angle / TAU + ON_THE_SPOT;
+    pub(super) fn record(&mut self, nodes: &[Node; NODES]) {
+        let phase = |node: &Node| self.order * node.angle / TAU + ON_THE_SPOT;
         let [before, after] = [1, 2].map(|node: usize| phase(&nodes[node]));
         let mut number = before.floor() + 1.0;
         while number <= after {
@@ -97,7 +119,11 @@ impl Section {
             self.add(nodes, number as u64, if missed { 1.0 } else { part });
             number += 1.0;
         }
-        keep_last(&mut self.points, MOST_POINTS + MOST_POINTS / 4, MOST_POINTS);
+        keep_last(
+            &mut self.points,
+            MOST_POINTS + MOST_POINTS / 16,
+            MOST_POINTS,
+        );
     }
 
     /// With no more points than are kept.
@@ -107,7 +133,7 @@ impl Section {
     }
 
     /// Adds the point at a part of the way from the second to the third sample.
-    fn add(&mut self, nodes: &[Sample; NODES], number: u64, part: f64) {
+    fn add(&mut self, nodes: &[Node; NODES], number: u64, part: f64) {
         let [_, before, after, _] = nodes;
         if part == 1.0 {
             self.points.push(PoincarePoint {

@@ -74,7 +74,8 @@ struct BearingObserver<'a> {
     band: (f64, ContactBand),
     watch: Option<ContactWatch>,
     counts: Vec<(EventKind, EventCount)>,
-    zone: LoadZoneSums,
+    /// None where it is left out.
+    zone: Option<LoadZoneSums>,
     life: Option<LifeSums>,
 }
 
@@ -155,7 +156,7 @@ impl<'a> Observation<'a> {
             clearance: bearing.support.definition().bearing.clearance(),
             balls: bearing.support.known_balls(),
             events: bearing.counts,
-            load_zone: bearing.zone.finish(),
+            load_zone: bearing.zone.and_then(LoadZoneSums::finish),
             life: bearing.life.and_then(LifeSums::finish),
             estimated: bearing.support.definition().bearing.estimated,
         };
@@ -168,13 +169,15 @@ impl<'a> BearingObserver<'a> {
         let bearing = &support.definition().bearing;
         let (balls, preloaded) = (support.known_balls(), support.is_preloaded());
         let watched = balls > 0 && !model.analyses.settled_only;
+        let weighed = balls > 0 && !model.analyses.no_loads;
+        let life = weighed.then(|| LifeSums::new(bearing, model.settle));
         Self {
             support,
             band: (speed, support.contact_band(speed)),
             watch: watched.then(|| ContactWatch::new(index, balls, preloaded)),
             counts: no_events(balls > 0, preloaded),
-            zone: LoadZoneSums::default(),
-            life: LifeSums::new(bearing, model.settle).filter(|_| balls > 0),
+            zone: weighed.then(LoadZoneSums::default),
+            life: life.flatten(),
         }
     }
 
@@ -206,11 +209,8 @@ impl<'a> BearingObserver<'a> {
 
     /// Adds up what the balls bear; one is loaded by more than `least` in N.
     fn weigh(&mut self, sample: &Sample, balls: &BallLoads, least: f64, settled: bool) {
-        if balls.balls() == 0 {
-            return;
-        }
-        if settled {
-            self.zone.take(&balls.load[0], least);
+        if let Some(zone) = self.zone.as_mut().filter(|_| settled) {
+            zone.take(&balls.load[0], least);
         }
         if let Some(life) = &mut self.life {
             life.take(sample, balls);

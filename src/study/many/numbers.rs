@@ -178,10 +178,10 @@ fn bearing_columns(bearing: usize) -> [NumberColumn; 4] {
     let life = move |run: &Run| run.bearings.get(bearing)?.life?.after_settle.hours();
     let modified = move |run: &Run| run.bearings.get(bearing)?.life?.modified?.hours;
     [
-        number(own("fewest_loaded", ""), NO_ANALYSIS, zone),
+        number(own("fewest_loaded", ""), LOADS, zone),
         number(own("contact_lost", ""), WHOLE_MOTION, lost),
-        number(own("life", "h"), NO_ANALYSIS, life),
-        number(own("modified_life", "h"), NO_ANALYSIS, modified),
+        number(own("life", "h"), LOADS, life),
+        number(own("modified_life", "h"), LOADS, modified),
     ]
 }
 
@@ -189,6 +189,9 @@ fn bearing_columns(bearing: usize) -> [NumberColumn; 4] {
 const NO_ANALYSIS: fn(&mut Analyses) = |_| {};
 /// Of a number of the motion after the settle time.
 const STATISTICS: fn(&mut Analyses) = |asked| asked.motion = asked.motion.with_statistics();
+
+/// Of a number of the loads of the balls.
+const LOADS: fn(&mut Analyses) = |asked| asked.no_loads = false;
 
 /// Of a line of a force.
 const FORCE_LINES: fn(&mut Analyses) = |asked| asked.force_lines = true;

@@ -4,6 +4,7 @@ mod choice;
 mod measurement;
 mod method_use;
 mod promise;
+mod reduction;
 
 use crate::scenario::{self, Format, Scenario};
 

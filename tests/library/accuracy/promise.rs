@@ -33,7 +33,7 @@ fn shipped() -> Vec<PathBuf> {
 }
 
 /// Largest distance of two traces over the active freedoms, tilts by an arm of 20 mm, m.
-fn apart(model: &Model, left: &[Sample], right: &[Sample]) -> f64 {
+pub(super) fn apart(model: &Model, left: &[Sample], right: &[Sample]) -> f64 {
     assert_eq!(left.len(), right.len());
     let active = model.rotor.shaft.freedoms.axes();
     let distance = |(a, b): (&Sample, &Sample)| {
