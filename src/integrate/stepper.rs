@@ -1,8 +1,8 @@
 //! The stepper of the method in use, and the choice of one for a run that names none.
 //!
 //! The choice is one rule. A run begins with the exponential method, whose steps are longer than the vibrations of the
-//! shaft as long as its forces are smooth. Where balls part from a race again and again, each time a row of short steps
-//! finds the way over that surface. Once its steps are on average no longer than those that an explicit method takes, the
+//! shaft as long as its forces are smooth. Where balls part from a race again and again, each time takes a row of short
+//! steps. Once its steps are on average no longer than those that an explicit method takes, the
 //! explicit pair `verner76` goes on, whose steps end on such surfaces and cost less. It goes on, too, where the
 //! exponential method can take no step.
 

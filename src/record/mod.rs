@@ -89,7 +89,11 @@ impl Record {
     /// # Errors
     /// The file cannot be opened, is of no known form, or is broken, and where.
     pub fn open(path: &Path) -> Result<Self, RecordError> {
-        let read = open_regular(path).map_err(Problem::Read);
+        let opened = open_regular(path, u64::MAX).and_then(|file| {
+            let length = file.metadata()?.len();
+            Ok((file, length))
+        });
+        let read = opened.map_err(Problem::Read);
         let read = read.and_then(|(file, length)| Self::read(file, length, path));
         let name = path.display().to_string();
         read.map_err(|problem| RecordError { name, problem })
@@ -202,11 +206,16 @@ fn too_many() -> Problem {
     Problem::Unfit(what)
 }
 
-/// Opens a file that ends, no device, pipe or folder, and tells its length.
-fn open_regular(path: &Path) -> io::Result<(File, u64)> {
+/// Opens a file of at most so many bytes that ends: no device, pipe or folder.
+pub(crate) fn open_regular(path: &Path, most: u64) -> io::Result<File> {
     let known = fs::metadata(path)?;
-    match known.is_file() {
-        true => Ok((File::open(path)?, known.len())),
-        false => Err(io::Error::other("it is not a regular file")),
+    if !known.is_file() {
+        return Err(io::Error::other("it is not a regular file"));
     }
+    if known.len() > most {
+        let (has, most) = (known.len() >> 20, most >> 20);
+        let message = format!("it has {has} MB, and {most} MB are the most");
+        return Err(io::Error::other(message));
+    }
+    File::open(path)
 }

@@ -13,7 +13,8 @@ use serde_json::{Value, json};
 use super::figure::Figure;
 use super::table::{Origin, TableFiles};
 use super::{FileAction, ReportError};
-use crate::scenario::{TableFormat, open_regular};
+use crate::record::open_regular;
+use crate::scenario::TableFormat;
 use crate::table::Table;
 
 /// The files that one verb leaves in a folder, by the file that seals them.

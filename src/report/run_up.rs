@@ -212,8 +212,8 @@ pub(in crate::report) const MOST_CELLS: usize = 320;
 const SPEED_CELLS: usize = 200;
 /// Decades below the loudest cell that are told apart.
 const DECADES: f64 = 4.0;
-/// What is louder than this part of the loudest cell is heard, and a map goes this much beyond it.
-const HEARD: f64 = 1e-3;
+/// Part of the largest amplitude that counts as content, and how far beyond its highest frequency a map goes.
+const CONTENT: f64 = 1e-3;
 const BEYOND: f64 = 1.2;
 /// A channel below this part of the loudest one does not move.
 const ROUND_OFF: f64 = 1e-9;
@@ -296,10 +296,10 @@ impl Raster {
         cells.copied().fold(0.0, f64::max)
     }
 
-    /// Without what is far above the highest frequency that is heard.
+    /// Without what is far above the highest frequency of its content.
     fn up_to_content(&self, loudest: f64) -> Self {
-        let heard = |value: &f64| *value > HEARD * loudest;
-        let highest = |column: &Vec<f64>| column.iter().rposition(heard);
+        let counts = |value: &f64| *value > CONTENT * loudest;
+        let highest = |column: &Vec<f64>| column.iter().rposition(counts);
         let rows = self.columns.iter().filter_map(highest).max();
         let all = self.columns.first().map_or(0, Vec::len);
         let kept = rows

@@ -1,6 +1,5 @@
 //! A file as it was written: its text and the tree of its values.
 
-use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
 
@@ -10,6 +9,7 @@ use super::node::{Node, read_json, read_toml};
 use super::problems::Problems;
 use super::setting::Setting;
 use super::{Format, Issue, ScenarioError, visible};
+use crate::record::open_regular;
 
 /// Most bytes of a file.
 const LARGEST: u64 = 16 << 20;
@@ -186,20 +186,6 @@ pub(super) fn file_text(path: &Path, most: u64) -> Result<String, String> {
     let read = open_regular(path, most).and_then(|mut file| file.read_to_string(&mut text));
     read.map_err(|error| format!("it cannot be read: {error}"))?;
     Ok(text)
-}
-
-/// Opens a file of at most so many bytes that ends: no device, pipe or folder.
-pub(crate) fn open_regular(path: &Path, most: u64) -> io::Result<File> {
-    let known = fs::metadata(path)?;
-    if !known.is_file() {
-        return Err(io::Error::other("it is not a regular file"));
-    }
-    if known.len() > most {
-        let (has, most) = (known.len() >> 20, most >> 20);
-        let message = format!("it has {has} MB, and {most} MB are the most");
-        return Err(io::Error::other(message));
-    }
-    File::open(path)
 }
 
 /// The bytes of a file, as many as it may have and one more.

@@ -44,7 +44,7 @@ use input::{Questions, RatingsInput, ScenarioInput};
 use node::Node;
 use problems::Problems;
 
-pub(crate) use document::{STDIN, STDIN_NAME, open_regular};
+pub(crate) use document::{STDIN, STDIN_NAME};
 pub(crate) use input::Output;
 #[doc(hidden)]
 pub use input::TableFormat;

@@ -48,7 +48,7 @@ use serde_json::Value;
 use self::lines::{compare_lines, is_spectrum};
 use self::rows::compare_rows;
 use self::table::Source;
-use crate::scenario::open_regular;
+use crate::record::open_regular;
 
 pub use assertion::{ComparedSpectrum, spectra_close};
 pub use error::CompareError;

@@ -1,7 +1,6 @@
 //! The page of results that were compared: of runs also their key numbers side by side, their traces and spectra over
 //! each other.
 
-use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
@@ -13,6 +12,7 @@ use crate::analysis::Channel;
 use crate::report::envelope::Decimator;
 use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct, ends};
 use crate::report::page::Page;
+use crate::report::spectra::{Rate, velocity_rate};
 use crate::report::terminal::{Lines, MICRO, MILLI, digits, or_dash, shown_column, shown_quantity};
 use crate::table::{Column, ColumnKind};
 
@@ -160,7 +160,8 @@ fn names(runs: &[Folder], folders: &[PathBuf]) -> Vec<String> {
 
 /// Axes whose velocities are shown.
 const AXES: [&str; 3] = ["x", "y", "z"];
-/// Numbers of a summary beside the velocities: their names, and where they are found.
+/// Numbers of a summary beside the velocities: their names with the unit that they are shown in, where they are found, and what
+/// makes one in SI units one in that unit.
 const KEY_NUMBERS: [(&str, &str, f64); 5] = [
     (
         "stiffness x\nN/µm",
@@ -196,14 +197,10 @@ fn values<'a>(
     entries.filter_map(move |entry| entry.pointer(pointer)?.as_f64())
 }
 
-/// A factor at a frequency in Hz.
-type Rate = fn(f64) -> f64;
-
-/// What makes an amplitude at a frequency in Hz one of a velocity, of displacements of the shaft and of accelerations.
+/// What makes an amplitude of a column that of a velocity, of displacements of the shaft and of accelerations.
 fn rate_of(column: &Column) -> Option<Rate> {
-    match (&column.kind, &*column.unit) {
-        (ColumnKind::Measure("amplitude"), "m") => Some(|at| TAU * at),
-        (ColumnKind::Measure("amplitude"), "m/s^2") => Some(|at| 1.0 / (TAU * at)),
+    match column.kind {
+        ColumnKind::Measure("amplitude") => velocity_rate(&column.unit),
         _ => None,
     }
 }

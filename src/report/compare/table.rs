@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use super::{CompareError, Difference};
 use crate::analysis::Spectrum;
+use crate::record::open_regular;
 use crate::report::spectra::spectrum_table;
-use crate::scenario::open_regular;
 use crate::table::{Column, Table};
 
 /// Most bytes of a file.

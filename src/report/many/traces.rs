@@ -8,12 +8,12 @@ use std::path::{Path, PathBuf};
 use super::StudyError;
 use super::rows::Rows;
 use crate::analysis::Channel;
+use crate::record::open_regular;
 use crate::report::checksum::Checksum;
 use crate::report::folder::sync_folder;
 use crate::report::run_tables::TraceCsv;
 use crate::report::{FileAction, FileSet, PartialFile, ReportError, RunFolder};
 use crate::rotor::Sample;
-use crate::scenario::open_regular;
 use crate::simulate::TraceSink;
 use crate::study::many::{KeptTrace, RunRecord, TraceSeal};
 

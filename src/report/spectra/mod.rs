@@ -8,3 +8,4 @@ pub(super) use estimated::{estimated_figure, estimated_json, estimated_table, ta
 pub(crate) use run::spectrum_figure;
 pub use run::write_spectrum;
 pub(super) use run::{frequency_limit_of, peak_table, spectra_figures, spectrum_table};
+pub(super) use shown::{Rate, velocity_rate};

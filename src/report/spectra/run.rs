@@ -1,11 +1,10 @@
 //! The spectra of a run: tables of values and of named peaks, and what is shown of them.
 
 use std::borrow::Cow;
-use std::f64::consts::TAU;
 use std::io;
 use std::io::Write;
 
-use super::shown::{NamedLine, ShownPeak, ShownSpectrum};
+use super::shown::{NamedLine, Rate, ShownPeak, ShownSpectrum, velocity_rate};
 use crate::analysis::{Line, Peak, Spectrum};
 use crate::report::figure::Figure;
 use crate::report::table::CsvTable;
@@ -105,10 +104,10 @@ pub(in crate::report) fn spectra_figures(
 ) -> Vec<Figure> {
     let table = spectrum_table(spectrum);
     let figures = shown_groups(&table, spectrum, peaks).map(|(name, group)| {
-        let (name, group) = match name {
-            "displacement" => ("velocity", velocity_of(group, |at| TAU * at)),
-            "acceleration" => (HOUSINGS, velocity_of(group, |at| 1.0 / (TAU * at))),
-            name => (name, group),
+        let (name, group) = match (name, velocity_rate(group.of)) {
+            ("displacement", Some(rate)) => ("velocity", velocity_of(group, rate)),
+            (_, Some(rate)) => (HOUSINGS, velocity_of(group, rate)),
+            (name, None) => (name, group),
         };
         figure(&format!("{name}_spectrum"), title, name, group, PAGE_HEIGHT).only_on_page()
     });
@@ -140,9 +139,9 @@ fn shown_groups<'a>(
     })
 }
 
-/// Velocities of displacements, 2πf times their amplitudes, or of accelerations.
-fn velocity_of(group: ShownSpectrum<'_>, rate: fn(f64) -> f64) -> ShownSpectrum<'_> {
-    let value = |(at, value): (&f64, &f64)| if *at > 0.0 { rate(*at) * value } else { 0.0 };
+/// Velocities in place of displacements or accelerations.
+fn velocity_of(group: ShownSpectrum<'_>, rate: Rate) -> ShownSpectrum<'_> {
+    let value = |(at, value): (&f64, &f64)| rate(*at) * value;
     let columns = group.columns.iter().map(|(name, values)| {
         let rates = group.over.1.iter().zip(values.iter()).map(value);
         (
