@@ -245,6 +245,7 @@ fn a_figure_that_is_zoomed_shows_the_wave_of_its_table() {
     let script = format!(
         r#"{CATCH}
         const figure = document.querySelector("[data-figure=steady_trace]");
+        figure.closest("details").open = true;
         const over = figure.querySelector(".over");
         const at = (type, part) => {{
           const {{ left, top, width }} = over.getBoundingClientRect();
