@@ -53,7 +53,8 @@ pub fn watched<T: Send>(
     work: impl FnOnce(&mut Watch<'_>) -> T + Send,
 ) -> PyResult<T> {
     let stop = stop.map_or_else(Arc::default, |stop| stop.0.clone());
-    let part = AtomicU64::new(0.0_f64.to_bits());
+    let begun = 0.0_f64.to_bits();
+    let part = AtomicU64::new(begun);
     let tell = |told: &mut u64| {
         Python::attach(|py| -> PyResult<()> {
             py.check_signals()?;
@@ -78,7 +79,7 @@ pub fn watched<T: Send>(
                 })
             });
             let worker = worker.map_err(other)?;
-            let (mut raised, mut told) = (Ok(()), part.load(Ordering::Relaxed));
+            let (mut raised, mut told) = (Ok(()), begun);
             while let Err(RecvTimeoutError::Timeout) = ended.recv_timeout(EVERY) {
                 if raised.is_ok() {
                     raised = tell(&mut told);
