@@ -28,6 +28,9 @@ const FASTER: &str = "they follow something faster, as balls that are pressed fa
                       that part and meet";
 const FASTER_OR_STIFF: &str = "they follow something faster, as balls that are pressed far harder than at rest, \
                                contacts that part and meet, or strong damping (method = \"rodas\" in [integrator])";
+/// Part of the work below which nothing is left: the last sample is before the end of the duration, and the spectra and
+/// files that follow take no steps.
+const NOTHING_LEFT: f64 = 1e-4;
 /// Evaluations a second below which they are costly.
 const COSTLY: f64 = 5e4;
 
@@ -135,11 +138,15 @@ impl<'a> PaceWatch<'a> {
             parts.sum::<f64>()
         });
         let (steps, time) = (done[pass][0], now.passes[pass].0);
+        let left = match 1.0 - part {
+            rest if rest < NOTHING_LEFT => 0.0,
+            rest => rest * seconds / (part - before).max(f64::MIN_POSITIVE),
+        };
         Present {
             pass,
             time,
             part,
-            left: (1.0 - part) * seconds / (part - before).max(f64::MIN_POSITIVE),
+            left,
             step: (steps > 0.0).then(|| (time - from.passes[pass].0) / steps),
             seconds,
             rates: done[pass].map(|count| count / seconds),
