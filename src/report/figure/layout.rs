@@ -6,7 +6,7 @@ use super::ticks::{Tick, ticks};
 use super::{Axis, Colour, Figure, Mark, Name, Panel, Point};
 
 /// Least width of a column, px: narrower ones go below each other.
-const COLUMN: f64 = 260.0;
+const COLUMN: f64 = 230.0;
 /// Right of a plot, px.
 const MARGIN: f64 = 14.0;
 /// Room of a bar of colours with its numbers, px.

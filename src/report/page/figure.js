@@ -170,7 +170,7 @@ const drawing = (() => {
 
   // Places.
 
-  const [COLUMN, MARGIN, BAR, HIGHEST, MOST_PEAKS] = [260, 14, 74, 460, 10];
+  const [COLUMN, MARGIN, BAR, HIGHEST, MOST_PEAKS] = [230, 14, 74, 460, 10];
   const stepsUp = (height) => Math.max(2, Math.floor(height / 34));
 
   /** Places of all panels in a width, and the height of all. */
