@@ -80,9 +80,9 @@ fn a_run_up_through_a_critical_speed_with_clearance() {
         "{:e}",
         swings[largest]
     );
-    // an irregular motion: eleven runs by three explicit methods at 1e-8 to 1e-12 have 4 to 10 um there, six that
-    // the exponential method began 5 to 19, and six by that method alone 9 to 21
-    assert!(swings[19] < 22e-6, "{:e}", swings[19]);
+    // an irregular motion: of fifty runs by three methods, each with another ten thousandth of the eccentricity, 46
+    // have 4 to 9 um there, and four, by the exponential and an explicit method, 12 to 24
+    assert!(swings[19] < 25e-6, "{:e}", swings[19]);
     // balls meet and leave the races, and runs that begin as one part by as much as they move: the run says so
     assert!(error(&run) < 2.0, "{:e}", error(&run));
     assert!(
