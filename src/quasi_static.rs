@@ -93,6 +93,9 @@ pub struct QuasiStatic {
     pub condition: f64,
     /// Largest unbalanced force relative to the forces in play.
     pub residual: f64,
+    /// Length of the Newton step that is left, m, tilts by their arm: the error of the displacement.
+    #[serde(rename = "displacement_error_m")]
+    pub displacement_error: f64,
     /// Newton steps taken.
     pub newton_steps: usize,
     /// Moment and twist about the shaft's axis, where torsion was asked for.
@@ -133,6 +136,7 @@ pub(crate) fn answer_on(
         stiffness: equilibrium.stiffness,
         condition: condition(&equilibrium.stiffness, &free, arm),
         residual: equilibrium.residual,
+        displacement_error: equilibrium.displacement_error,
         newton_steps: equilibrium.newton_steps,
         twist: question.torsion.map(|torsion| torsion.twist(friction)),
         warnings: rotor.warnings_with(

@@ -20,7 +20,7 @@ print("error", run.error.relative, "of the motion,", run.error.displacement_m, "
 assert run.error.relative < 1e-7
 
 # %%
-run.figure("trace")
+run.figure("orbit")
 
 # %% [markdown]
 # What makes the lines of the spectrum:

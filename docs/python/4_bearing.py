@@ -16,7 +16,7 @@ print(jc.catalogue()["7205C"])
 
 # %%
 for preload in ("50 N", "200 N", "800 N"):
-    for speed in ("0 rad/s", "3000 rad/s"):
+    for speed in ("0 rad/s", "2500 rad/s"):
         k = bearing.stiffness(preload=preload, speed=speed)
         print(f"{preload:>6} {speed:>10}: K_x {1e-6 * k[0, 0]:7.2f}  K_z {1e-6 * k[2, 2]:6.2f}  K_tilt {1e-3 * k[3, 3]:6.3f}")
 
@@ -26,19 +26,17 @@ for preload in ("50 N", "200 N", "800 N"):
 # %%
 loaded = bearing.answer({"y": "-500 N", "z": "800 N"}, displacement={"tilt_x": "0 rad", "tilt_y": "0 rad"})
 print("it moves by", loaded.equilibrium)
-balls = loaded.balls
-print(balls.to_pandas().iloc[:, :6])
-loads = balls["inner_load_N"]
-assert np.isclose(loads.max(), max(loads)) and loads.min() >= 0
+assert loaded.balls["inner_load_N"].min() >= 0
+loaded.balls
 
 # %%
 loaded.figure("balls")
 
 # %% [markdown]
-# A bearing that no catalogue here has, by the ratings that its maker prints.
+# A bearing that no catalogue here has, by the ratings that its maker prints. Several sets of balls may fit them; their number settles which.
 
 # %%
-printed = {"bore": "40 mm", "outside_diameter": "80 mm", "dynamic": "29.1 kN", "static": "17.9 kN"}
+printed = {"bore": "40 mm", "outside_diameter": "80 mm", "dynamic": "29.1 kN", "static": "17.9 kN", "balls": 9}
 print(jc.Bearing.from_ratings(**printed).stiffness({"y": "-500 N", "z": "300 N"})[0, 0])
 
 # %% [markdown]

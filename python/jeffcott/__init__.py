@@ -13,13 +13,21 @@ are the same; a `Bearing` is asked by itself.
 
 Values with a dimension are given as text with a unit, "6 kg"; results are in SI units (m, N, s, rad), and the name of a
 column ends with its unit, as `x_velocity_m_s`. What is wrong with a scenario is a `ScenarioError` with all its problems;
-a question that has no answer is a `RunError`.
+a question that has no answer is a `RunError`. What the reader should know of an answer is among its `warnings`, and a
+Python warning of the class `ModelWarning`.
 """
 
 from ._bearing import Bearing, catalogue
 from ._compare import Comparison, compare
-from ._errors import Problem, RunError, ScenarioError
-from ._jeffcott import __version__
+from ._errors import ModelWarning, Problem, RunError, ScenarioError
+from ._jeffcott import (
+    CheckedScenario,
+    Findings,
+    RunFindings,
+    StopSignal,
+    StudyPlan,
+    __version__,
+)
 from ._results import (
     Accuracy,
     Campbell,
@@ -39,19 +47,25 @@ __all__ = [
     "Accuracy",
     "Bearing",
     "Campbell",
+    "CheckedScenario",
     "Comparison",
     "Error",
     "Figure",
+    "Findings",
+    "ModelWarning",
     "Problem",
     "Response",
     "Result",
     "Run",
     "RunError",
+    "RunFindings",
     "Scenario",
     "ScenarioError",
     "Statics",
     "Steady",
+    "StopSignal",
     "Study",
+    "StudyPlan",
     "Table",
     "__version__",
     "catalogue",

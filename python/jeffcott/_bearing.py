@@ -7,7 +7,7 @@ from typing import Any
 
 from ._jeffcott import catalogue as _catalogue
 from ._results import Statics
-from ._scenario import Scenario
+from ._scenario import Scenario, told_before
 from ._table import Array
 
 MODEL = ("contact", "film", "race_control")
@@ -34,7 +34,8 @@ class Bearing:
 
     def __init__(self, designation: str | None = None, **keys: Any) -> None:
         self.keys = {**({} if designation is None else {"catalogue": designation}), **keys}
-        self.scenario()
+        self._told: frozenset[str] = frozenset()
+        self._told = self.scenario()._told
 
     @classmethod
     def from_ratings(
@@ -96,7 +97,7 @@ class Bearing:
             question["load"] = [{"constant": dict(load)}]
             if displacement:
                 question["static"] = {"displacement": dict(displacement)}
-        return Scenario(question)
+        return told_before(question, None, self._told)
 
     def answer(
         self,

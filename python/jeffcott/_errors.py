@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import json
+import sys
+import warnings
+from collections.abc import Iterable
 from typing import NamedTuple
 
 
@@ -46,3 +49,19 @@ class RunError(RuntimeError):
 
     def __str__(self) -> str:
         return str(self.args[0])
+
+
+class ModelWarning(UserWarning):
+    """What the reader of an answer should know: where the model or the numbers are to be doubted, and what to do.
+
+    `warnings.simplefilter("ignore", jeffcott.ModelWarning)` silences all of them, "error" makes exceptions of them.
+    """
+
+
+def warn(messages: Iterable[str]) -> None:
+    """Warns of every message once, at the line that called the package."""
+    level, frame = 1, sys._getframe()
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").partition(".")[0] == __package__:
+        level, frame = level + 1, frame.f_back
+    for message in dict.fromkeys(messages):
+        warnings.warn(message, ModelWarning, stacklevel=level)

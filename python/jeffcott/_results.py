@@ -11,12 +11,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, Self
 
 import numpy as np
 
+from ._errors import ScenarioError
 from ._table import Array, Table, nearest
 
 if TYPE_CHECKING:
     import os
 
-    from ._jeffcott import RunAnswer
+    from ._jeffcott import RunFindings
     from ._scenario import Scenario
 
 
@@ -131,7 +132,7 @@ class _KeptRun(_Kept):
 
     def estimated(self, asked: Any) -> Sequence[tuple[str, Any]]:
         # the same run again, to the last digit
-        return self._scenario.scene.run(None).estimated(asked)
+        return self._scenario.checked.run(None).estimated(asked)
 
 
 class Result:
@@ -228,9 +229,9 @@ class Run(Result):
     `run["x_m"]` is a column of all samples; `run.keys()` names them. SI units.
     """
 
-    _source: RunAnswer
+    _source: RunFindings
 
-    def __init__(self, source: RunAnswer, scenario: Scenario) -> None:
+    def __init__(self, source: RunFindings, scenario: Scenario) -> None:
         super().__init__(source)
         self.scenario = scenario.copy()
 
@@ -280,16 +281,25 @@ class Run(Result):
     def spectrum(self, *channels: str, name: str = "spectrum", **settings: Any) -> Table:
         """A spectrum of the samples behind the settle time.
 
-        Without arguments that of the run: amplitude (peak value) and phase of every displacement and force. With
-        channels and keys of a `[[spectrum]]` one that is estimated from the samples of this run, as
+        Without arguments that of the run: amplitude (peak value) and phase of every displacement and force. With the
+        name of a `[[spectrum]]` of the scenario that one, as `run.spectrum("envelope")`. With channels and keys of a
+        `[[spectrum]]` one that is estimated from the samples of this run, as
         `run.spectrum("y_acceleration", scaling="rms", window="hann")`; channels are named as in the files, without the
         unit: `x`, `y_velocity`, `z_acceleration`, `force_x`. Units stand in the names of the columns.
         """
         if not channels and not settings:
             return self.table(name)
+        of_scenario = [table.partition("_")[2] for table in self.tables if table.startswith("spectrum_")]
+        if not settings and len(channels) == 1 and channels[0] in of_scenario:
+            return self.table(f"spectrum_{channels[0]}")
         asked = self.scenario.copy()
-        asked["spectrum"] = [{"name": name, "channels": list(channels), **settings}]
-        return Table(name, self._source.estimated(asked.scene))
+        try:
+            asked["spectrum"] = [{"name": name, "channels": list(channels), **settings}]
+        except ScenarioError as error:
+            named = ", ".join(map(repr, of_scenario)) or "none"
+            error.add_note(f"spectra that the scenario asks for by name: {named}")
+            raise
+        return Table(name, self._source.estimated(asked.checked))
 
 
 class Steady(Result):
@@ -327,7 +337,10 @@ class Steady(Result):
 
 
 class Response(Result):
-    """Steady motions along a number of the scenario, with turning points and doublings."""
+    """Steady motions along a number of the scenario, with turning points and doublings.
+
+    Its `error` is that of the first motion, measured against one found by itself at a hundredth of the tolerance.
+    """
 
     @property
     def points(self) -> Table:
@@ -359,6 +372,12 @@ class Statics(Result):
         return np.array(self.summary["stiffness"]["matrix"])
 
     @property
+    def error(self) -> Error:
+        """How far the displacement can be off: the Newton step that is left, m, and the largest unbalanced force relative
+        to the forces in play. Newton's method goes on to round-off, so there is no tolerance (NaN)."""
+        return Error(float(self.summary["displacement_error_m"]), self.residual, float("nan"))
+
+    @property
     def residual(self) -> float:
         """Largest unbalanced force relative to the forces in play."""
         return float(self.summary["residual"])
@@ -376,6 +395,13 @@ class Campbell(Result):
     def modes(self) -> Table:
         """Frequency in Hz and damping ratio of every branch at every speed in rad/s."""
         return self.table("campbell")
+
+    @property
+    def error(self) -> Error | None:
+        """The largest relative error of a frequency at a critical speed, as `relative`: of the search for it and, of a shaft
+        that bends, of the modes that were left out. None without a critical speed; frequencies have no displacement (NaN)."""
+        largest = self.summary["frequency_error"]
+        return None if largest is None else Error(float("nan"), float(largest), float("nan"))
 
     @property
     def critical_speeds(self) -> list[dict[str, Any]]:

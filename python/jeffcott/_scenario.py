@@ -7,15 +7,17 @@ import os
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from . import _results as results
-from ._errors import ScenarioError
-from ._jeffcott import Scene
+from ._errors import ScenarioError, warn
+from ._jeffcott import CheckedScenario
 from ._progress import Progress, told
 
 if TYPE_CHECKING:
     from ._study import Study
+
+Answered = TypeVar("Answered", bound=results.Result)
 
 TOLERANCES = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10)
 """Tolerances at which accuracy is measured where none are given."""
@@ -153,29 +155,46 @@ class Scenario:
         *,
         folder: str | os.PathLike[str] | None = None,
     ) -> None:
+        self._read(source, folder)
+        self._tell()
+
+    def _read(self, source: str | os.PathLike[str] | Mapping[str, Any], folder: str | os.PathLike[str] | None) -> None:
         self._tree: dict[str, Any] | None = None
+        self._told: frozenset[str] = frozenset()
         if isinstance(source, Mapping):
             self._tree = json.loads(dumped(source))
-            self.scene = self._parsed(dumped(source), "scenario.dict", folder, True)
+            self.checked = self._parsed(dumped(source), "scenario.dict", folder, True)
         elif isinstance(source, str) and ("\n" in source or "=" in source or source.lstrip().startswith("{")):
             is_json = source.lstrip().startswith("{")
-            self.scene = self._parsed(text_of(source), f"scenario.{'json' if is_json else 'toml'}", folder, is_json)
+            self.checked = self._parsed(text_of(source), f"scenario.{'json' if is_json else 'toml'}", folder, is_json)
         else:
-            self.scene = Scene.load(Path(source))
+            self.checked = CheckedScenario.load(Path(source))
 
     @staticmethod
-    def _parsed(text: str, name: str, folder: str | os.PathLike[str] | None, is_json: bool) -> Scene:
-        return Scene.parse(text, name if folder is None else os.path.join(os.fspath(folder), name), is_json)
+    def _parsed(text: str, name: str, folder: str | os.PathLike[str] | None, is_json: bool) -> CheckedScenario:
+        return CheckedScenario.parse(text, name if folder is None else os.path.join(os.fspath(folder), name), is_json)
+
+    def _tell(self) -> None:
+        """Warns of what it, or the scenario that it comes from, has not told."""
+        found = self.checked.warnings()
+        untold = [message for message in found if message not in self._told]
+        self._told |= set(found)
+        warn(untold)
+
+    def _answer(self, result: Answered) -> Answered:
+        """A result, of which everything is told that the scenario has not told."""
+        warn(message for message in result.warnings if message not in self._told)
+        return result
 
     def copy(self) -> Scenario:
         """Another scenario of the same keys."""
         other = object.__new__(Scenario)
-        other.scene, other._tree = self.scene, self._tree
+        other.checked, other._tree, other._told = self.checked, self._tree, self._told
         return other
 
     def _written(self) -> dict[str, Any]:
         if self._tree is None:
-            self._tree = json.loads(self.scene.written())
+            self._tree = json.loads(self.checked.written())
         return self._tree
 
     def to_dict(self) -> dict[str, Any]:
@@ -186,18 +205,18 @@ class Scenario:
     @property
     def defaults(self) -> dict[str, Any]:
         """All keys, those with their default values too."""
-        tree: dict[str, Any] = json.loads(self.scene.echo())
+        tree: dict[str, Any] = json.loads(self.checked.echo())
         return tree
 
     @property
     def title(self) -> str:
         """Its title, or the name of its file."""
-        return self.scene.title()
+        return self.checked.title()
 
     @property
     def warnings(self) -> list[str]:
         """What the user should know although the scenario can be run."""
-        return self.scene.warnings()
+        return self.checked.warnings()
 
     def __getitem__(self, path: str) -> Any:
         """The value of a key by its path, `bearing[1].geometry.balls`; its default where it is not written."""
@@ -226,9 +245,10 @@ class Scenario:
         tree = self.to_dict()
         for path, value in changes.items():
             _put(tree, path, value)
-        text, name = dumped(tree), Path(self.scene.name())
-        self.scene = Scene.parse(text, str(name.with_suffix(".changed")), True)
+        text, name = dumped(tree), Path(self.checked.name())
+        self.checked = CheckedScenario.parse(text, str(name.with_suffix(".changed")), True)
         self._tree = json.loads(text)
+        self._tell()
 
     def with_(self, changes: Mapping[str, Any]) -> Scenario:
         """A copy with some keys set, as by `update`."""
@@ -240,7 +260,7 @@ class Scenario:
         return f"<Scenario {self.title!r}>"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _restored, (self.to_dict(), self.scene.name())
+        return _restored, (self.to_dict(), self.checked.name())
 
     def _with_integrator(self, tolerance: float | None, verify: bool | None) -> Scenario:
         changes = {"integrator.tolerance": tolerance, "integrator.verify": verify}
@@ -258,12 +278,12 @@ class Scenario:
         """
         asked = self._with_integrator(tolerance, verify)
         with told(progress, self.title) as tell:
-            return results.Run(asked.scene.run(tell), asked)
+            return asked._answer(results.Run(asked.checked.run(tell), asked))
 
     def bearing(self) -> results.Statics:
         """Where the shaft stands, without motion: equilibrium, stiffness, every ball. Of many values `sweep` with
         `ask="bearing"` answers it."""
-        return results.Statics(self.scene.bearing())
+        return self._answer(results.Statics(self.checked.bearing()))
 
     def steady(
         self,
@@ -277,7 +297,8 @@ class Scenario:
         `period`: how many periods of the forcing it takes; otherwise one, or those of a stable motion beside it.
         """
         asked = self._with_integrator(tolerance, verify)
-        return results.Steady(asked.scene.steady(None if period is None else whole("period", period, 1, 64)))
+        found = asked.checked.steady(None if period is None else whole("period", period, 1, 64))
+        return asked._answer(results.Steady(found))
 
     def response(
         self,
@@ -298,7 +319,8 @@ class Scenario:
         with told(progress, self.title) as tell:
             followed = (text_of(over), text_of(start), text_of(stop))
             period, points = whole("period", period, 1, 64), whole("points", points, 1, 2**32 - 1)
-            return results.Response(self.scene.response(followed, period, points, doubled, tell))
+            found = self.checked.response(followed, period, points, doubled, tell)
+        return self._answer(results.Response(found))
 
     def campbell(
         self,
@@ -316,7 +338,8 @@ class Scenario:
         """
         ends, speeds = (text_of(start), None if to is None else text_of(to)), whole("count", count, 2, 100_000)
         highest = None if highest_frequency is None else text_of(highest_frequency)
-        return results.Campbell(self.scene.campbell(ends, speeds, [str(order) for order in orders], highest))
+        found = self.checked.campbell(ends, speeds, [str(order) for order in orders], highest)
+        return self._answer(results.Campbell(found))
 
     def accuracy(
         self,
@@ -331,7 +354,8 @@ class Scenario:
         loosest_first = sorted(set(map(float, tolerances)), reverse=True)
         with told(progress, self.title) as tell:
             named = [text_of(method) for method in methods]
-            return results.Accuracy(self.scene.accuracy(named, loosest_first, text_of(longest), tell))
+            found = self.checked.accuracy(named, loosest_first, text_of(longest), tell)
+        return self._answer(results.Accuracy(found))
 
     def sweep(self, axes: Mapping[str, Any], **settings: Any) -> Study:
         """Many runs of this scenario; see `jeffcott.sweep`."""
@@ -340,7 +364,16 @@ class Scenario:
         return sweep(self, axes, **settings)
 
 
+def told_before(tree: dict[str, Any], folder: str | None, told: frozenset[str] | None) -> Scenario:
+    """A scenario some of whose warnings were told already: all of them where none are named."""
+    scenario = object.__new__(Scenario)
+    scenario._read(tree, folder)
+    scenario._told = frozenset(scenario.checked.warnings()) if told is None else told
+    scenario._tell()
+    return scenario
+
+
 def _restored(tree: dict[str, Any], name: str) -> Scenario:
-    return Scenario(tree, folder=os.path.dirname(name))
+    return told_before(tree, os.path.dirname(name), None)
 
 

@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._jeffcott import Scene, Stop, StudyPlan, merge
+from ._errors import warn
+from ._jeffcott import CheckedScenario, StopSignal, StudyPlan, merge
 from ._progress import Progress, told
 from ._results import Error, Result
 from ._scenario import Scenario, dumped, text_of, whole
@@ -30,7 +31,7 @@ COUNTS = ("run", "bearing", "position", "bytes")
 PARTS_A_WORKER = 4
 """Parts of a study for each worker of an executor, so that none waits long for the last one."""
 
-_stops: dict[str, Stop] = {}
+_stops: dict[str, StopSignal] = {}
 """What ends the parts that this process makes, by the study that they are of."""
 
 
@@ -143,7 +144,7 @@ def _plan(task: Task) -> StudyPlan:
     if len(task) == 1:
         return StudyPlan.load(Path(task[0]))
     text, name, study = task
-    return StudyPlan.of(Scene.parse(text, name, True), study)
+    return StudyPlan.of(CheckedScenario.parse(text, name, True), study)
 
 
 def _make_part(task: Task, folder: str, part: tuple[int, int], token: str) -> int:
@@ -161,7 +162,7 @@ def _by_parts(task: Task, folder: Path, parts: int | None, executor: Any, tell: 
     workers: int = getattr(executor, "_max_workers", None) or os.cpu_count() or 1
     _, most = _plan(task).size()
     count = max(1, min(parts or PARTS_A_WORKER * workers, most))
-    token, stop = uuid.uuid4().hex, Stop()
+    token, stop = uuid.uuid4().hex, StopSignal()
     _stops[token] = stop
     pool: Executor = executor
     futures: list[Future[int]] = []
@@ -206,7 +207,9 @@ def _made(
             for path in folder.glob("*.part-*-of-*") if restart else ():
                 path.unlink()
             _by_parts(task, folder, parts, executor, tell)
-    return Study(_Folder(folder, temporary))
+    found = Study(_Folder(folder, temporary))
+    warn(found.warnings)
+    return found
 
 
 def study(
@@ -260,7 +263,7 @@ def sweep(
         {"key": text_of(key), **(values if isinstance(values, Mapping) else {"values": values})} for key, values in axes.items()
     ]
     text = dumped({"base": scenario.title, "axis": listed, **settings})
-    name = os.path.abspath(scenario.scene.name())
+    name = os.path.abspath(scenario.checked.name())
     task = (dumped(scenario.to_dict()), name, text)
     temporary = tempfile.TemporaryDirectory() if out is None else None
     folder = Path(temporary.name) / "sweep" if temporary is not None else Path(out or "")

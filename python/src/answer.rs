@@ -3,14 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use jeffcott::analysis::Channel;
-use jeffcott::ask::{Findings, RunFindings};
+use jeffcott::ask;
 use jeffcott::internals::{Column, ColumnKind, Table};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 
 use crate::errors::{other, run_error};
-use crate::scene::Scene;
+use crate::scenario::CheckedScenario;
 
 /// Names and columns of a table: numpy arrays, or lists of words.
 pub type Columns<'py> = Vec<(String, Bound<'py, PyAny>)>;
@@ -36,11 +36,11 @@ pub fn columns<'py>(py: Python<'py>, table: &Table<'_>) -> PyResult<Columns<'py>
 }
 
 /// An answer to a question that is no run.
-#[pyclass(frozen, module = "jeffcott._jeffcott")]
-pub struct Answer(pub(crate) Findings);
+#[pyclass(frozen, module = "jeffcott")]
+pub struct Findings(pub(crate) ask::Findings);
 
 #[pymethods]
-impl Answer {
+impl Findings {
     /// The document, JSON.
     fn document(&self) -> String {
         self.0.document.to_string()
@@ -78,6 +78,10 @@ impl Answer {
         Ok(self.0.figure(name))
     }
 
+    fn __repr__(&self) -> String {
+        format!("<Findings {}>", self.0.document["title"])
+    }
+
     /// Writes all files into a folder; returns their paths.
     fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<Vec<PathBuf>> {
         let files = py.detach(|| self.0.write(&folder));
@@ -86,11 +90,11 @@ impl Answer {
 }
 
 /// A run with its samples.
-#[pyclass(frozen, module = "jeffcott._jeffcott")]
-pub struct RunAnswer(pub(crate) RunFindings);
+#[pyclass(frozen, module = "jeffcott")]
+pub struct RunFindings(pub(crate) ask::RunFindings);
 
 #[pymethods]
-impl RunAnswer {
+impl RunFindings {
     /// What `summary.json` says.
     fn document(&self, py: Python<'_>) -> String {
         py.detach(|| self.0.document().to_string())
@@ -167,7 +171,7 @@ impl RunAnswer {
     }
 
     /// The columns of the first spectrum that another version of the scenario asks for, from the samples of this run.
-    fn estimated<'py>(&self, py: Python<'py>, asked: &Scene) -> PyResult<Columns<'py>> {
+    fn estimated<'py>(&self, py: Python<'py>, asked: &CheckedScenario) -> PyResult<Columns<'py>> {
         let estimated = py.detach(|| self.0.estimated(asked.scenario()));
         let estimated = estimated.map_err(|error| run_error(py, &error))?;
         match estimated.into_iter().next() {
@@ -175,6 +179,10 @@ impl RunAnswer {
             Some(Err(message)) => Err(other(message)),
             None => Ok(Vec::new()),
         }
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<RunFindings: {} samples>", self.samples())
     }
 
     /// Writes all files of the run into a folder; returns their paths.

@@ -5,7 +5,7 @@ mod answer;
 mod arrow;
 mod compare;
 mod errors;
-mod scene;
+mod scenario;
 mod study;
 mod watch;
 
@@ -15,17 +15,17 @@ use pyo3::prelude::*;
 #[pymodule(gil_used = false)]
 mod _jeffcott {
     #[pymodule_export]
-    use crate::answer::{Answer, RunAnswer};
+    use crate::answer::{Findings, RunFindings};
     #[pymodule_export]
     use crate::arrow::arrow_stream;
     #[pymodule_export]
     use crate::compare::compare;
     #[pymodule_export]
-    use crate::scene::{Scene, catalogue};
+    use crate::scenario::{CheckedScenario, catalogue};
     #[pymodule_export]
     use crate::study::{StudyPlan, merge};
     #[pymodule_export]
-    use crate::watch::Stop;
+    use crate::watch::StopSignal;
 
     #[pymodule_export]
     #[allow(non_upper_case_globals, missing_docs)]

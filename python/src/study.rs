@@ -10,11 +10,11 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::errors::{ask_error, scenario_error};
-use crate::scene::{Scene, format};
-use crate::watch::{Stop, watched};
+use crate::scenario::{CheckedScenario, format};
+use crate::watch::{StopSignal, watched};
 
 /// A checked study.
-#[pyclass(frozen, module = "jeffcott._jeffcott")]
+#[pyclass(frozen, module = "jeffcott")]
 pub struct StudyPlan(StudyFile);
 
 #[pymethods]
@@ -28,7 +28,7 @@ impl StudyPlan {
 
     /// Checks the text of a study of a scenario, JSON.
     #[staticmethod]
-    fn of(py: Python<'_>, scene: &Scene, text: &str) -> PyResult<Self> {
+    fn of(py: Python<'_>, scene: &CheckedScenario, text: &str) -> PyResult<Self> {
         let study = parse_study(text, format(true), scene.scenario(), scene.folder());
         study.map(Self).map_err(|error| scenario_error(py, &error))
     }
@@ -36,6 +36,10 @@ impl StudyPlan {
     /// Its title.
     fn title(&self) -> &str {
         &self.0.title
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<StudyPlan {:?}>", self.0.title)
     }
 
     /// Number of runs, and of the parts that they can be made in.
@@ -53,7 +57,7 @@ impl StudyPlan {
         part: (u64, u64),
         threads: Option<NonZeroUsize>,
         anew: bool,
-        stop: Option<&Stop>,
+        stop: Option<&StopSignal>,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Vec<PathBuf>> {
         let (number, count) = part;

@@ -16,15 +16,22 @@ const EVERY: Duration = Duration::from_millis(50);
 const STACK: usize = 8 << 20;
 
 /// Ends work that goes on elsewhere: of one object, all calls that were given it.
-#[pyclass(frozen, module = "jeffcott._jeffcott")]
+#[pyclass(frozen, module = "jeffcott")]
 #[derive(Default)]
-pub struct Stop(Arc<AtomicBool>);
+pub struct StopSignal(Arc<AtomicBool>);
 
 #[pymethods]
-impl Stop {
+impl StopSignal {
     #[new]
     fn new() -> Self {
         Self::default()
+    }
+
+    fn __repr__(&self) -> &'static str {
+        match self.0.load(Ordering::Relaxed) {
+            true => "<StopSignal: set>",
+            false => "<StopSignal: not set>",
+        }
     }
 
     /// Ends the work at its next step.
@@ -48,7 +55,7 @@ pub struct Watch<'a> {
 /// What a signal raises, as KeyboardInterrupt, or the callback; the work has then stopped.
 pub fn watched<T: Send>(
     py: Python<'_>,
-    stop: Option<&Stop>,
+    stop: Option<&StopSignal>,
     progress: Option<&Py<PyAny>>,
     work: impl FnOnce(&mut Watch<'_>) -> T + Send,
 ) -> PyResult<T> {

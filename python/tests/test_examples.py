@@ -30,7 +30,7 @@ def test_an_example_runs(example: Path, tmp_path: Path) -> None:
     assert done.stdout
 
 
-@pytest.mark.parametrize("page", ["README.md", "python/README.md", "docs/python/README.md"])
+@pytest.mark.parametrize("page", ["README.md", "python/README.md", "docs/python/README.md", "docs/how-to/balancing.md"])
 def test_what_a_page_shows_runs(page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, scenarios: Path) -> None:
     blocks = (ROOT / page).read_text(encoding="utf-8").split("```python\n")[1:]
     assert blocks

@@ -149,3 +149,58 @@ def test_a_shaft_that_bends_is_drawn(scenarios: Path) -> None:
     campbell = scenario.campbell("3000 rpm", count=5)
     assert "mode_shapes" in campbell.figures
     assert all(critical["reduction_error"] < 1e-4 for critical in campbell.critical_speeds)
+
+
+def test_a_spectrum_of_the_scenario_is_found_by_its_name(scenarios: Path) -> None:
+    scenario = jc.Scenario(scenarios / "spall-outer-6205.toml")
+    scenario.update({"time.duration": "0.4 s", "integrator": {"tolerance": 1e-5, "verify": False}})
+    run = scenario.run()
+    envelope = run.spectrum("envelope")
+    assert envelope.name == "spectrum_envelope"
+    assert np.array_equal(envelope["f_Hz"], run.table("spectrum_envelope")["f_Hz"])
+    with pytest.raises(jc.ScenarioError) as caught:
+        run.spectrum("envelop")
+    assert "'envelope'" in caught.value.__notes__[0]
+
+
+def test_static_answers_state_how_far_they_are_off(scenarios: Path) -> None:
+    found = jc.Bearing("7205C").answer({"z": "1 kN"})
+    error = found.error
+    assert 0 <= error.relative < 1e-9 and 0 <= error.displacement_m < 1e-13
+    # the step that is left is that of the unbalanced force
+    assert error.displacement_m <= 1.01 * error.relative * 1e3 / found.stiffness[2, 2] + 1e-18
+
+
+def test_critical_speeds_state_their_error(scenarios: Path) -> None:
+    found = jc.Scenario(scenarios / "laval-rotor.toml").campbell("3000 rpm", count=5)
+    errors = [critical["reduction_error"] for critical in found.critical_speeds]
+    assert found.error is not None and found.error.relative == max(errors) > 0
+    rigid = jc.Scenario(scenarios / "back-to-back-7205c.toml").campbell("40000 rpm", count=5)
+    # the search for the crossing ends at round-off
+    assert rigid.error is not None and rigid.error.relative < 1e-9
+    assert short(scenarios).campbell("60 rpm", count=3).error is None
+
+
+def test_a_response_states_the_error_of_its_first_motion(scenarios: Path) -> None:
+    scenario = jc.Scenario(scenarios / "linear-7205c.toml")
+    first = scenario.with_({"speed.constant": "400 rad/s"})
+    exact = np.ptp(first.steady(tolerance=1e-11, verify=False).trace["x_m"])
+    measured = []
+    for tolerance in (1e-4, 1e-7):
+        found = scenario.with_({"integrator.tolerance": tolerance}).response("speed.constant", "400 rad/s", "401 rad/s")
+        assert found.error is not None
+        true = abs(found.points["x_peak_to_peak_m"][0] - exact)
+        assert true < 3 * found.error.displacement_m + 1e-6 * exact
+        measured.append(found.error.relative)
+    assert measured[1] <= measured[0] < 1e-2
+    unmeasured = scenario.with_({"integrator.verify": False})
+    assert unmeasured.response("speed.constant", "400 rad/s", "401 rad/s").error is None
+
+
+def test_compiled_classes_have_names_of_the_field(steady_run: jc.Run, scenarios: Path) -> None:
+    for kind in (jc.CheckedScenario, jc.Findings, jc.RunFindings, jc.StopSignal, jc.StudyPlan):
+        assert kind.__module__ == "jeffcott" and getattr(jc, kind.__name__) is kind
+    checked = short(scenarios).checked
+    assert repr(checked) == f'<CheckedScenario "{checked.title()}">'
+    assert repr(jc.StopSignal()) == "<StopSignal: not set>"
+    assert repr(steady_run._source) == f"<RunFindings: {len(steady_run)} samples>"

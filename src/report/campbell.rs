@@ -59,6 +59,7 @@ pub fn campbell_findings(
         "branches_left_out": campbell.left_out,
         "branches": branches.collect::<Value>(),
         "least_assurance": campbell.least_assurance,
+        "frequency_error": campbell.frequency_error(),
         "critical_speeds": campbell.critical_speeds,
         "warnings": campbell.warnings,
     });

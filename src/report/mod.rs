@@ -45,7 +45,7 @@ pub(crate) use findings::{Findings, versioned};
 pub(crate) use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole};
 #[cfg(test)]
 pub(crate) use histories::Histories;
-pub(crate) use response::response_findings;
+pub(crate) use response::{ResponseError, response_findings};
 
 pub use findings::WrittenFindings;
 pub(crate) use run_report::KeptFiles;

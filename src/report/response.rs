@@ -1,9 +1,10 @@
 //! Branches of steady motions over a parameter.
 
+use serde::Serialize;
 use serde_json::json;
 
 use super::figure::{Axis, Colour, Curve, Figure, GREY, Name, Panel, Point, distinct};
-use super::terminal::{Lines, MICRO};
+use super::terminal::{Lines, MICRO, measured_text};
 use super::variable::{axis_label, shown, variable_column};
 use super::{FileSet, Findings};
 use crate::analysis::Channel;
@@ -13,11 +14,61 @@ use crate::steady::{MotionRange, Response, ResponsePoint};
 use crate::study::Variable;
 use crate::table::Table;
 
+/// Error of the first motion of a response: the largest difference of a mean or peak-to-peak range of a displacement from that
+/// of a motion found more exactly.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct ResponseError {
+    /// Value of the parameter.
+    value: f64,
+    /// The difference, m.
+    displacement_m: f64,
+    /// The same relative to the largest peak-to-peak range.
+    relative: f64,
+    /// Tolerances of both.
+    tolerance: f64,
+    reference_tolerance: f64,
+}
+
+impl ResponseError {
+    /// The distance of a motion from the ranges of one found more exactly, both with their tolerances; none where nothing moves.
+    pub fn between(
+        motion: &ResponsePoint,
+        exact: &[MotionRange],
+        [tolerance, reference_tolerance]: [f64; 2],
+    ) -> Option<Self> {
+        let (mut displacement, mut size) = (0.0_f64, 0.0_f64);
+        for (range, exact) in motion.ranges.iter().zip(exact) {
+            if range.channel.unit() == "m" {
+                let apart = [
+                    range.mean - exact.mean,
+                    range.peak_to_peak - exact.peak_to_peak,
+                ];
+                displacement = displacement.max(apart[0].abs()).max(apart[1].abs());
+                size = size.max(exact.peak_to_peak);
+            }
+        }
+        (size > 0.0).then(|| Self {
+            value: motion.value,
+            displacement_m: displacement,
+            relative: displacement / size,
+            tolerance,
+            reference_tolerance,
+        })
+    }
+
+    fn text(&self, variable: &Variable) -> String {
+        let sizes = [self.displacement_m, self.relative];
+        let measured = measured_text(sizes, [self.tolerance, self.reference_tolerance]);
+        format!("{measured}, at {}", shown(variable, self.value))
+    }
+}
+
 /// Branches of steady motions along a parameter.
 pub fn response_findings(
     scenario: &Scenario,
     variable: &Variable,
     branches: &[Response],
+    error: Option<ResponseError>,
     warnings: &[String],
 ) -> Findings {
     let title = &scenario.title;
@@ -26,8 +77,13 @@ pub fn response_findings(
         "over": variable.key,
         "unit": variable.unit,
         "branches": branches,
+        "measured_error": error,
         "warnings": warnings,
     });
+    let mut text = text(title, variable, branches);
+    if let Some(error) = error {
+        text.line("error", error.text(variable));
+    }
     Findings {
         tables: vec![
             ("response", table(variable, branches, all, false)),
@@ -38,12 +94,7 @@ pub fn response_findings(
         ],
         figures: vec![figure(title, variable, branches)],
         incomplete: branches.iter().any(|branch| branch.incomplete),
-        ..Findings::new(
-            FileSet::RESPONSE,
-            scenario,
-            found,
-            text(title, variable, branches),
-        )
+        ..Findings::new(FileSet::RESPONSE, scenario, found, text)
     }
 }
 

@@ -65,7 +65,10 @@ fn text(title: &str, answer: &QuasiStatic) -> Lines {
     };
     out.line("condition", condition);
     let steps = answer.newton_steps;
-    let search = format!("{steps} Newton steps, residual {:.1e}", answer.residual);
+    let search = format!(
+        "{steps} Newton steps, residual {:.1e}, displacement to {:.1e} m",
+        answer.residual, answer.displacement_error
+    );
     out.detail("search", search);
     add_stiffness(&mut out, &answer.stiffness);
     for (index, state) in answer.bearings.iter().enumerate() {

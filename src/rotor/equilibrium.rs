@@ -83,6 +83,8 @@ pub struct Equilibrium {
     pub stiffness: Matrix5,
     /// Largest unbalanced force relative to the forces in play, moments by their arm.
     pub residual: f64,
+    /// Length of the Newton step that is left, m, tilts by their arm: the error of the displacement.
+    pub displacement_error: f64,
     /// Newton steps taken.
     pub newton_steps: usize,
 }
@@ -162,6 +164,7 @@ impl Balance {
                 Matrix5::from_fn(|row, column| stiffness[(indices[row], indices[column])])
             },
             residual: self.relative_residual(),
+            displacement_error: self.displacement_error(),
             newton_steps: self.newton_steps,
         }
     }

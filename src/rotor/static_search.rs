@@ -236,6 +236,14 @@ impl Balance {
         }
     }
 
+    /// Length of the Newton step that is left, m, tilts by their length: the error of the displacement.
+    pub fn displacement_error(&self) -> f64 {
+        match self.excess.amax() {
+            0.0 => 0.0,
+            _ => self.step(f64::MAX).0.norm(),
+        }
+    }
+
     /// Newton's step, no longer than `reach`, and whether that shortened it.
     fn step(&self, reach: f64) -> (DVector<f64>, bool) {
         let mut damping = 0.0;

@@ -82,6 +82,13 @@ impl Campbell {
         self
     }
 
+    /// Largest relative error of the frequency at a critical speed: of the search for it and, of a shaft that bends, of its
+    /// reduction; none without a critical speed.
+    pub(crate) fn frequency_error(&self) -> Option<f64> {
+        let errors = self.critical_speeds.iter().map(CriticalSpeed::error);
+        errors.max_by(f64::total_cmp)
+    }
+
     /// Critical speeds of the shaft's own order that a run went through, by speed, those of both whirls of a round shaft once.
     pub(crate) fn passed(&self, run_up: &RunUp) -> Vec<CriticalSpeed> {
         let [lowest, highest] = run_up.speeds;
@@ -157,6 +164,15 @@ pub struct CriticalSpeed {
     /// plane: twice as many as the pass of a run that measures the error of the reduction.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reduction_error: Option<f64>,
+}
+
+impl CriticalSpeed {
+    /// Relative error of its frequency: of the search for the crossing, or that of the reduction where it is larger.
+    fn error(&self) -> f64 {
+        let sought = self.order * self.speed / TAU;
+        let missed = (self.frequency / sought - 1.0).abs();
+        missed.max(self.reduction_error.unwrap_or(0.0))
+    }
 }
 
 /// Natural frequencies over the speed.

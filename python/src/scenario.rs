@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicU64;
 
 use jeffcott::ask::{
-    AccuracyQuestion, AskError, BearingQuestion, CampbellQuestion, Findings, Followed, Order,
+    self, AccuracyQuestion, AskError, BearingQuestion, CampbellQuestion, Followed, Order,
     ResponseQuestion, RunQuestion, SteadyQuestion,
 };
 use jeffcott::bearing::CATALOGUE;
@@ -15,7 +15,7 @@ use jeffcott::simulate::Monitor;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::answer::{Answer, RunAnswer};
+use crate::answer::{Findings, RunFindings};
 use crate::errors::{ask_error, issue_error, scenario_error};
 use crate::watch::{Watch, watched};
 
@@ -23,15 +23,15 @@ use crate::watch::{Watch, watched};
 type Ends = (String, String, String);
 
 /// A checked scenario.
-#[pyclass(frozen, module = "jeffcott._jeffcott")]
-pub struct Scene {
+#[pyclass(frozen, module = "jeffcott")]
+pub struct CheckedScenario {
     scenario: Scenario,
     text: String,
     name: String,
     json: bool,
 }
 
-impl Scene {
+impl CheckedScenario {
     /// What was checked.
     pub fn scenario(&self) -> &Scenario {
         &self.scenario
@@ -50,10 +50,10 @@ impl Scene {
     fn answer(
         py: Python<'_>,
         progress: Option<&Py<PyAny>>,
-        answer: impl FnOnce(&mut Watch<'_>) -> Result<Findings, AskError> + Send,
-    ) -> PyResult<Answer> {
+        answer: impl FnOnce(&mut Watch<'_>) -> Result<ask::Findings, AskError> + Send,
+    ) -> PyResult<Findings> {
         let findings = watched(py, None, progress, answer)?;
-        Ok(Answer(findings.map_err(|error| ask_error(py, &error))?))
+        Ok(Findings(findings.map_err(|error| ask_error(py, &error))?))
     }
 }
 
@@ -62,7 +62,7 @@ pub fn format(json: bool) -> Format {
 }
 
 #[pymethods]
-impl Scene {
+impl CheckedScenario {
     /// Reads and checks a text; messages call it `name`, and its files are looked for from the folder of that path.
     #[staticmethod]
     fn parse(py: Python<'_>, text: String, name: String, json: bool) -> PyResult<Self> {
@@ -116,8 +116,12 @@ impl Scene {
         self.scenario.warnings.clone()
     }
 
+    fn __repr__(&self) -> String {
+        format!("<CheckedScenario {:?}>", self.scenario.title)
+    }
+
     /// Runs it.
-    fn run(&self, py: Python<'_>, progress: Option<Py<PyAny>>) -> PyResult<RunAnswer> {
+    fn run(&self, py: Python<'_>, progress: Option<Py<PyAny>>) -> PyResult<RunFindings> {
         let question = RunQuestion::new(&self.scenario);
         let question = question.map_err(|error| ask_error(py, &error))?;
         let answer = watched(py, None, progress.as_ref(), |watch| {
@@ -127,17 +131,17 @@ impl Scene {
             })
         })?;
         let answer = answer.map_err(|error| ask_error(py, &error))?;
-        Ok(RunAnswer(answer))
+        Ok(RunFindings(answer))
     }
 
     /// Where the shaft stands.
-    fn bearing(&self, py: Python<'_>) -> PyResult<Answer> {
+    fn bearing(&self, py: Python<'_>) -> PyResult<Findings> {
         let question = BearingQuestion::new(&self.scenario, None, None);
         Self::answer(py, None, |_| question.answer())
     }
 
     /// The motion that it settles to.
-    fn steady(&self, py: Python<'_>, period: Option<u32>) -> PyResult<Answer> {
+    fn steady(&self, py: Python<'_>, period: Option<u32>) -> PyResult<Findings> {
         let question = SteadyQuestion::new(&self.scenario, period);
         let question = question.map_err(|error| ask_error(py, &error))?;
         Self::answer(py, None, |watch| {
@@ -154,7 +158,7 @@ impl Scene {
         points: usize,
         doubled: bool,
         progress: Option<Py<PyAny>>,
-    ) -> PyResult<Answer> {
+    ) -> PyResult<Findings> {
         let (key, from, to) = &followed;
         let followed = Followed { key, from, to };
         let question = ResponseQuestion::new(&self.scenario, &followed, self.folder());
@@ -175,7 +179,7 @@ impl Scene {
         count: usize,
         orders: Vec<String>,
         highest: Option<String>,
-    ) -> PyResult<Answer> {
+    ) -> PyResult<Findings> {
         let refused = |issue| issue_error(py, &issue);
         let to = ends
             .1
@@ -200,7 +204,7 @@ impl Scene {
         tolerances: Vec<f64>,
         longest: String,
         progress: Option<Py<PyAny>>,
-    ) -> PyResult<Answer> {
+    ) -> PyResult<Findings> {
         let refused = |issue| issue_error(py, &issue);
         let named = methods.iter().map(|name| method(name));
         let named = named.collect::<Result<Vec<_>, _>>().map_err(refused)?;
