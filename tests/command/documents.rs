@@ -13,6 +13,9 @@ use crate::support::{PROGRAM, copy_folder, jeffcott_in, root, scenarios, shipped
 /// Tables that a study alone has.
 const STUDY: [&str; 4] = ["axis", "cycles", "keep", "set"];
 
+/// Its commands are run by a test of their own, which looks at what they draw.
+const GALLERY: &str = "docs/gallery.md";
+
 /// What completes a block that is no whole scenario.
 const BASE: &str = "back-to-back-7205c";
 
@@ -31,13 +34,13 @@ mdbook() { :; }
 "#;
 
 /// A page with its folder, from the root.
-struct Page {
+pub struct Page {
     path: PathBuf,
-    text: String,
+    pub text: String,
 }
 
 impl Page {
-    fn read(path: PathBuf) -> Self {
+    pub fn read(path: PathBuf) -> Self {
         let text = fs::read_to_string(root().join(&path)).expect("a readable page");
         Self { path, text }
     }
@@ -63,7 +66,7 @@ impl Page {
     }
 
     /// A folder with the shipped scenarios and the files of the page.
-    fn folder(&self) -> tempfile::TempDir {
+    pub fn folder(&self) -> tempfile::TempDir {
         let folder = tempfile::tempdir().expect("a temporary folder");
         copy_folder(&scenarios(), &folder.path().join("scenarios"));
         for (name, text) in self.files() {
@@ -72,14 +75,13 @@ impl Page {
         folder
     }
 
-    /// The commands of the page, one after the other as they stand; how many there are.
-    fn run_commands(&self) -> usize {
-        let folder = self.folder();
+    /// The commands of the page, one after the other as they stand, in a folder; how many there are.
+    pub fn run_commands(&self, folder: &Path) -> usize {
         let programs = Path::new(PROGRAM).parent().expect("a folder").display();
         let path = std::env::var("PATH").unwrap_or_default();
         let script = format!("{STAND_INS}{}", self.blocks("sh").join("\n"));
         let mut shell = Command::new("bash");
-        shell.args(["-v", "-c", &script]).current_dir(&folder);
+        shell.args(["-v", "-c", &script]).current_dir(folder);
         shell.env("PATH", format!("{programs}:{path}"));
         let output = shell.output().expect("a shell");
         assert!(
@@ -172,7 +174,8 @@ fn every_command_ends_well() {
     let run: usize = thread::scope(|scope| {
         let all: Vec<_> = pages
             .iter()
-            .map(|page| scope.spawn(|| page.run_commands()))
+            .filter(|page| page.path != Path::new(GALLERY))
+            .map(|page| scope.spawn(|| page.run_commands(page.folder().path())))
             .collect();
         let counts = all
             .into_iter()
@@ -275,4 +278,15 @@ fn the_readme_is_short() {
     let readme = Page::read("README.md".into());
     let lines = readme.text.lines().count();
     assert!(lines <= 140, "README.md has {lines} lines");
+}
+
+#[test]
+fn the_front_of_the_manual_links_every_chapter() {
+    let chapters =
+        links(&fs::read_to_string(root().join("docs/SUMMARY.md")).expect("docs/SUMMARY.md"));
+    let linked = links(&Page::read("docs/README.md".into()).text);
+    let unlinked = chapters
+        .iter()
+        .filter(|chapter| *chapter != "README.md" && !linked.contains(chapter));
+    assert_eq!(unlinked.collect::<Vec<_>>(), Vec::<&String>::new());
 }

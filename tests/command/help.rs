@@ -54,6 +54,16 @@ fn the_help_of_every_verb_shows_an_example_of_it() {
 }
 
 #[test]
+fn the_short_help_of_every_verb_can_be_read() {
+    for verb in verbs() {
+        for line in text(&jeffcott(Path::new("."), &format!("{verb} -h")).stdout).lines() {
+            let width = line.chars().count();
+            assert!(width <= 3 * WIDTH, "{verb}: {width} characters\n{line}");
+        }
+    }
+}
+
+#[test]
 fn every_shell_completes_every_verb_and_option() {
     for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
         let output = jeffcott(Path::new("."), &format!("completions {shell}"));

@@ -62,6 +62,32 @@ fn codes(values: &Value) -> String {
     words.collect::<Vec<_>>().join(", ")
 }
 
+/// Names as they are shown: of more than two that differ by a number or an axis alone the first and the last.
+fn families<'a>(names: impl Iterator<Item = &'a Value>, shown: impl Fn(&str) -> String) -> String {
+    let mut families: Vec<(String, Vec<&str>)> = Vec::new();
+    for name in names.filter_map(Value::as_str) {
+        let numbered = name.contains('_');
+        let parts = name.split('_').map(|part| match part {
+            "x" | "y" | "z" => "*",
+            part if numbered => part.trim_end_matches(char::is_numeric),
+            part => part,
+        });
+        let family = parts.collect::<Vec<_>>().join("_");
+        match families.iter_mut().find(|(known, _)| *known == family) {
+            Some((_, members)) => members.push(name),
+            None => families.push((family, vec![name])),
+        }
+    }
+    let told = families.iter().flat_map(|(_, members)| match members[..] {
+        [first, _, .., last] => vec![format!("{} to {}", shown(first), shown(last))],
+        _ => members.iter().map(|name| shown(name)).collect(),
+    });
+    told.collect::<Vec<_>>().join(", ")
+}
+
+/// Fewest characters of a line of the page that nobody reads to its end.
+const WIDEST: usize = 1000;
+
 /// The keys of a table.
 fn keys(node: &Value) -> impl Iterator<Item = (&String, &Value)> {
     node["properties"].as_object().into_iter().flatten()
@@ -91,8 +117,9 @@ fn kind(node: &Value, units: &mut Units) -> String {
     }
     if let Some(choices) = node["oneOf"].as_array() {
         let words = choices.iter().filter(|choice| choice["const"].is_string());
-        let words: Vec<_> = words.map(|choice| code(&choice["const"])).collect();
-        return words.join(", ");
+        return families(words.map(|choice| &choice["const"]), |name| {
+            format!("`\"{name}\"`")
+        });
     }
     if node["items"].is_object() && node["type"].is_array() {
         return "text, or list: text".to_owned();
@@ -144,7 +171,15 @@ fn meaning(node: &Value) -> String {
     }
     let names = &node["items"]["oneOf"];
     if names[0]["enum"].is_array() {
-        write!(says, "<br>{}", codes(&names[0]["enum"])).expect("a string");
+        write!(
+            says,
+            "<br>{}",
+            families(
+                names[0]["enum"].as_array().into_iter().flatten(),
+                |name| format!("`{name}`")
+            )
+        )
+        .expect("a string");
     }
     let default = &node["default"];
     if !default.is_null()
@@ -249,6 +284,8 @@ fn the_keys_of_the_manual_are_those_of_the_schemas() {
     if std::env::var_os("JEFFCOTT_BLESS").is_some() {
         fs::write(&file, &page).expect("a writable folder");
     }
+    let widest = page.lines().map(|line| line.chars().count()).max();
+    assert!(widest < Some(WIDEST), "a line of {widest:?} characters");
     let committed = fs::read_to_string(&file).unwrap_or_default();
     assert!(
         committed == page,

@@ -42,6 +42,21 @@ fn options_become_keys_of_the_scenario() {
 }
 
 #[test]
+fn what_is_offered_in_comments_is_right() {
+    let folder = tempfile::tempdir().unwrap();
+    let printed = text(&done(jeffcott_in(&folder, &["new", "-"])).stdout);
+    let mut offered = false;
+    let lines = printed.lines().map(|line| {
+        offered = line.starts_with("# [") || (offered && line.starts_with("# "));
+        if offered { &line[2..] } else { line }
+    });
+    let lines: Vec<&str> = lines.collect();
+    assert!(lines.contains(&"[[unbalance]]") && lines.contains(&"[bearing.housing]"));
+    fs::write(folder.path().join("all.toml"), lines.join("\n")).unwrap();
+    done(jeffcott_in(&folder, &["check", "all.toml"]));
+}
+
+#[test]
 fn every_kind_of_bearing_and_speed_makes_a_right_scenario() {
     let folder = tempfile::tempdir().unwrap();
     let cases = [

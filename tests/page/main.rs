@@ -2,6 +2,7 @@
 //!
 //! What needs a browser is skipped with a word where no Chromium is installed.
 
+mod manual;
 #[path = "../command/support/mod.rs"]
 #[allow(dead_code)] // the tests of the command use the rest
 mod support;
