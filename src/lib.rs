@@ -15,6 +15,7 @@
 //! | `ask` | the question of each verb → findings: tables, figures, document, text, warnings; also for Python |
 //! | [`report`] | results → CSV, JSON, Parquet, SVG, pages; comparison of results |
 //! | [`scenario`] | text → checked, typed model; units; every message |
+//! | `measurement` | what sensors measured in, what is found of it out: by the code that runs are analysed by |
 //! | [`study`] | many questions: one number varied, many runs, natural frequencies over the speed, speed against error, the contact law that a scene needs |
 //! | [`mod@steady`] | a model in, the motion that it settles to out |
 //! | [`mod@simulate`] | a model in, a run out |
@@ -120,6 +121,7 @@ mod integrate;
 #[doc(hidden)]
 pub mod internals;
 mod keys;
+mod measurement;
 mod numerics;
 pub mod physics;
 mod quasi_static;

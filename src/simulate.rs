@@ -28,6 +28,7 @@ pub(crate) use passes::{BareRun, Recorded, reference_settings};
 pub(crate) use recorded::LAST_BALLS;
 pub use recorded::{RecordedRun, UnknownColumn};
 pub use recorders::Maps;
+pub(crate) use recorders::tracked_orders;
 pub use run::{MeasuredError, Reduction, ReductionError, Run, StaticState};
 pub use run_up::{Extreme, RunUp};
 pub(crate) use sampling::{RunSize, line_causes};

@@ -9,7 +9,7 @@
 
 A scenario (a file, a text or a dict) answers by `run`, `steady`, `bearing`, `campbell` and `accuracy`; `study` and
 `sweep` make many runs of it, on threads or on any executor of `concurrent.futures`; `compare` tells whether two results
-are the same; a `Bearing` is asked by itself.
+are the same; a `Bearing` is asked by itself; `analyze` finds out what is in a record of sensors.
 
 Values with a dimension are given as text with a unit, "6 kg"; results are in SI units (m, N, s, rad), and the name of a
 column ends with its unit, as `x_velocity_m_s`. What is wrong with a scenario is a `ScenarioError` with all its problems;
@@ -28,6 +28,7 @@ from ._jeffcott import (
     StudyPlan,
     __version__,
 )
+from ._record import Analysis, analyze
 from ._results import (
     Accuracy,
     Campbell,
@@ -45,6 +46,7 @@ from ._table import Table
 
 __all__ = [
     "Accuracy",
+    "Analysis",
     "Bearing",
     "Campbell",
     "CheckedScenario",
@@ -68,6 +70,7 @@ __all__ = [
     "StudyPlan",
     "Table",
     "__version__",
+    "analyze",
     "catalogue",
     "compare",
     "study",

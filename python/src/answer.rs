@@ -57,13 +57,13 @@ impl Findings {
     }
 
     /// Names of the tables.
-    fn tables(&self) -> Vec<&'static str> {
-        self.0.tables.iter().map(|(name, _)| *name).collect()
+    fn tables(&self) -> Vec<&str> {
+        self.0.tables().map(|(name, _)| name).collect()
     }
 
     /// The columns of a table; None where there is none of this name.
     fn table<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Option<Columns<'py>>> {
-        let mut tables = self.0.tables.iter();
+        let mut tables = self.0.tables();
         let found = tables.find(|(known, _)| *known == name);
         found.map(|(_, table)| columns(py, table)).transpose()
     }

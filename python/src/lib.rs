@@ -5,6 +5,7 @@ mod answer;
 mod arrow;
 mod compare;
 mod errors;
+mod record;
 mod scenario;
 mod study;
 mod watch;
@@ -20,6 +21,8 @@ mod _jeffcott {
     use crate::arrow::arrow_stream;
     #[pymodule_export]
     use crate::compare::compare;
+    #[pymodule_export]
+    use crate::record::analyze;
     #[pymodule_export]
     use crate::scenario::{CheckedScenario, catalogue};
     #[pymodule_export]

@@ -4,7 +4,7 @@
 
 use std::borrow::Cow;
 use std::fmt;
-use std::sync::LazyLock;
+use std::sync::{LazyLock, Mutex, PoisonError};
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
@@ -58,6 +58,8 @@ pub enum Channel {
     },
     /// A quantity of a driven shaft: moments of drive, load, friction and vibration, twist.
     Drive(usize),
+    /// What a sensor measured, which no simulation has.
+    Measured(&'static Column),
 }
 
 /// A quantity of a body besides the shaft.
@@ -130,7 +132,24 @@ static ALL: LazyLock<Vec<(Channel, Column)>> = LazyLock::new(|| {
 const FURTHER: &str = "^(bearing([2-9]|[1-5][0-9]|6[0-4])_(force_[xyz]|moment_[xy])|\
                        resonator[2-4]_[xyz](_velocity|_acceleration)?)$";
 
+/// The columns of all sensors so far: a channel is copied around, and its column stays.
+static MEASURED: Mutex<Vec<&'static Column>> = Mutex::new(Vec::new());
+
 impl Channel {
+    /// The channel of what was measured: that of a simulation where it has this column, or else one of its own.
+    pub(crate) fn of_measured(column: Column) -> Self {
+        if let Some(channel) = Self::of_column(&column) {
+            return channel;
+        }
+        let mut known = MEASURED.lock().unwrap_or_else(PoisonError::into_inner);
+        let found = known.iter().copied().find(|known| **known == column);
+        Self::Measured(found.unwrap_or_else(|| {
+            let column: &'static Column = Box::leak(Box::new(column));
+            known.push(column);
+            column
+        }))
+    }
+
     /// Kinetic energy of the shaft.
     pub(crate) const KINETIC_ENERGY: Self = Self::Energy(0);
     /// Energy stored in the bearings.
@@ -321,6 +340,9 @@ impl Channel {
     }
 
     fn listed(self) -> &'static Column {
+        if let Self::Measured(column) = self {
+            return column;
+        }
         let mut all = ALL.iter();
         let found = all.find(|(channel, _)| *channel == self);
         &found.expect("every quantity is listed").1
@@ -341,6 +363,7 @@ impl Channel {
             Self::BallsLoaded => f64::from(sample.balls_loaded?),
             Self::Energy(term) => (ENERGY[term].2)(&sample.energy?),
             Self::Drive(quantity) => (DRIVE[quantity].2)(&sample.drive?),
+            Self::Measured(_) => return None,
             Self::Body {
                 body,
                 quantity,
@@ -375,6 +398,7 @@ impl Channel {
             Self::BallsLoaded => return Column::count("balls_loaded"),
             Self::Energy(term) => (ENERGY[term].0, ENERGY[term].1),
             Self::Drive(quantity) => (DRIVE[quantity].0, DRIVE[quantity].1),
+            Self::Measured(column) => return column.clone(),
             Self::Body {
                 body,
                 quantity,

@@ -103,6 +103,18 @@ impl LineKind {
         }
     }
 
+    /// Whether it is the shaft's own line, or a multiple of a ball pass with at most one sideband.
+    pub(crate) fn is_main(self) -> bool {
+        match self {
+            Self::ShaftOrder(order) => order <= 3,
+            Self::Bearing { of, sideband, .. } => {
+                let is_pass = matches!(of, Characteristic::OuterRace | Characteristic::InnerRace);
+                is_pass && sideband.abs() <= 1
+            }
+            _ => false,
+        }
+    }
+
     /// Rank of simplicity: where several causes fit equally well, the lowest one names the line. What the scene is excited by
     /// comes first.
     pub(super) fn rank(self) -> (u32, u32) {

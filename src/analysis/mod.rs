@@ -35,6 +35,7 @@ pub use line_kind::{Characteristic, LineKind};
 pub(crate) use motion::{ChannelLevel, Section, SectionKind, VelocityLevel};
 pub use motion::{ChannelStatistics, Drift, Kind, Moments, Motion, Recognition};
 pub(crate) use motion::{LONGEST_PERIOD, MotionRecorder, MotionSettings};
+pub(crate) use motion::{LevelRecorder, Rate, velocity_rate};
 #[cfg(test)]
 pub(crate) use motion::{Series, closed_curve, recognise};
 pub(crate) use noise_floor::{NoiseFloor, is_above_noise, magnitude};
@@ -43,7 +44,7 @@ pub use order_tracks::{OrderTracks, Track, TrackPoint, TrackedOrder};
 #[cfg(test)]
 pub(crate) use peaks::MOST_PEAKS;
 pub use peaks::Peak;
-pub(crate) use recording::{Recording, SampleGrid};
+pub(crate) use recording::{MOST_IN_ENVELOPE, Recording, SampleGrid};
 use sampling_errors::Leak;
 pub(crate) use sampling_errors::{ChannelCheck, TopPower, leak};
 pub(crate) use spectrum::Analysis;

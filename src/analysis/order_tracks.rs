@@ -258,7 +258,12 @@ impl TrackRecorder {
 
     /// Takes one sample of a run: samples are at equal times, and the angle does not fall.
     pub fn record(&mut self, sample: &Sample) {
-        let (angle, speed) = (sample.angle, sample.speed);
+        let turning = [sample.time, sample.angle, sample.speed];
+        self.take(turning, |channel| channel.of(sample).unwrap_or(f64::NAN));
+    }
+
+    /// Takes time, angle and speed of a sample, and the values of its channels.
+    pub fn take(&mut self, [time, angle, speed]: [f64; 3], value: impl Fn(Channel) -> f64) {
         let half = PI * self.found.revolutions;
         while self
             .open
@@ -280,11 +285,11 @@ impl TrackRecorder {
         }
         if speed > 0.0 {
             self.fill_basis(angle);
-            let value = |channel: &Channel| channel.of(sample).unwrap_or(f64::NAN);
-            let values: Vec<f64> = self.found.channels.iter().map(value).collect();
+            let channels = self.found.channels.iter();
+            let values: Vec<f64> = channels.map(|channel| value(*channel)).collect();
             for fit in &mut self.open {
                 let weight = 0.5 + 0.5 * (PI * (angle - fit.middle) / half).cos();
-                fit.add(weight * speed, [sample.time, speed], &self.basis, &values);
+                fit.add(weight * speed, [time, speed], &self.basis, &values);
             }
         }
     }

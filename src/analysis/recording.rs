@@ -7,6 +7,9 @@ use crate::rotor::Sample;
 const MOST_IN_SPECTRUM: usize = 1 << 17;
 const REVOLUTIONS_IN_SPECTRUM: usize = 256;
 
+/// Samples of a long record that an envelope rests on, the last ones.
+pub(crate) const MOST_IN_ENVELOPE: usize = 1 << 20;
+
 /// How the samples of a run follow each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SampleGrid {
@@ -50,6 +53,8 @@ pub struct Recording {
     most: usize,
     /// Time of the first recorded sample that is kept, s.
     start: Option<f64>,
+    /// Samples that an envelope is taken of at most.
+    pub(super) most_in_envelope: usize,
 }
 
 /// Drops the oldest values down to `kept` where there are more than `most`; how many.
@@ -69,6 +74,22 @@ impl Recording {
             channels: Vec::new(),
             most: usize::MAX,
             start: None,
+            most_in_envelope: usize::MAX,
+        }
+    }
+
+    /// Columns that were taken elsewhere, all of one length, the first values at a time, s; their envelopes rest on the last
+    /// [`MOST_IN_ENVELOPE`] samples.
+    pub(crate) fn of_columns(
+        grid: SampleGrid,
+        start: f64,
+        channels: Vec<(Channel, Vec<f64>)>,
+    ) -> Self {
+        Self {
+            channels,
+            start: Some(start),
+            most_in_envelope: MOST_IN_ENVELOPE,
+            ..Self::new(grid, start)
         }
     }
 
@@ -151,8 +172,13 @@ impl Recording {
         *start += dropped as f64 / self.grid.rate;
     }
 
+    /// Samples a second.
+    pub(crate) fn rate(&self) -> f64 {
+        self.grid.rate
+    }
+
     /// Values of a column; none where it was not asked for.
-    pub(super) fn channel(&self, channel: Channel) -> &[f64] {
+    pub(crate) fn channel(&self, channel: Channel) -> &[f64] {
         let mut channels = self.channels.iter();
         let found = channels.find(|(known, _)| *known == channel);
         found.map_or(&[], |(_, values)| values)
@@ -166,13 +192,13 @@ impl Recording {
     }
 
     /// Number of samples recorded of every column.
-    pub(super) fn length(&self) -> usize {
+    pub(crate) fn length(&self) -> usize {
         let lengths = self.channels.iter().map(|(_, values)| values.len());
         lengths.min().unwrap_or(0)
     }
 
     /// Time of the first one, s.
-    pub(super) fn start(&self) -> f64 {
+    pub(crate) fn start(&self) -> f64 {
         self.start.unwrap_or(self.settle)
     }
 }

@@ -103,12 +103,18 @@ impl WaterfallRecorder {
 
     /// Takes one sample of a run.
     pub fn record(&mut self, sample: &Sample) {
+        let turning = [sample.time, sample.speed];
+        self.take(turning, |channel| channel.of(sample).unwrap_or(f64::NAN));
+    }
+
+    /// Takes time and speed of a sample, and the values of its channels.
+    pub fn take(&mut self, [time, speed]: [f64; 2], value: impl Fn(Channel) -> f64) {
         for (channel, samples) in self.waterfall.channels.iter().zip(&mut self.samples) {
-            samples.push(channel.of(sample).unwrap_or(f64::NAN));
+            samples.push(value(*channel));
         }
-        self.speeds.push(sample.speed);
+        self.speeds.push(speed);
         if self.speeds.len() == self.waterfall.length {
-            self.slice(sample.time);
+            self.slice(time);
         }
     }
 

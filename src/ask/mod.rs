@@ -5,6 +5,7 @@
 //! warnings are the same.
 
 mod accuracy;
+mod analyze;
 mod bearing;
 mod campbell;
 mod response;
@@ -21,6 +22,7 @@ pub use crate::report::WrittenFindings;
 pub use crate::report::findings::Findings;
 pub use crate::report::recorded::RunFindings;
 pub use accuracy::AccuracyQuestion;
+pub use analyze::{AnalyzeQuestion, record_setting};
 pub use bearing::BearingQuestion;
 pub use campbell::{CampbellQuestion, Order};
 pub use response::{Followed, ResponseQuestion};

@@ -72,6 +72,14 @@ impl Cage {
     }
 }
 
+impl Bearing {
+    /// Frequencies of its rolling elements at a speed of the turning ring in rad/s, at the nominal contact angle, under a cage that
+    /// slips by a part.
+    pub(crate) fn rolling_ball_pass(&self, slip: f64, speed: f64) -> BallPass {
+        Cage::new(self, self.geometry.nominal_gamma(), slip).ball_pass(self, speed)
+    }
+}
+
 /// Angle that a ball turns by over that of the cage: (1 + γ) d_m/D.
 pub(super) fn rolling_ratio(geometry: &Geometry, gamma: f64) -> f64 {
     (1.0 + gamma) * geometry.pitch_diameter() / geometry.ball_diameter()

@@ -17,7 +17,7 @@ use crate::rotor::RotorDefinition;
 use crate::scenario::{self, Issue, Loaded, ScenarioError};
 use crate::study::many::Shard;
 
-/// Checks scenario and study files without running them; shows all that is wrong, and what a run takes. A scenario whose
+/// Checks scenario, study and record files without running them; shows all that is wrong, and what a run takes. A scenario whose
 /// shaft cannot be built, or has no equilibrium, is wrong as well.
 ///
 /// The memory is somewhat more than a run turns out to take. How long a run takes its progress tells.
@@ -28,7 +28,7 @@ use crate::study::many::Shard;
                         Exit code: 0 all files are right, 2 a file is wrong."
 )]
 pub struct Arguments {
-    /// Scenario or study files, .toml or .json; "-" is standard input
+    /// Scenario, study or record files, .toml or .json; "-" is standard input
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Draw the shaft of the scenario to scale, with all its parts
@@ -73,14 +73,14 @@ struct Checked {
     warnings: Vec<String>,
     /// What it takes; none where nothing moves, and of a study whose first run cannot begin.
     demand: Option<Demand>,
-    /// The shaft with its parts; none of a study.
+    /// The shaft with its parts; none of a study and of a record.
     scene: Option<RotorDefinition>,
 }
 
 /// Draws the shaft with its parts; tells why where that cannot be.
 fn draw(checked: &Checked, file: &Path) -> bool {
     let Some(scene) = &checked.scene else {
-        terminal::refuse("--figure draws the shaft of a scenario, and this is a study");
+        terminal::refuse("--figure draws the shaft of a scenario, and this file has none");
         return false;
     };
     let drawn = scene_figure(&checked.title, scene).svg();
@@ -126,6 +126,12 @@ fn check(file: &Path, settings: &[String]) -> Result<Checked, ScenarioError> {
                 scene: None,
             }
         }
+        Loaded::Record(record) => Checked {
+            title: record.about.title,
+            warnings: record.about.warnings,
+            demand: None,
+            scene: None,
+        },
         Loaded::Scenario(scenario) => {
             let model = scenario.model.as_ref();
             let demand = model.map(|model| Demand::from_scenario(&scenario, model));

@@ -8,15 +8,15 @@ use serde_json::json;
 
 use super::{Outcome, terminal};
 use crate::report::compare::{
-    CompareError, Comparison, Rules, Tolerance, Tolerances, compare, document, write_figure,
-    write_page,
+    CompareError, Comparison, NamedComparison, Rules, Tolerance, Tolerances, compare,
+    compare_named, document, write_figure, write_page,
 };
 use crate::scenario::ToleranceFile;
 
 /// Relative tolerance where none is given.
 const RELATIVE: f64 = 1e-6;
 
-/// Compares traces or spectra, or all tables of run folders: each further result with the first.
+/// Compares traces or spectra, or all tables of folders of runs or records: each further result with the first.
 ///
 /// Columns are matched by name, rows by number. Values agree where
 /// |a − b| ≤ absolute + relative · max|column|. Phases are compared modulo 2π, and only where the
@@ -55,6 +55,11 @@ pub struct Arguments {
     #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true, default_missing_value = "10",
           value_parser = clap::value_parser!(u16).range(1..))]
     lines: Option<u16>,
+    /// Compare folders of runs or of records by the names of their lines, BPFO to BPFO, each at its own frequency, amplitudes as
+    /// velocities; they agree within DB decibels
+    #[arg(long, value_name = "DB", num_args = 0..=1, require_equals = true, default_missing_value = "3",
+          conflicts_with_all = ["lines", "figure", "report", "columns", "tolerances", "relative", "absolute"])]
+    named: Option<f64>,
     /// Leave out what only one of them has: files, columns, samples of a trace that was thinned
     #[arg(long)]
     common: bool,
@@ -87,16 +92,14 @@ fn column(text: &str) -> Result<(String, Tolerance), Box<dyn Error + Send + Sync
 
 /// Compares and prints the worst places of every column.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
+    if let Some(within) = arguments.named {
+        return match named(arguments, within) {
+            Err(error) => failed(&message(&error), arguments),
+            Ok(compared) => show_named(&compared, arguments),
+        };
+    }
     match comparisons(arguments) {
-        Err(message) => {
-            terminal::tell(&message);
-            if arguments.json {
-                let message = message.trim_end();
-                let error = message.strip_prefix("error: ").unwrap_or(message);
-                terminal::print(&format!("{:#}\n", json!({ "error": error })))?;
-            }
-            Ok(Outcome::WrongInput)
-        }
+        Err(message) => failed(&message, arguments),
         Ok(comparisons) => {
             show(&comparisons, arguments)?;
             Ok(match comparisons.iter().all(Comparison::agrees) {
@@ -105,6 +108,44 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
             })
         }
     }
+}
+
+/// Tells why nothing is compared.
+fn failed(message: &str, arguments: &Arguments) -> io::Result<Outcome> {
+    terminal::tell(message);
+    if arguments.json {
+        let message = message.trim_end();
+        let error = message.strip_prefix("error: ").unwrap_or(message);
+        terminal::print(&format!("{:#}\n", json!({ "error": error })))?;
+    }
+    Ok(Outcome::WrongInput)
+}
+
+/// The comparisons with the first result by the names of lines.
+fn named(arguments: &Arguments, within: f64) -> Result<Vec<NamedComparison>, CompareError> {
+    let (first, others) = (&arguments.results[0], &arguments.results[1..]);
+    let compare = |other: &PathBuf| compare_named(first, other, within, arguments.common);
+    others.iter().map(compare).collect()
+}
+
+/// Prints comparisons by names.
+fn show_named(compared: &[NamedComparison], arguments: &Arguments) -> io::Result<Outcome> {
+    let text = match (arguments.json, compared) {
+        (true, [one]) => format!("{:#}\n", one.to_json()),
+        (true, all) => {
+            let all = all.iter().map(NamedComparison::to_json);
+            format!("{:#}\n", serde_json::Value::from_iter(all))
+        }
+        (false, all) => all.iter().map(|one| format!("{one}\n")).collect(),
+    };
+    match arguments.json {
+        true => terminal::print(&text)?,
+        false => terminal::summarise(&text)?,
+    }
+    Ok(match compared.iter().all(NamedComparison::agrees) {
+        true => Outcome::Done,
+        false => Outcome::Failed,
+    })
 }
 
 /// The comparisons with the first result, or why nothing is compared.

@@ -11,13 +11,16 @@ use super::{Outcome, terminal};
 use crate::report::write_whole;
 use crate::scenario;
 
-/// Prints the JSON Schema of scenario files, or of study files, for editors.
+/// Prints the JSON Schema of scenario, study or record files, for editors.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Example:\n  jeffcott schema > scenario.schema.json")]
 pub struct Schema {
     /// That of study files
     #[arg(long)]
     study: bool,
+    /// That of files that describe a record
+    #[arg(long, conflicts_with = "study")]
+    record: bool,
 }
 
 /// Prints what lets a shell complete verbs, options and their values.
@@ -46,9 +49,10 @@ pub struct Manual {
 
 /// Prints the schema.
 pub fn schema(arguments: &Schema) -> io::Result<Outcome> {
-    let schema = match arguments.study {
-        true => scenario::study_schema(),
-        false => scenario::schema(),
+    let schema = match (arguments.study, arguments.record) {
+        (true, _) => scenario::study_schema(),
+        (_, true) => scenario::record_schema(),
+        _ => scenario::schema(),
     };
     terminal::print(&format!("{schema:#}\n"))?;
     Ok(Outcome::Done)

@@ -4,6 +4,7 @@
 //! Results go to stdout, messages to stderr, each verb in its own file.
 
 mod accuracy;
+mod analyze;
 mod bearing;
 mod campbell;
 mod catalogue;
@@ -53,6 +54,7 @@ enum Verb {
     Steady(steady::Arguments),
     Bearing(bearing::Arguments),
     Campbell(campbell::Arguments),
+    Analyze(analyze::Arguments),
     Study(study::Arguments),
     Accuracy(accuracy::Arguments),
     Check(check::Arguments),
@@ -124,6 +126,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Steady(arguments) => steady::run(&arguments),
         Verb::Bearing(arguments) => bearing::run(&arguments),
         Verb::Campbell(arguments) => campbell::run(&arguments),
+        Verb::Analyze(arguments) => analyze::run(&arguments),
         Verb::Study(arguments) => study::run(&arguments),
         Verb::Accuracy(arguments) => accuracy::run(&arguments),
         Verb::Check(arguments) => check::run(&arguments),

@@ -145,7 +145,8 @@ pub fn stop() -> &'static AtomicBool {
 
 /// Opens the page among the files of a result; says so where there is none.
 pub fn open_page(files: &[PathBuf]) {
-    match files.iter().find(|file| file.ends_with("report.html")) {
+    let is_page = |file: &&PathBuf| file.extension().is_some_and(|ending| ending == "html");
+    match files.iter().find(is_page) {
         Some(page) => open(page),
         None => tell("warning: there is no page to open: [output] has report = false\n"),
     }

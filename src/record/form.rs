@@ -17,6 +17,8 @@ pub enum Form {
     Wav,
     /// MATLAB version 5: `-v6` and `-v7`.
     Mat,
+    /// No file: arrays of a program.
+    Memory,
     /// Universal file with datasets 58, text or binary.
     Universal,
     /// A table of this program as Parquet.

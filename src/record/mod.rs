@@ -109,22 +109,46 @@ impl Record {
         read.map_err(|problem| RecordError { name, problem })
     }
 
-    fn read(mut file: impl Read, length: u64, path: &Path) -> Result<Self, Problem> {
-        let mut head = Vec::new();
-        (&mut file).take(form::HEAD).read_to_end(&mut head)?;
-        let mut record = Self {
-            form: Form::of(&head, path)?,
+    /// Samples that are in memory, with their names.
+    ///
+    /// # Errors
+    /// There are none.
+    pub fn from_columns(
+        columns: impl IntoIterator<Item = (String, Vec<f64>)>,
+        name: &str,
+    ) -> Result<Self, RecordError> {
+        let channel = |(name, samples)| RecordChannel::new(name, samples);
+        let mut record = Self::new(Form::Memory);
+        record.channels = columns.into_iter().map(channel).collect();
+        let name = name.to_owned();
+        match record.check() {
+            Ok(()) => Ok(record),
+            Err(problem) => Err(RecordError { name, problem }),
+        }
+    }
+
+    /// Of a form, with nothing in it.
+    fn new(form: Form) -> Self {
+        Self {
+            form,
             channels: Vec::new(),
             numbers: Vec::new(),
             texts: Vec::new(),
             warnings: Vec::new(),
-        };
+        }
+    }
+
+    fn read(mut file: impl Read, length: u64, path: &Path) -> Result<Self, Problem> {
+        let mut head = Vec::new();
+        (&mut file).take(form::HEAD).read_to_end(&mut head)?;
+        let mut record = Self::new(Form::of(&head, path)?);
         let bytes = Bytes::new(head.chain(file), length);
         match record.form {
             Form::Text => text::read(&mut record, &head, bytes),
             Form::Wav => wav::read(&mut record, bytes),
             Form::Mat => mat::read(&mut record, bytes),
             Form::Universal => uff::read(&mut record, bytes),
+            Form::Memory => Ok(()),
             #[cfg(feature = "parquet")]
             Form::Parquet => parquet::read(&mut record, bytes),
         }?;

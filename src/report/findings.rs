@@ -21,7 +21,9 @@ pub struct Findings {
     /// Which files are written.
     pub(super) output: Output,
     /// Tables by their names without ending.
-    pub tables: Vec<(&'static str, Table<'static>)>,
+    pub(super) tables: Vec<(&'static str, Table<'static>)>,
+    /// Tables that are too long for the page.
+    pub(super) long_tables: Vec<(String, Table<'static>)>,
     /// Figures, in the order of the page.
     pub(super) figures: Vec<Figure>,
     /// What the page shows in motion.
@@ -51,6 +53,7 @@ impl Findings {
             set,
             output: scenario.output.clone(),
             tables: Vec::new(),
+            long_tables: Vec::new(),
             figures: Vec::new(),
             film: None,
             document,
@@ -67,6 +70,13 @@ impl Findings {
     /// What the reader should know.
     pub fn warnings(&self) -> impl Iterator<Item = &str> {
         warnings(&self.document)
+    }
+
+    /// All tables with their names without ending.
+    pub fn tables(&self) -> impl Iterator<Item = (&str, &Table<'static>)> {
+        let short = self.tables.iter().map(|(name, table)| (*name, table));
+        let long = self.long_tables.iter();
+        short.chain(long.map(|(name, table)| (&**name, table)))
     }
 
     /// The figures that have a file.
@@ -104,7 +114,7 @@ impl Findings {
         folder: RunFolder,
         mut files: Vec<WholeFile>,
     ) -> Result<WrittenFindings, ReportError> {
-        for (stem, table) in &self.tables {
+        for (stem, table) in self.tables() {
             files.extend(folder.write_table(stem, table)?);
         }
         for figure in self.drawn().filter(|_| self.output.figures) {

@@ -52,8 +52,10 @@ impl FileSet {
     pub const STEADY: Self = Self::sealed("steady.json");
     /// What steady motions along a parameter leave.
     pub const RESPONSE: Self = Self::sealed("response.json");
+    /// What the analysis of a record leaves.
+    pub const RECORD: Self = Self::sealed("record.json");
     /// All whose seals one folder may hold.
-    const ALL: [Self; 8] = [
+    const ALL: [Self; 9] = [
         Self::MOTION,
         Self::FAILURE,
         Self::BEARING,
@@ -62,6 +64,7 @@ impl FileSet {
         Self::ACCURACY,
         Self::STEADY,
         Self::RESPONSE,
+        Self::RECORD,
     ];
 
     const fn sealed(seal: &'static str) -> Self {

@@ -61,17 +61,38 @@ impl Histories {
     /// For the freedoms that move.
     pub fn new(freedoms: Freedoms) -> Self {
         let moving = Channel::of_freedoms(freedoms).into_iter();
-        let history = |channel| History {
-            channel,
-            envelope: Decimator::new(SCREEN_BUCKETS),
-            last: VecDeque::with_capacity(LAST),
-            segments: Vec::new(),
-        };
         Self {
-            histories: moving.chain(FURTHER).map(history).collect(),
+            histories: moving.chain(FURTHER).map(History::new).collect(),
             time: None,
             open: 0,
         }
+    }
+
+    /// Of columns at equal times, the first values at a time in s.
+    pub(super) fn of_columns<'a>(
+        columns: impl Iterator<Item = (Channel, &'a [f64])>,
+        start: f64,
+        rate: f64,
+    ) -> Self {
+        let mut found = Self {
+            histories: Vec::new(),
+            time: None,
+            open: 0,
+        };
+        for (channel, values) in columns {
+            let mut history = History::new(channel);
+            for (index, value) in values.iter().enumerate() {
+                history.take(start + index as f64 / rate, *value, false);
+            }
+            found.time = Some([start, start + values.len().saturating_sub(1) as f64 / rate]);
+            found.histories.push(history);
+        }
+        found
+    }
+
+    /// A panel for each.
+    pub(super) fn all(&self, name: &str, title: &str) -> Figure {
+        self.panels(name, title, self.histories.iter().collect())
     }
 
     /// Takes note of an event since the last sample.
@@ -141,6 +162,15 @@ impl Histories {
 }
 
 impl History {
+    fn new(channel: Channel) -> Self {
+        Self {
+            channel,
+            envelope: Decimator::new(SCREEN_BUCKETS),
+            last: VecDeque::with_capacity(LAST),
+            segments: Vec::new(),
+        }
+    }
+
     fn is_displacement(&self) -> bool {
         matches!(self.channel, Channel::Displacement(_))
     }

@@ -15,6 +15,7 @@ pub(crate) mod findings;
 mod folder;
 mod histories;
 pub(crate) mod many;
+mod measured;
 mod motion;
 mod page;
 pub(crate) mod recorded;
@@ -46,6 +47,8 @@ pub(crate) use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole}
 #[cfg(test)]
 pub(crate) use histories::Histories;
 pub(crate) use response::{ResponseError, response_findings};
+
+pub(crate) use measured::{listed_record, measured_findings, record_json};
 
 pub use findings::WrittenFindings;
 pub(crate) use run_report::KeptFiles;

@@ -144,12 +144,15 @@ fn velocity(motion: &Motion, channel: Channel) -> String {
 
 /// Velocity and whose it is: `0.123 mm/s RMS from 10 to 1000 Hz of housing1 along x`.
 fn level_text(channel: Channel, level: &VelocityLevel) -> String {
+    if let Channel::Measured(_) = channel {
+        return format!("{} of {channel}", rms_text(level));
+    }
     let name = channel.name().trim_end_matches("_velocity");
     let (part, axis) = name.split_once('_').unwrap_or(("the shaft", name));
     format!("{} of {part} along {axis}", rms_text(level))
 }
 
-fn rms_text(level: &VelocityLevel) -> String {
+pub(super) fn rms_text(level: &VelocityLevel) -> String {
     let [low, high] = level.band;
     format!(
         "{} mm/s RMS from {low:.0} to {high:.0} Hz",

@@ -8,7 +8,7 @@ use super::findings::Findings;
 use super::histories::Histories;
 use super::run_answer::{Drawn, RunAnswer};
 use super::run_tables::{ball_columns, ball_row, event_columns, event_row, sample_table};
-use super::run_up::{waterfall_columns, waterfall_rows};
+use super::run_up::waterfall_table;
 use super::spectra::estimated_table;
 use super::{FileAction, ReportError, RunReport};
 use crate::analysis::Channel;
@@ -112,9 +112,7 @@ impl RunFindings {
             add("trace_balls", Box::new(make));
         }
         if let Some(Maps { waterfall, .. }) = &run.maps {
-            let rows = waterfall_rows(waterfall);
-            let make = || Table::of_rows(waterfall_columns(waterfall), rows);
-            add("waterfall", Box::new(make));
+            add("waterfall", Box::new(|| waterfall_table(waterfall)));
         }
         let answer = self.answer();
         for (name, table) in answer.tables() {
@@ -161,8 +159,7 @@ impl RunFindings {
         let estimates = self.recorded.estimated(&self.model, spectra)?.into_iter();
         let tables = estimates.map(|found| {
             let spectrum = found.map_err(|error| error.to_string())?;
-            let table = estimated_table(&spectrum);
-            Ok(Table::of_rows(table.columns(), table.rows()))
+            Ok(estimated_table(&spectrum).into_owned())
         });
         Ok(tables.collect())
     }

@@ -147,7 +147,7 @@ struct RunSummary<'a> {
 }
 
 /// How the spectra were made.
-const SCALING: &str = "one-sided, peak values; the mean stands alone at frequency zero, taken away before the window; \
+pub(super) const SCALING: &str = "one-sided, peak values; the mean stands alone at frequency zero, taken away before the window; \
                        phase of cos(2 pi f t + phase) with t from start_s";
 
 impl<'a> RunSummary<'a> {

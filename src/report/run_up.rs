@@ -118,6 +118,11 @@ pub(super) fn waterfall_columns(waterfall: &Waterfall) -> Vec<Column> {
     columns
 }
 
+/// A row a frequency of every spectrum.
+pub(super) fn waterfall_table(waterfall: &Waterfall) -> Table<'static> {
+    Table::of_rows(waterfall_columns(waterfall), waterfall_rows(waterfall))
+}
+
 /// Its rows, spectrum by spectrum: as a table they would be too long to be held twice.
 pub(super) fn waterfall_rows(waterfall: &Waterfall) -> impl Iterator<Item = Vec<f64>> {
     waterfall.slices.iter().flat_map(|slice| {

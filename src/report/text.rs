@@ -40,11 +40,7 @@ pub fn text(title: &str, model: &Model, run: &Run, campbell: Option<&Campbell>) 
     for spall in &run.spalls {
         out.line("spall", spall_text(spall));
     }
-    for spectrum in run.spectra.iter().filter(|of| !of.lines.is_empty()) {
-        let lines = spectrum.lines.iter().take(ENVELOPE_LINES);
-        let lines = lines.map(|line| line_text(spectrum, line));
-        out.line(&spectrum.request.name, listed(lines));
-    }
+    add_envelope_lines(&mut out, &run.spectra);
     let moving = model.rotor.shaft.freedoms.axes();
     let place = displacement_text(moving, &run.equilibrium.displacement);
     out.line("equilibrium", place);
@@ -99,9 +95,18 @@ pub fn text(title: &str, model: &Model, run: &Run, campbell: Option<&Campbell>) 
         add_motion(&mut out, motion);
     }
     if !run.peaks.is_empty() {
-        add_peaks(&mut out, &run.peaks, run.spectrum.as_ref());
+        add_peaks(&mut out, &run.peaks, run.spectrum.as_ref(), "m");
     }
     out
+}
+
+/// The strongest named lines of envelopes.
+pub(super) fn add_envelope_lines(out: &mut Lines, spectra: &[EstimatedSpectrum]) {
+    for spectrum in spectra.iter().filter(|of| !of.lines.is_empty()) {
+        let lines = spectrum.lines.iter().take(ENVELOPE_LINES);
+        let lines = lines.map(|line| line_text(spectrum, line));
+        out.line(&spectrum.request.name, listed(lines));
+    }
 }
 
 /// `6 modes of bending in each plane, 1.2e-6 µm, 3e-6 of the motion, from 10`.
@@ -154,13 +159,14 @@ fn line_text(spectrum: &EstimatedSpectrum, line: &EnvelopeLine) -> String {
     format!("{} {place} {value} {unit}", line.line.kind)
 }
 
-/// The strongest peaks of x, y and z, which have one unit and so one order.
-fn add_peaks(out: &mut Lines, peaks: &[Peak], spectrum: Option<&Spectrum>) {
-    let lengths = peaks.iter().filter(|peak| peak.channel.unit() == "m");
-    let mut lengths: Vec<&Peak> = lengths.collect();
-    lengths.sort_by(|a, b| b.amplitude.total_cmp(&a.amplitude));
+/// The strongest peaks of channels of one unit, which have one order.
+pub(super) fn add_peaks(out: &mut Lines, peaks: &[Peak], spectrum: Option<&Spectrum>, unit: &str) {
+    let alike = peaks.iter().filter(|peak| peak.channel.unit() == unit);
+    let mut alike: Vec<&Peak> = alike.collect();
+    alike.sort_by(|a, b| b.amplitude.total_cmp(&a.amplitude));
+    let (shown, factor) = shown_unit(unit);
     let turning = spectrum.filter(|spectrum| spectrum.shaft_frequency > 0.0);
-    let rows = lengths.into_iter().take(PEAKS).map(|peak| {
+    let rows = alike.into_iter().take(PEAKS).map(|peak| {
         let order = |spectrum: &Spectrum| peak.frequency / spectrum.shaft_frequency;
         let order = turning.map(|spectrum| format!("{:.3}", order(spectrum)));
         let cause = peak.line.map(|line| line.kind.to_string());
@@ -168,7 +174,7 @@ fn add_peaks(out: &mut Lines, peaks: &[Peak], spectrum: Option<&Spectrum>) {
             peak.channel.name().to_owned(),
             format!("{:.3} Hz", peak.frequency),
             order.unwrap_or_default(),
-            format!("{} µm", significant(MICRO * peak.amplitude)),
+            format!("{} {shown}", significant(factor * peak.amplitude)),
             cause.unwrap_or_default(),
         ]
     });

@@ -115,6 +115,11 @@ impl Document {
         self.root.find("base").is_some() && self.root.find("shaft").is_none()
     }
 
+    /// Whether it describes a record of sensors.
+    pub fn is_record(&self) -> bool {
+        self.root.find("record").is_some() && self.root.find("shaft").is_none()
+    }
+
     /// Whether it is a scenario: it has a shaft.
     pub fn is_scenario(&self) -> bool {
         self.root.find("shaft").is_some() && self.root.find("base").is_none()

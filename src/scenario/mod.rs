@@ -21,10 +21,12 @@ mod node;
 mod problems;
 mod quantity;
 mod reader;
+mod record_file;
 mod removed;
 mod schema;
 mod series_file;
 mod setting;
+mod signals;
 pub(crate) mod study_file;
 mod tolerance_file;
 mod unit;
@@ -51,6 +53,10 @@ pub use input::TableFormat;
 pub use key::methods;
 pub(crate) use key::{OpenNumber, frequency, method, number, speed, time, tolerance};
 pub use problems::{Issue, ScenarioError};
+use record_file::check_record;
+pub(crate) use record_file::{
+    MeasuredFile, RecordDescription, describe_record, load_record, record_schema,
+};
 pub(crate) use removed::way_left;
 pub use schema::schema;
 use study_file::check_study;
@@ -107,15 +113,17 @@ pub(crate) fn load_with(path: &Path, settings: &[String]) -> Result<Scenario, Sc
     check(&Document::open(path)?.with(settings)?)
 }
 
-/// A scenario or a study.
+/// What a file says.
 pub(crate) enum Loaded {
     /// A scenario.
     Scenario(Box<Scenario>),
     /// A study.
     Study(Box<StudyFile>),
+    /// A record of sensors.
+    Record(Box<MeasuredFile>),
 }
 
-/// Reads and checks a scenario or study file with some values in place of its own.
+/// Reads and checks a scenario, study or record file with some values in place of its own.
 ///
 /// # Errors
 /// As [`load`].
@@ -123,6 +131,9 @@ pub(crate) fn load_any(path: &Path, settings: &[String]) -> Result<Loaded, Scena
     let document = Document::open(path)?.with(settings)?;
     if document.is_study() {
         return check_study(&document).map(|study| Loaded::Study(study.into()));
+    }
+    if document.is_record() {
+        return check_record(&document).map(|record| Loaded::Record(record.into()));
     }
     check(&document).map(|scenario| Loaded::Scenario(scenario.into()))
 }
@@ -162,6 +173,11 @@ fn check(document: &Document) -> Result<Scenario, ScenarioError> {
     if document.is_study() {
         let message = "this is a study file: it names the scenario that its runs start from";
         let issue = Issue::new("base", message).help("use `jeffcott study`, or give that scenario");
+        return Err(document.refused(issue));
+    }
+    if document.is_record() {
+        let message = "this describes a record of sensors, not a scenario";
+        let issue = Issue::new("record", message).help("use `jeffcott analyze`");
         return Err(document.refused(issue));
     }
     let mut problems = document.problems();

@@ -311,6 +311,19 @@ impl Dimension {
     }
 }
 
+/// The unit that a sensor measures in, and the SI unit of the same quantity; `g` is the standard gravity there. None of a unit that
+/// is not known.
+pub(super) fn sensor_unit(text: &str) -> Option<(Unit, &'static str)> {
+    let unit = Unit::read(match text.trim() {
+        "g" | "G" => "gn",
+        "mg" => "mgn",
+        other => other,
+    });
+    let unit = unit.ok()?;
+    let mut all = Dimension::ALL.iter().map(|(dimension, ..)| *dimension);
+    all.find_map(|dimension| Some((dimension.unit(&unit)?, dimension.si_symbol())))
+}
+
 /// Spellings of units of some dimensions that differ from a text by capital letters alone.
 pub(super) fn alike(text: &str, dimensions: &[Dimension]) -> Vec<String> {
     let mut alike = Unit::alike(text);

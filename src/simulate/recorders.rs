@@ -154,7 +154,7 @@ pub(super) fn maps_of(
     let limit = wanted.into_iter().fold(0.0, f64::max);
     let limit = if limit > 0.0 { limit } else { rate };
     let window = waterfall_window(model, rotor);
-    let orders = tracked(&passes);
+    let orders = tracked_orders(&passes);
     let revolutions = track_window(model, rotor, &orders);
     let tracks = TrackRecorder::new(orders, channels.clone(), revolutions);
     let waterfall = WaterfallRecorder::new(channels, rate, window, limit);
@@ -209,7 +209,7 @@ fn track_window(model: &Model, rotor: &Rotor, orders: &[TrackedOrder]) -> f64 {
 }
 
 /// The first shaft orders, and the ball passes of every bearing at both races.
-fn tracked(passes: &[[f64; 2]]) -> Vec<TrackedOrder> {
+pub(crate) fn tracked_orders(passes: &[[f64; 2]]) -> Vec<TrackedOrder> {
     let mut orders: Vec<TrackedOrder> = (1..=SHAFT_ORDERS)
         .map(|order| TrackedOrder {
             name: format!("{order}×"),

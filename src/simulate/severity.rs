@@ -1,10 +1,11 @@
 //! The vibration of a run, judged by the zones of ISO 20816-3.
 
 use std::f64::consts::TAU;
+use std::fmt::Display;
 
 use serde::Serialize;
 
-use crate::analysis::{Channel, Motion, VelocityLevel};
+use crate::analysis::{Channel, ChannelLevel, Motion, VelocityLevel};
 use crate::physics::{MachineGroup, MachineSupport, VibrationZone, velocity_band, zone_boundaries};
 
 /// Edition of the tables in [`zone_boundaries`].
@@ -58,8 +59,16 @@ impl VibrationSeverity {
         motion: &Motion,
         speed: f64,
     ) -> Result<Self, String> {
-        let refused = |why| format!("no zone of {STANDARD}: {why}");
-        covered(motion, speed).map_err(refused)?;
+        let length = motion.end - motion.start + 1.0 / motion.rate;
+        let longer = |by| {
+            format!(
+                "{length:.3} s, the whole revolutions after the settle time, do not show them: make `duration` longer by {by:.2} s or \
+                 more"
+            )
+        };
+        let finer =
+            |samples| format!("set samples_per_revolution = {samples:.0} or more in [output]");
+        covered(speed, [length, motion.rate], longer, finer)?;
         let housings = motion.housing_velocity.iter();
         let mut levels: Vec<_> = housings.map(|each| (each.channel, each.level)).collect();
         let of_housing = !levels.is_empty();
@@ -69,9 +78,37 @@ impl VibrationSeverity {
                 radial.filter_map(|(axis, level)| Some((Channel::Velocity(axis), (*level)?))),
             );
         }
+        let remarks = (!of_housing).then(|| OF_SHAFT.to_owned());
+        Self::of_largest(machine, levels, remarks.into_iter().collect())
+    }
+
+    /// Of measured velocities at a speed in rad/s: of records of a length in s with so many samples a second.
+    ///
+    /// # Errors
+    /// As [`Self::from_motion`].
+    pub(crate) fn from_levels(
+        machine: Machine,
+        levels: &[ChannelLevel],
+        speed: f64,
+        [length, rate]: [f64; 2],
+    ) -> Result<Self, String> {
+        let longer =
+            |by| format!("the record of {length:.3} s does not show them: it takes {by:.2} s more");
+        let finer = |_| format!("it takes {:.0} Hz", 2.0 * velocity_band(speed)[1]);
+        covered(speed, [length, rate], longer, finer)?;
+        let levels = levels.iter().map(|each| (each.channel, each.level));
+        Self::of_largest(machine, levels.collect(), Vec::new())
+    }
+
+    /// The zone of the largest of some levels.
+    fn of_largest(
+        machine: Machine,
+        levels: Vec<(Channel, VelocityLevel)>,
+        remarks: Vec<String>,
+    ) -> Result<Self, String> {
         let largest = levels.into_iter();
         let largest = largest.max_by(|(_, a), (_, b)| a.rms.total_cmp(&b.rms));
-        let (channel, level) = largest.ok_or_else(|| refused(TOO_FEW.to_owned()))?;
+        let (channel, level) = largest.ok_or_else(|| refused(TOO_FEW))?;
         let boundaries = zone_boundaries(machine.group, machine.support);
         let zone = VibrationZone::from_velocity(level.rms, &boundaries);
         Ok(Self {
@@ -86,10 +123,7 @@ impl VibrationSeverity {
             level,
             zone,
             meaning: zone.meaning(),
-            remarks: (!of_housing)
-                .then(|| OF_SHAFT.to_owned())
-                .into_iter()
-                .collect(),
+            remarks,
         })
     }
 }
@@ -102,32 +136,40 @@ const TOO_FEW: &str = "the samples are too few";
 /// Revolutions that keep the line of the shaft away from the mean.
 const FEWEST_REVOLUTIONS: f64 = 2.0;
 
-/// Whether the standard speaks of a speed in rad/s, and a motion at it was recorded long and finely enough.
-fn covered(motion: &Motion, speed: f64) -> Result<(), String> {
+/// Why there is no zone.
+fn refused(why: impl Display) -> String {
+    format!("no zone of {STANDARD}: {why}")
+}
+
+/// Whether the standard speaks of a speed in rad/s, and a record at it is long and fine enough; what to do where it is too short
+/// by a time in s, or has too few samples a revolution.
+fn covered(
+    speed: f64,
+    [length, rate]: [f64; 2],
+    longer: impl Fn(f64) -> String,
+    finer: impl Fn(f64) -> String,
+) -> Result<(), String> {
     let rpm = speed.abs() * 60.0 / TAU;
     let [slowest, fastest] = SPEEDS;
     if !(slowest * (1.0 - 1e-9)..=fastest * (1.0 + 1e-9)).contains(&rpm) {
-        return Err(format!(
+        return Err(refused(format!(
             "it speaks of {slowest:.0} to {fastest:.0} rpm, and the shaft turns at {rpm:.0} rpm"
-        ));
+        )));
     }
     let [low, high] = velocity_band(speed);
-    let length = motion.end - motion.start + 1.0 / motion.rate;
     let least = (1.0 / low).max(FEWEST_REVOLUTIONS * 60.0 / rpm);
     if length < least * (1.0 - 1e-9) {
-        return Err(format!(
-            "at {rpm:.0} rpm it counts frequencies from {low:.0} Hz on, and {length:.3} s, the whole revolutions after \
-             the settle time, do not show them: make `duration` longer by {:.2} s or more",
-            least - length + 60.0 / rpm
-        ));
+        let advice = longer(least - length + 60.0 / rpm);
+        return Err(refused(format!(
+            "at {rpm:.0} rpm it counts frequencies from {low:.0} Hz on, and {advice}"
+        )));
     }
-    if motion.rate < 2.0 * high * (1.0 - 1e-9) {
-        return Err(format!(
-            "it counts frequencies up to {high:.0} Hz, and the samples show those up to {:.0} Hz: set \
-             samples_per_revolution = {:.0} or more in [output]",
-            0.5 * motion.rate,
-            (2.0 * high * 60.0 / rpm).ceil()
-        ));
+    if rate < 2.0 * high * (1.0 - 1e-9) {
+        let advice = finer((2.0 * high * 60.0 / rpm).ceil());
+        return Err(refused(format!(
+            "it counts frequencies up to {high:.0} Hz, and the samples show those up to {:.0} Hz: {advice}",
+            0.5 * rate
+        )));
     }
     Ok(())
 }

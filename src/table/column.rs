@@ -59,7 +59,7 @@ const MEASURES: [&str; 11] = [
 const SCALINGS: usize = 6;
 
 /// What the numbers of a column stand for.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum ColumnKind {
     /// A real number, or nothing where it is NaN.
     Number,
@@ -94,7 +94,7 @@ impl ColumnKind {
 }
 
 /// A column of a table.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Column {
     /// What is measured: `x_velocity`.
     pub quantity: Cow<'static, str>,

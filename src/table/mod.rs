@@ -104,6 +104,15 @@ impl<'a> Table<'a> {
         self.columns.push((column, Cow::Borrowed(values)));
     }
 
+    /// The table with numbers of its own.
+    pub fn into_owned(self) -> Table<'static> {
+        let owned =
+            |(column, values): (Column, Cow<'_, [f64]>)| (column, Cow::Owned(values.into_owned()));
+        Table {
+            columns: self.columns.into_iter().map(owned).collect(),
+        }
+    }
+
     /// Adds a column of any kind, some of whose values may be missing.
     pub fn add<T: Into<Option<f64>>>(
         &mut self,

@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod accuracy;
+mod analyze;
 mod bad_scenarios;
 mod bearing;
 mod catalogue;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 /// Lowest first; `simulate` and `quasi_static` are single files. The integrator knows no rotor: it is
 /// the rotor that implements the integrator's trait.
-const FLOORS: [&str; 18] = [
+const FLOORS: [&str; 19] = [
     "table",
     "record",
     "keys",
@@ -19,6 +19,7 @@ const FLOORS: [&str; 18] = [
     "quasi_static",
     "simulate",
     "steady",
+    "measurement",
     "study",
     "scenario",
     "report",

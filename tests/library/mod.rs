@@ -17,6 +17,7 @@ mod imperfect;
 mod integrate;
 mod laws;
 mod lines;
+mod measurement;
 mod motion;
 mod negative_clearance;
 mod observation;

@@ -15,22 +15,26 @@ const MEAN_BINS: usize = 3;
 impl EstimatedSpectrum {
     /// Names the lines of an envelope by what can cause them; of a shaft whose speed changes, and of other spectra, none.
     pub(crate) fn name_lines(&mut self, causes: &[Line]) {
-        let is_envelope = matches!(self.request.kind, SpectrumKind::Envelope { .. });
-        if !is_envelope || self.shaft_frequency == 0.0 {
+        if self.shaft_frequency == 0.0 {
             return;
         }
         let unit = match self.request.axis {
             Axis::Frequency => 1.0,
             Axis::Order => self.shaft_frequency,
         };
+        self.name_lines_in(unit, causes);
+    }
+
+    /// Names the lines of an envelope whose axis has so many Hz a unit.
+    pub(crate) fn name_lines_in(&mut self, unit: f64, causes: &[Line]) {
+        if !matches!(self.request.kind, SpectrumKind::Envelope { .. }) {
+            return;
+        }
         let resolution = self.resolution;
-        let is_hann = self.request.window == Window::Hann && !self.request.scaling.is_square();
-        let between = if is_hann { between_hann } else { vertex };
-        let columns = self.columns.iter().enumerate();
-        let columns =
-            columns.filter(|(_, column)| matches!(column.quantity, SpectrumQuantity::Value(_)));
-        let lines = columns.flat_map(|(index, column)| {
-            let maxima = strongest_maxima(&column.values, between).into_iter();
+        let between = self.between();
+        let lines = self.value_columns().flat_map(|index| {
+            let values = &self.columns[index].values;
+            let maxima = strongest_maxima(values, between).into_iter();
             maxima.filter_map(move |(bin, value)| {
                 let place = bin * resolution;
                 let precision = Precision {
@@ -49,16 +53,53 @@ impl EstimatedSpectrum {
         self.lines = lines.collect();
     }
 
+    /// Numbers of the columns that hold values, and no phases.
+    pub(crate) fn value_columns(&self) -> impl Iterator<Item = usize> {
+        let columns = self.columns.iter().enumerate();
+        let of_values =
+            columns.filter(|(_, column)| matches!(column.quantity, SpectrumQuantity::Value(_)));
+        of_values.map(|(index, _)| index)
+    }
+
+    /// How a maximum between bins is found.
+    fn between(&self) -> fn([f64; 3]) -> f64 {
+        match self.request.window == Window::Hann && !self.request.scaling.is_square() {
+            true => between_hann,
+            false => vertex,
+        }
+    }
+
+    /// Amplitudes of a column.
+    pub(crate) fn amplitudes(&self, column: usize) -> Vec<f64> {
+        let is_square = self.request.scaling.is_square();
+        let values = self.columns[column].values.iter();
+        values
+            .map(|value| if is_square { value.sqrt() } else { *value })
+            .collect()
+    }
+
+    /// Places of the maxima of a column that are above the noise around them, in units of the axis, with their values; by place.
+    pub(crate) fn lines_above_noise(&self, column: usize) -> Vec<(f64, f64)> {
+        let amplitudes = self.amplitudes(column);
+        let maxima = maxima(&self.columns[column].values, self.between());
+        let loud = maxima.filter(|(bin, _)| {
+            let bin = bin.round() as usize;
+            is_above_noise(&amplitudes, bin, amplitudes[bin])
+        });
+        loud.map(|(bin, value)| (bin * self.resolution, value))
+            .collect()
+    }
+
     /// Takes the lines away that are no higher than the noise around them.
     pub(crate) fn forget_lines_of_noise(&mut self) {
-        let is_square = self.request.scaling.is_square();
-        let amplitude = |value: f64| if is_square { value.sqrt() } else { value };
-        let (columns, resolution) = (&self.columns, self.resolution);
+        let all: Vec<_> = (0..self.columns.len())
+            .map(|column| self.amplitudes(column))
+            .collect();
+        let resolution = self.resolution;
         self.lines.retain(|line| {
-            let values = columns[line.column].values.iter();
-            let amplitudes: Vec<f64> = values.map(|value| amplitude(*value)).collect();
+            let amplitudes = &all[line.column];
             let bin = (line.place / resolution).round() as usize;
-            is_above_noise(&amplitudes, bin, amplitude(line.value))
+            is_above_noise(amplitudes, bin, amplitudes[bin])
         });
     }
 }
@@ -77,15 +118,21 @@ fn between_hann([before, highest, after]: [f64; 3]) -> f64 {
 }
 
 /// Maxima between the bins, with the values of their bins.
-fn strongest_maxima(values: &[f64], between: fn([f64; 3]) -> f64) -> Vec<(f64, f64)> {
+fn maxima(
+    values: &[f64],
+    between: fn([f64; 3]) -> f64,
+) -> impl Iterator<Item = (f64, f64)> + use<'_> {
     let triples = values.windows(3).enumerate().skip(MEAN_BINS);
     let maxima = triples.filter(|(_, three)| three[1] > three[0] && three[1] >= three[2]);
-    let mut found: Vec<(f64, f64)> = maxima
-        .map(|(before, three)| {
-            let beside = between([three[0], three[1], three[2]]);
-            ((before + 1) as f64 + beside, three[1])
-        })
-        .collect();
+    maxima.map(move |(before, three)| {
+        let beside = between([three[0], three[1], three[2]]);
+        ((before + 1) as f64 + beside, three[1])
+    })
+}
+
+/// The strongest maxima.
+fn strongest_maxima(values: &[f64], between: fn([f64; 3]) -> f64) -> Vec<(f64, f64)> {
+    let mut found: Vec<(f64, f64)> = maxima(values, between).collect();
     found.sort_by(|a, b| b.1.total_cmp(&a.1));
     let strongest = found.first().map_or(0.0, |(_, value)| *value);
     found.retain(|(_, value)| *value >= LEAST_PART * strongest);

@@ -86,6 +86,7 @@ fn with_band(recording: &Recording, request: &SpectrumRequest) -> SpectrumReques
         let rate = recording.grid.rate;
         let first = request.channels.first();
         let samples = first.map_or(&[][..], |channel| recording.channel(*channel));
+        let samples = &samples[envelope_start(recording)..];
         let found = impulsive_band(samples, rate);
         let band = found.map_or([0.0, 0.5 * rate], |found| found.band);
         request.kind = SpectrumKind::Envelope { band };
@@ -116,7 +117,7 @@ impl<'a> Record<'a> {
     fn as_recorded(recording: &'a Recording, request: &SpectrumRequest) -> Self {
         let grid = recording.grid;
         let recorded = recording.length();
-        let skipped = recorded % grid.block();
+        let skipped = skipped(recording, request);
         let signal = |channel: &Channel| signal(recording, request, *channel);
         let time = |sample: usize| recording.start() + sample as f64 / grid.rate;
         let per_revolution = match grid.per_revolution {
@@ -141,22 +142,26 @@ impl<'a> Record<'a> {
         request: &SpectrumRequest,
     ) -> Result<Self, EstimateError> {
         let rate = recording.grid.rate;
+        let skipped = skipped(recording, request);
+        let start = recording.start() + skipped as f64 / rate;
         let turning = Turning {
-            angle: recording.channel(Channel::Angle),
-            speed: recording.channel(Channel::Speed),
+            angle: &recording.channel(Channel::Angle)[skipped..],
+            speed: &recording.channel(Channel::Speed)[skipped..],
         };
-        let angles = AngleGrid::new(turning, rate, recording.start())?;
+        let angles = AngleGrid::new(turning, rate, start)?;
         let mut signals = Vec::new();
         let mut errors = Vec::new();
         for channel in &request.channels {
             let signal = signal(recording, request, *channel);
             // of an envelope no rates are known
             let interpolation = match (&signal, rate_of(*channel)) {
-                (Cow::Borrowed(values), Some(of)) => Interpolation::Rates {
-                    values,
-                    rates: recording.channel(of),
-                    interval: 1.0 / rate,
-                },
+                (Cow::Borrowed(values), Some(of)) if !recording.channel(of).is_empty() => {
+                    Interpolation::Rates {
+                        values,
+                        rates: &recording.channel(of)[skipped..],
+                        interval: 1.0 / rate,
+                    }
+                }
                 _ => Interpolation::Values(&signal),
             };
             errors.push((*channel, interpolation.error()));
@@ -165,7 +170,7 @@ impl<'a> Record<'a> {
                 positions.map(|position| interpolation.at(position.index, position.fraction));
             signals.push(Cow::from(values.collect::<Vec<_>>()));
         }
-        let time = |position: f64| recording.start() + position / rate;
+        let time = |position: f64| start + position / rate;
         let ends = [angles.positions.first(), angles.positions.last()];
         let ends = ends.map(|position| position.map_or(0.0, |at| at.index as f64 + at.fraction));
         let per_revolution = (angles.per_revolution * angles.oversampling) as f64;
@@ -224,13 +229,28 @@ impl<'a> Record<'a> {
     }
 }
 
+/// Samples at the start that are left out: the others are whole revolutions on a grid of angle, of an envelope not too many.
+fn skipped(recording: &Recording, request: &SpectrumRequest) -> usize {
+    let start = match request.kind {
+        SpectrumKind::Envelope { .. } => envelope_start(recording),
+        _ => 0,
+    };
+    start + (recording.length() - start) % recording.grid.block()
+}
+
+/// The first sample that an envelope is taken of.
+fn envelope_start(recording: &Recording) -> usize {
+    let length = recording.length();
+    length.saturating_sub(recording.most_in_envelope)
+}
+
 /// The samples of a channel, or their envelope: of samples on a grid of angle, whole revolutions.
 fn signal<'a>(
     recording: &'a Recording,
     request: &SpectrumRequest,
     channel: Channel,
 ) -> Cow<'a, [f64]> {
-    let skipped = recording.length() % recording.grid.block();
+    let skipped = skipped(recording, request);
     let samples = &recording.channel(channel)[skipped..];
     match request.kind {
         SpectrumKind::Envelope { band } => {

@@ -249,8 +249,8 @@ pub(super) fn product(first: &str, second: &str) -> String {
 pub enum EstimateError {
     /// The record holds no segment.
     #[error(
-        "the record after the settle time holds {samples} samples, and a segment {needed}: make the \
-         run longer or the segment shorter"
+        "the record holds {samples} samples (after the settle time of a run), and a segment {needed}: make it longer or the \
+         segment shorter"
     )]
     TooShort {
         /// Samples there are.
@@ -274,8 +274,7 @@ pub enum EstimateError {
     },
     /// Less than one revolution.
     #[error(
-        "the shaft makes {turns:.2} revolutions after the settle time: a spectrum over orders needs \
-         at least one"
+        "the shaft makes {turns:.2} revolutions (after the settle time of a run): a spectrum over orders needs at least one"
     )]
     NoRevolution {
         /// Revolutions there are.
@@ -283,8 +282,8 @@ pub enum EstimateError {
     },
     /// Revolutions of changing length make no segments of equal time.
     #[error(
-        "the speed changes after the settle time, and segments in revolutions are not equally long: \
-         take the spectrum over orders, or give the segment in seconds"
+        "the speed changes, and segments in revolutions are not equally long: take the spectrum over orders, or give the segment \
+         in seconds"
     )]
     UnevenRevolutions,
     /// Seconds make no segments of equal angle.

@@ -13,7 +13,7 @@ pub use moments::{Drift, Moments};
 pub use period::{Kind, LONGEST_PERIOD, Recognition, Series, recognise};
 pub use section::{PoincarePoint, Section, SectionKind};
 
-pub use velocity_level::VelocityLevel;
+pub use velocity_level::{LevelRecorder, Rate, VelocityLevel, velocity_rate};
 
 use std::collections::VecDeque;
 
@@ -25,7 +25,6 @@ use crate::keys;
 use crate::rotor::{FREEDOMS, Freedoms, Sample};
 use moments::DriftRecorder;
 use section::{NODES, Node};
-use velocity_level::LevelRecorder;
 
 /// A motion below this part of the displacement is round-off.
 const REST: f64 = 1e-9;

@@ -1,5 +1,7 @@
 //! RMS velocity in a band of frequencies.
 
+use std::f64::consts::TAU;
+
 use realfft::RealFftPlanner;
 use serde::Serialize;
 
@@ -11,6 +13,19 @@ const NOISE_BANDWIDTH: f64 = 1.5;
 const BINS_BELOW: f64 = 32.0;
 /// Fewest samples that a level is known of.
 const FEWEST: usize = 16;
+
+/// A factor at a frequency in Hz.
+pub type Rate = fn(f64) -> f64;
+
+/// What makes an amplitude in a unit that of a velocity in m/s: 2πf of a displacement, 1/(2πf) of an acceleration; none of
+/// another unit.
+pub fn velocity_rate(unit: &str) -> Option<Rate> {
+    match unit {
+        "m" => Some(|at| TAU * at),
+        "m/s^2" => Some(|at| if at > 0.0 { 1.0 / (TAU * at) } else { 0.0 }),
+        _ => None,
+    }
+}
 
 /// RMS of a velocity in a band of frequencies.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -41,6 +56,8 @@ pub struct LevelRecorder {
     rate: f64,
     /// Lowest and highest frequency that is asked for, Hz.
     wanted: [f64; 2],
+    /// What makes velocities of the samples, line by line; none of velocities.
+    velocity: Option<Rate>,
     /// Samples of a segment.
     segment: usize,
     /// The last samples, less than one and a half segments.
@@ -57,11 +74,37 @@ impl LevelRecorder {
         Self {
             rate,
             wanted,
+            velocity: None,
             segment: periods.max(FEWEST),
             samples: Vec::new(),
             power: 0.0,
             segments: 0,
         }
+    }
+
+    /// Of all samples of a quantity whose unit makes a velocity; none of another unit, or of too few.
+    ///
+    /// Accelerations are integrated, and displacements derived, in the frequency domain: A/(2πf) and 2πf A of every line in the
+    /// band.
+    pub fn level(
+        samples: &[f64],
+        unit: &str,
+        rate: f64,
+        wanted: [f64; 2],
+    ) -> Option<VelocityLevel> {
+        let velocity = velocity_rate(unit);
+        if velocity.is_none() && unit != "m/s" {
+            return None;
+        }
+        let mut recorder = Self {
+            velocity,
+            ..Self::new(rate, wanted)
+        };
+        let mut planner = RealFftPlanner::new();
+        samples
+            .iter()
+            .for_each(|sample| recorder.take(*sample, &mut planner));
+        recorder.finish(&mut planner)
     }
 
     /// Takes one sample.
@@ -109,7 +152,11 @@ impl LevelRecorder {
         let [low, high] = self.wanted;
         let first = ((low / resolution).floor() as usize).saturating_sub(1);
         let last = ((high / resolution).ceil() as usize + 1).min(transform.bins() - 1);
-        let power = |k| 0.5 * transform.amplitude(k, Window::Hann).powi(2);
+        let factor = |k: usize| {
+            self.velocity
+                .map_or(1.0, |rate| rate(k as f64 * resolution))
+        };
+        let power = |k| 0.5 * (factor(k) * transform.amplitude(k, Window::Hann)).powi(2);
         (first.max(1)..=last).map(power).sum()
     }
 }
@@ -144,6 +191,24 @@ mod tests {
         let level = level((0..4000).map(signal), 4000.0, [10.0, 1e3]).unwrap();
         assert!((level.rms - 3e-3 / 2f64.sqrt()).abs() < 1e-15);
         assert_eq!(level.band, [10.0, 1e3]);
+    }
+
+    /// 3 mm/s at 50 Hz as an acceleration and as a displacement.
+    #[test]
+    fn accelerations_are_integrated_and_displacements_derived() {
+        for (unit, size) in [
+            ("m/s^2", TAU * 50.0),
+            ("m", 1.0 / (TAU * 50.0)),
+            ("m/s", 1.0),
+        ] {
+            let line = |n: u32| 3e-3 * size * (TAU * 50.0 * f64::from(n) / 4000.0).cos();
+            let samples: Vec<f64> = (0..8000).map(line).collect();
+            let level = LevelRecorder::level(&samples, unit, 4000.0, [10.0, 1e3]).unwrap();
+            let error = level.rms * 2f64.sqrt() / 3e-3 - 1.0;
+            // the lobe of a line counts at its bins' own frequencies
+            assert!(error.abs() < 1e-3, "{unit}: {error}");
+        }
+        assert!(LevelRecorder::level(&[0.0; 100], "N", 4000.0, [10.0, 1e3]).is_none());
     }
 
     #[test]

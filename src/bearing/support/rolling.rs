@@ -99,8 +99,7 @@ impl Support {
 
     /// Ball-pass frequencies at the nominal contact angle, without slip, at a speed of the shaft in rad/s.
     pub(crate) fn nominal_ball_pass(&self, speed: f64) -> BallPass {
-        let bearing = &self.definition.bearing;
-        Cage::new(bearing, bearing.geometry.nominal_gamma(), 0.0).ball_pass(bearing, speed)
+        self.definition.bearing.rolling_ball_pass(0.0, speed)
     }
 
     /// Balls that pass a point at rest, a revolution.

@@ -32,6 +32,7 @@ mod assertion;
 mod error;
 mod figure;
 mod lines;
+mod named;
 mod page;
 mod result;
 mod rows;
@@ -53,6 +54,7 @@ use crate::record::open_regular;
 pub use assertion::{ComparedSpectrum, spectra_close};
 pub use error::CompareError;
 pub(crate) use figure::write_figure;
+pub(crate) use named::{NamedComparison, compare_named};
 pub(crate) use page::write_page;
 pub use result::{ColumnComparison, Comparison, Difference, TableComparison, Worst};
 pub use rules::{Rules, Tolerance, Tolerances};
@@ -118,14 +120,20 @@ fn compare_tables(
 /// Most bytes of a summary.
 const LARGEST: u64 = 256 << 20;
 
-/// The summary of a whole run.
+/// Seals of the folders that can be compared: of runs and of records.
+const SEALS: [&str; 2] = ["summary.json", "record.json"];
+
+/// The document of a whole run, or of a record.
 ///
 /// # Errors
 /// [`CompareError::Unsealed`] where there is none in the folder.
 fn sealed(folder: &Path) -> Result<Value, CompareError> {
-    let file = open_regular(&folder.join("summary.json"), LARGEST).ok();
-    let summary: Option<Value> =
-        file.and_then(|file| serde_json::from_reader(BufReader::new(file)).ok());
+    let mut files = SEALS
+        .iter()
+        .filter_map(|seal| open_regular(&folder.join(seal), LARGEST).ok());
+    let summary: Option<Value> = files
+        .next()
+        .and_then(|file| serde_json::from_reader(BufReader::new(file)).ok());
     let summary = summary.filter(|summary| summary["jeffcott"].is_string());
     summary.ok_or_else(|| CompareError::Unsealed {
         folder: folder.to_owned(),

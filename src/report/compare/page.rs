@@ -8,11 +8,10 @@ use serde_json::Value;
 use super::figure::difference_figure;
 use super::table::Source;
 use super::{CompareError, Comparison, document, sealed};
-use crate::analysis::Channel;
+use crate::analysis::{Channel, Rate, velocity_rate};
 use crate::report::envelope::Decimator;
 use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct, ends};
 use crate::report::page::Page;
-use crate::report::spectra::{Rate, velocity_rate};
 use crate::report::terminal::{Lines, MICRO, MILLI, digits, or_dash, shown_column, shown_quantity};
 use crate::table::{Column, ColumnKind};
 

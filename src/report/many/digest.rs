@@ -229,6 +229,7 @@ impl Digest {
         } = &self.head;
         let warnings: Vec<_> = self.warnings.iter().map(RunsWarned::to_string).collect();
         Findings {
+            long_tables: Vec::new(),
             set: FileSet::RUNS,
             output: Output::default(),
             tables: Vec::new(),

@@ -110,7 +110,12 @@ fn shown_places(spectrum: &EstimatedSpectrum, limit: f64) -> Range<f64> {
     let limit = match spectrum.request.axis {
         Axis::Frequency => limit,
         Axis::Order if spectrum.shaft_frequency > 0.0 => limit / spectrum.shaft_frequency,
-        Axis::Order => f64::INFINITY,
+        // of a speed that changes, those up to a little above the named lines
+        Axis::Order => {
+            let places = spectrum.lines.iter().map(|line| line.place);
+            let highest = places.reduce(f64::max);
+            highest.map_or(f64::INFINITY, |place| 1.25 * place)
+        }
     };
     let end = limit.min(last);
     match spectrum.request.kind {

@@ -7,5 +7,7 @@ mod shown;
 pub(super) use estimated::{estimated_figure, estimated_json, estimated_table, table_name};
 pub(crate) use run::spectrum_figure;
 pub use run::write_spectrum;
-pub(super) use run::{frequency_limit_of, peak_table, spectra_figures, spectrum_table};
-pub(super) use shown::{Rate, velocity_rate};
+pub(super) use run::{
+    frequency_limit, frequency_limit_of, measured_figures, peak_table, spectra_figures,
+    spectrum_table,
+};

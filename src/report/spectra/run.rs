@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::io;
 use std::io::Write;
 
-use super::shown::{NamedLine, Rate, ShownPeak, ShownSpectrum, velocity_rate};
-use crate::analysis::{Line, Peak, Spectrum};
+use super::shown::{NamedLine, ShownPeak, ShownSpectrum};
+use crate::analysis::{Line, Peak, Rate, Spectrum, velocity_rate};
 use crate::report::figure::Figure;
 use crate::report::table::CsvTable;
 use crate::report::terminal::MILLI;
@@ -84,13 +84,17 @@ pub(in crate::report) fn peak_table(peaks: &[Peak], spectrum: &Spectrum) -> Tabl
 }
 
 /// What a group of channels is called, and their unit.
-const GROUPS: [(&str, &str); 5] = [
+const GROUPS: [(&str, &str); 6] = [
     ("displacement", "m"),
+    ("velocity", "m/s"),
     ("acceleration", "m/s^2"),
     ("tilt", "rad"),
     ("force", "N"),
     ("moment", "N m"),
 ];
+
+/// What channels of another unit are called.
+const OTHERS: &str = "signal";
 
 /// Name of what shows how the housings move.
 const HOUSINGS: &str = "housing_velocity";
@@ -105,8 +109,8 @@ pub(in crate::report) fn spectra_figures(
     let table = spectrum_table(spectrum);
     let figures = shown_groups(&table, spectrum, peaks).map(|(name, group)| {
         let (name, group) = match (name, velocity_rate(group.of)) {
-            ("displacement", Some(rate)) => ("velocity", velocity_of(group, rate)),
-            (_, Some(rate)) => (HOUSINGS, velocity_of(group, rate)),
+            ("displacement", Some(rate)) => ("velocity", velocity_of(group, rate, 0.0)),
+            (_, Some(rate)) => (HOUSINGS, velocity_of(group, rate, 0.0)),
             (name, None) => (name, group),
         };
         figure(&format!("{name}_spectrum"), title, name, group, PAGE_HEIGHT).only_on_page()
@@ -133,14 +137,41 @@ fn shown_groups<'a>(
     });
     let shown = 0.0..frequency_limit(spectrum, peaks);
     let groups = ShownSpectrum::grouped(table, &lines.collect::<Vec<_>>(), &shown);
-    groups.into_iter().filter_map(|group| {
-        let (name, _) = GROUPS.iter().find(|(_, unit)| *unit == group.of)?;
-        Some((*name, group))
+    groups.into_iter().map(|group| {
+        let known = GROUPS.iter().find(|(_, unit)| *unit == group.of);
+        (known.map_or(OTHERS, |(name, _)| name), group)
     })
 }
 
-/// Velocities in place of displacements or accelerations.
-fn velocity_of(group: ShownSpectrum<'_>, rate: Rate) -> ShownSpectrum<'_> {
+/// What is shown of a record: amplitudes of channels of one unit together, each a figure, and on the page the velocities that follow
+/// from them from a frequency in Hz on, below which an integrated acceleration shows its noise.
+pub(in crate::report) fn measured_figures(
+    title: &str,
+    spectrum: &Spectrum,
+    peaks: &[Peak],
+    lowest: f64,
+) -> Vec<Figure> {
+    let table = spectrum_table(spectrum);
+    let groups = shown_groups(&table, spectrum, peaks).enumerate();
+    let figures = groups.flat_map(|(place, (name, group))| {
+        let file = match place {
+            0 => "spectrum".to_owned(),
+            _ => format!("spectrum_{}", place + 1),
+        };
+        let velocity = velocity_rate(group.of).map(|rate| {
+            let velocity = velocity_of(group.clone(), rate, lowest);
+            let name = format!("velocity_{file}");
+            figure(&name, title, "velocity", velocity, PAGE_HEIGHT).only_on_page()
+        });
+        let own = figure(&file, title, name, group, HEIGHT);
+        std::iter::once(own).chain(velocity)
+    });
+    figures.collect()
+}
+
+/// Velocities in place of displacements or accelerations, from a frequency in Hz on.
+fn velocity_of(group: ShownSpectrum<'_>, rate: Rate, lowest: f64) -> ShownSpectrum<'_> {
+    let rate = |at: f64| if at < lowest { 0.0 } else { rate(at) };
     let value = |(at, value): (&f64, &f64)| rate(*at) * value;
     let columns = group.columns.iter().map(|(name, values)| {
         let rates = group.over.1.iter().zip(values.iter()).map(value);
@@ -164,9 +195,10 @@ fn velocity_of(group: ShownSpectrum<'_>, rate: Rate) -> ShownSpectrum<'_> {
 
 /// Largest frequency shown, Hz: a little above the highest peak, at least ten shaft orders.
 pub(in crate::report) fn frequency_limit(spectrum: &Spectrum, peaks: &[Peak]) -> f64 {
+    let has_lengths = peaks.iter().any(|peak| peak.channel.unit() == "m");
     let highest = peaks
         .iter()
-        .filter(|peak| peak.channel.unit() == "m")
+        .filter(|peak| !has_lengths || peak.channel.unit() == "m")
         .map(|peak| peak.frequency)
         .fold(0.0, f64::max);
     let end = spectrum.frequency(spectrum.bins().saturating_sub(1).max(1));

@@ -2,7 +2,6 @@
 
 use std::borrow::Cow;
 use std::collections::HashSet;
-use std::f64::consts::TAU;
 use std::ops::Range;
 
 use crate::report::envelope::{Decimator, SCREEN_BUCKETS};
@@ -29,19 +28,6 @@ pub(in crate::report) struct ShownSpectrum<'a> {
     pub columns: Vec<(String, Cow<'a, [f64]>)>,
     /// Peaks with names.
     pub peaks: Vec<ShownPeak>,
-}
-
-/// A factor at a frequency in Hz.
-pub(in crate::report) type Rate = fn(f64) -> f64;
-
-/// What makes an amplitude in a unit that of a velocity in m/s: 2πf of a displacement, 1/(2πf) of an acceleration; none of
-/// another unit.
-pub(in crate::report) fn velocity_rate(unit: &str) -> Option<Rate> {
-    match unit {
-        "m" => Some(|at| TAU * at),
-        "m/s^2" => Some(|at| if at > 0.0 { 1.0 / (TAU * at) } else { 0.0 }),
-        _ => None,
-    }
 }
 
 /// A peak that has a name.

@@ -221,7 +221,7 @@ impl BearingInput {
         catalogue: &[CatalogueEntry],
         problems: &mut Problems<'_>,
     ) -> Option<MountedBearing> {
-        let printed = self.printed(catalogue, problems)?;
+        let printed = self.identity().printed(catalogue, problems)?;
         let known = printed.as_ref();
         let line = known.map(|printed| printed.line);
         let skf_friction = known.and_then(|printed| SkfFriction::from_designation(&printed.name));
@@ -438,14 +438,38 @@ impl BearingInput {
         problems.take(places.map_err(|issue| issue.against(".arrangement")))
     }
 
+    /// What says which bearing it is.
+    fn identity(&self) -> Identity<'_> {
+        Identity {
+            catalogue: self.catalogue.as_deref(),
+            ratings: self.ratings.as_ref(),
+            has_geometry: self.geometry.is_some(),
+            clearance_class: self.clearance_class,
+        }
+    }
+}
+
+/// What says which bearing it is.
+pub struct Identity<'a> {
+    /// Its designation.
+    pub catalogue: Option<&'a str>,
+    /// What a catalogue prints of it.
+    pub ratings: Option<&'a RatingsInput>,
+    /// Whether dimensions are given.
+    pub has_geometry: bool,
+    /// Class of the clearance, where it is given.
+    pub clearance_class: Option<ClearanceClass>,
+}
+
+impl Identity<'_> {
     /// What a catalogue prints of the bearing, `Some(None)` where only the geometry is given; `None` where nothing tells what
     /// the bearing is.
-    fn printed(
+    pub fn printed(
         &self,
         catalogue: &[CatalogueEntry],
         problems: &mut Problems<'_>,
     ) -> Option<Option<Printed>> {
-        let printed = match (&self.catalogue, &self.ratings) {
+        let printed = match (self.catalogue, self.ratings) {
             (Some(_), Some(_)) => {
                 let message = "`catalogue` and `ratings` both say what the bearing is";
                 let issue = Issue::new(".ratings", message).help("keep one of them");
@@ -457,7 +481,7 @@ impl BearingInput {
                 key: ".ratings",
                 class: None,
             })),
-            (None, None) if self.geometry.is_some() => Ok(None),
+            (None, None) if self.has_geometry => Ok(None),
             (None, None) => {
                 let message = format!(
                     "`{}` needs `catalogue`, a table `[bearing.ratings]` or `[bearing.geometry]`",

@@ -12,6 +12,7 @@ mod load;
 mod oil;
 mod output;
 mod ratings;
+mod record;
 mod scenario;
 mod settings;
 mod shaft;
@@ -20,9 +21,11 @@ mod speed;
 mod support;
 mod unbalance;
 
-pub use output::{Output, TableFormat};
+pub use output::{Output, TableFormat, Turning};
 pub use ratings::RatingsInput;
+pub use record::{RecordFileInput, RecordInput, RecordSpeedInput, SignalInput};
 pub use scenario::{Questions, ScenarioInput};
+pub use spectrum::{Recorded, build as build_spectra};
 
 /// What a key is that is not given.
 fn number<const NUMBER: u32>() -> u32 {

@@ -561,6 +561,7 @@ impl ScenarioInput {
         let sampling = self.output.sampling(turning, time, problems)?;
         let recorded = Recorded {
             freedoms: rotor.shaft.freedoms,
+            measured: None,
             window: time.window(),
             rate: sampling.rate(turning.highest),
             turning,

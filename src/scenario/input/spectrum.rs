@@ -21,7 +21,7 @@ use crate::scenario::quantity::{Frequency, Quantity, Time, si, significant};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("x-at-most-one" = ["segment", "segment_revolutions", "segment_samples"]))]
-pub struct SpectrumInput {
+pub struct SpectrumInput<C = ChannelName> {
     /// Its name, of letters, digits, `_` and `-`. Default: made of kind, scaling and `over`, for
     /// instance "envelope_peak".
     #[schemars(extend("examples" = ["velocity"]))]
@@ -30,7 +30,7 @@ pub struct SpectrumInput {
     /// all freedoms that move. A whirl takes pairs of x and y; a cross spectrum takes the first
     /// channel as reference of each of the others.
     #[schemars(extend("minItems" = 1, "examples" = [["displacement"]]))]
-    pub channels: Vec<ChannelName>,
+    pub channels: Vec<C>,
     /// What is made of the channels. Default: "plain".
     #[serde(default)]
     pub kind: KindChoice,
@@ -91,8 +91,8 @@ fn overlap() -> f64 {
 }
 
 /// The spectra that are asked for, as far as nothing contradicts them.
-pub fn build(
-    spectra: &[SpectrumInput],
+pub fn build<C: AsRef<str>>(
+    spectra: &[SpectrumInput<C>],
     recorded: &Recorded<'_>,
     problems: &mut Problems<'_>,
 ) -> Vec<SpectrumRequest> {
@@ -108,14 +108,17 @@ pub fn build(
     requests
 }
 
-impl SpectrumInput {
+impl<C: AsRef<str>> SpectrumInput<C> {
     fn request(
         &self,
         name: String,
         recorded: &Recorded<'_>,
         problems: &mut Problems<'_>,
     ) -> Option<SpectrumRequest> {
-        let channels = self.channels(recorded.freedoms, problems);
+        let channels = match recorded.measured {
+            Some(known) => self.measured(known, problems),
+            None => self.channels(recorded.freedoms, problems),
+        };
         self.check_scaling(problems);
         self.check_segment(recorded, problems);
         let band = problems.take(self.band(recorded)).flatten();
@@ -178,8 +181,9 @@ impl SpectrumInput {
     /// The channels, each once, in the order of the table.
     fn channels(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Vec<Channel> {
         let mut channels = Vec::new();
-        for (index, ChannelName(word)) in self.channels.iter().enumerate() {
-            let found = match GROUPS.iter().find(|(name, _)| name == word) {
+        for (index, word) in self.channels.iter().enumerate() {
+            let word = word.as_ref();
+            let found = match GROUPS.iter().find(|(name, _)| *name == word) {
                 // a whirl takes those that turn
                 Some((_, of)) => freedoms
                     .axes()
@@ -205,13 +209,47 @@ impl SpectrumInput {
         }
         if self.kind == KindChoice::Whirl {
             refuse_single(&channels, problems);
-        } else if self.kind == KindChoice::Cross && channels.len() < 2 {
+        }
+        self.check_cross(&channels, problems);
+        channels
+    }
+
+    /// The channels of a record, each once, as they are named.
+    fn measured(&self, known: &[Channel], problems: &mut Problems<'_>) -> Vec<Channel> {
+        let mut channels = Vec::new();
+        for (index, word) in self.channels.iter().enumerate() {
+            let word = word.as_ref();
+            let mut named = known.iter().filter(|channel| channel.name() == word);
+            let Some(channel) = named.next() else {
+                let names: Vec<_> = known.iter().map(|channel| channel.name()).collect();
+                let message = format!("no channel that is analysed is called `{word}`");
+                let all = format!("they are {}", names.join(", "));
+                let issue = Issue::new(entry(".channels", index), message);
+                problems.refuse(issue.help_nearest(word, names, &all));
+                continue;
+            };
+            if !channels.contains(channel) {
+                channels.push(*channel);
+            }
+        }
+        let has_units = |pair: &[Channel]| pair.len() == 2 && pair[0].unit() == pair[1].unit();
+        if self.kind == KindChoice::Whirl && !channels.chunks(2).all(has_units) {
+            let message = "a whirl takes pairs of x and y in one unit";
+            let issue =
+                Issue::new(".channels", message).help("for instance: channels = [\"x\", \"y\"]");
+            problems.refuse(issue.against(".kind"));
+        }
+        self.check_cross(&channels, problems);
+        channels
+    }
+
+    fn check_cross(&self, channels: &[Channel], problems: &mut Problems<'_>) {
+        if self.kind == KindChoice::Cross && channels.len() < 2 {
             let message = "a cross spectrum takes two channels or more: the first is the reference";
             let issue = Issue::new(".channels", message)
                 .help("for instance: channels = [\"force_x\", \"x\"]");
             problems.refuse(issue.against(".kind"));
         }
-        channels
     }
 
     fn check_name(&self, name: &str, earlier: &[SpectrumRequest], problems: &mut Problems<'_>) {
@@ -341,6 +379,12 @@ const GROUPS: [(&str, OfFreedom); 4] = [
 #[serde(transparent)]
 pub struct ChannelName(String);
 
+impl AsRef<str> for ChannelName {
+    fn as_ref(&self) -> &str {
+        &self.0
+    }
+}
+
 impl JsonSchema for ChannelName {
     fn schema_name() -> Cow<'static, str> {
         "channel".into()
@@ -404,6 +448,8 @@ const FEWEST_SAMPLES: f64 = 16.0;
 pub struct Recorded<'a> {
     /// Freedoms that move.
     pub freedoms: Freedoms,
+    /// The channels of a record, which no simulation made.
+    pub measured: Option<&'a [Channel]>,
     /// Time after the settle time, s.
     pub window: f64,
     /// Samples a second.

@@ -1,0 +1,194 @@
+//! Files that describe a record, and records that a command line describes: two doors to one description.
+
+use std::path::Path;
+use std::sync::LazyLock;
+
+use serde_json::Value;
+
+use super::document::Document;
+use super::input::{Output, RecordFileInput, Recorded, Turning as Turns, build_spectra};
+use super::problems::Problems;
+use super::schema::schema_of;
+use super::signals::Signals;
+use super::{Format, Issue, ScenarioError, check_title, echo, reader};
+use crate::analysis::{
+    Axis, Channel, Detrend, Scaling, Segment, SpectrumKind, SpectrumRequest, Window,
+};
+use crate::measurement::{Measurement, Turning};
+use crate::record::Record;
+use crate::rotor::Freedoms;
+use crate::table::Table;
+
+/// Channels whose envelopes are taken where no spectra are asked for.
+const MOST_ENVELOPES: usize = 4;
+
+/// A record that is read, and what its description says.
+#[derive(Debug)]
+pub struct MeasuredFile {
+    /// What was measured.
+    pub measurement: Measurement,
+    /// What is told of it.
+    pub about: RecordDescription,
+}
+
+/// What a description says of a record, but its samples.
+#[derive(Debug)]
+pub struct RecordDescription {
+    /// Its title, or the name of its file.
+    pub title: String,
+    /// What of it is analysed, and as what.
+    pub channels: Table<'static>,
+    /// What is written.
+    pub output: Output,
+    /// The description with its defaults.
+    pub echo: Value,
+    /// What the user should know.
+    pub warnings: Vec<String>,
+}
+
+/// JSON Schema (draft 7) of a file that describes a record.
+pub fn record_schema() -> &'static Value {
+    static SCHEMA: LazyLock<Value> = LazyLock::new(schema_of::<RecordFileInput>);
+    &SCHEMA
+}
+
+/// Reads and checks a file that describes a record, with some values in place of its own, and the record that it names.
+///
+/// # Errors
+/// [`ScenarioError`] with everything that is wrong.
+pub fn load_record(path: &Path, settings: &[String]) -> Result<MeasuredFile, ScenarioError> {
+    check_record(&Document::open(path)?.with(settings)?)
+}
+
+/// A record of a name, of which a description as JSON and the settings say what its file does not.
+///
+/// # Errors
+/// [`ScenarioError`] with everything that is wrong.
+pub fn describe_record(
+    record: Record,
+    name: &str,
+    description: &str,
+    settings: &[String],
+) -> Result<MeasuredFile, ScenarioError> {
+    let document = Document::parse(description, name, Format::Json)?.with(settings)?;
+    check(&document, Some(record))
+}
+
+/// Checks a description and reads the record that it names.
+pub(super) fn check_record(document: &Document) -> Result<MeasuredFile, ScenarioError> {
+    check(document, None)
+}
+
+fn check(document: &Document, record: Option<Record>) -> Result<MeasuredFile, ScenarioError> {
+    let mut problems = document.problems().about("the record");
+    let built = build(document, record, &mut problems);
+    let (mut file, warnings) = document.finish(built, problems)?;
+    file.about.warnings.extend(warnings);
+    Ok(file)
+}
+
+fn build(
+    document: &Document,
+    record: Option<Record>,
+    problems: &mut Problems<'_>,
+) -> Option<MeasuredFile> {
+    let input: RecordFileInput = reader::read(record_schema(), problems)?;
+    check_title(input.title.as_deref(), problems);
+    let bearings = problems.each("bearing", &input.bearing, |bearing, problems| {
+        bearing.build(problems)
+    });
+    let output = input.output.build(problems);
+    let record = match record {
+        Some(record) => record,
+        None => open(&input, document, problems)?,
+    };
+    let warnings = record.warnings.clone();
+    let signals = Signals::new(&input, record, problems)?;
+    let channels = signals.channels();
+    let turning = signals.turning.as_ref();
+    let speeds = turning.map_or([0.0; 3], Turning::speeds);
+    let recorded = Recorded {
+        freedoms: Freedoms::Radial,
+        measured: Some(&channels),
+        window: signals.length() as f64 / signals.rate,
+        rate: signals.rate,
+        turning: Turns {
+            key: "speed",
+            highest: speeds[2],
+            steady: turning.and_then(Turning::steady),
+            changes: turning.is_some_and(|turning| turning.steady().is_none()),
+        },
+    };
+    let mut spectra = build_spectra(&input.spectrum, &recorded, problems);
+    if input.spectrum.is_empty() {
+        spectra = default_spectra(&channels, recorded.turning.changes);
+    }
+    let about = RecordDescription {
+        title: input.title.clone().unwrap_or_else(|| document.stem()),
+        channels: signals.table(),
+        output,
+        echo: echo(&input),
+        warnings,
+    };
+    Some(MeasuredFile {
+        about,
+        measurement: Measurement {
+            rate: signals.rate,
+            start: signals.start,
+            bearings: bearings?,
+            machine: input.machine.as_ref().map(|machine| machine.build()),
+            window: input.output.window,
+            spectra,
+            turning: signals.turning,
+            signals: signals.values,
+        },
+    })
+}
+
+/// The record that a description names, looked for from its folder.
+fn open(
+    input: &RecordFileInput,
+    document: &Document,
+    problems: &mut Problems<'_>,
+) -> Option<Record> {
+    let Some(file) = &input.record.file else {
+        let issue = Issue::new("record.file", "`[record]` names no `file`");
+        problems.refuse(
+            issue.help("for instance: file = \"112.mat\", looked for from the folder of this file"),
+        );
+        return None;
+    };
+    let read = Record::open(&document.folder().join(file));
+    problems.take(read.map_err(|error| Issue::new("record.file", error.to_string())))
+}
+
+/// Envelopes in the bands where channels knock most, over orders where the speed changes; then also their spectra over orders.
+fn default_spectra(channels: &[Channel], speed_changes: bool) -> Vec<SpectrumRequest> {
+    let is_of_sensor =
+        |channel: &&Channel| matches!(channel, Channel::Measured(_)) || channel.unit() == "m/s^2";
+    let axis = match speed_changes {
+        true => Axis::Order,
+        false => Axis::Frequency,
+    };
+    let request = |name: String, kind, channels: &[Channel]| SpectrumRequest {
+        name,
+        kind,
+        channels: channels.to_vec(),
+        scaling: Scaling::Peak,
+        window: Window::Hann,
+        segment: Segment::Whole,
+        overlap: 0.5,
+        detrend: Detrend::Constant,
+        axis,
+    };
+    let one_by_one = channels.iter().filter(is_of_sensor).take(MOST_ENVELOPES);
+    let envelopes = one_by_one.map(|channel| {
+        let name = match channels {
+            [_] => "envelope".to_owned(),
+            _ => format!("envelope_{channel}"),
+        };
+        request(name, SpectrumKind::ImpulsiveEnvelope, &[*channel])
+    });
+    let orders = speed_changes.then(|| request("orders".to_owned(), SpectrumKind::Plain, channels));
+    envelopes.chain(orders).collect()
+}

@@ -1,0 +1,242 @@
+//! `jeffcott analyze`: records of sensors, and traces of runs.
+
+use std::fs;
+use std::path::Path;
+use std::process::Output;
+
+use serde_json::Value;
+
+use crate::support::{done, jeffcott_in, root, text, told};
+
+const SCENE: &str = r#"
+[shaft]
+mass = "6 kg"
+eccentricity = "4 um"
+freedoms = "radial"
+gravity = true
+[speed]
+constant = "1797 rpm"
+[[bearing]]
+catalogue = "6205"
+[damping]
+coefficients = { x = "500 N s/m", y = "500 N s/m" }
+[[load]]
+constant = { y = "-300 N" }
+[time]
+duration = "0.3 s"
+settle = "0.1 s"
+[integrator]
+verify = false
+[output]
+window = "hann"
+"#;
+
+fn read(file: impl AsRef<Path>) -> Value {
+    serde_json::from_str(&fs::read_to_string(file).unwrap()).unwrap()
+}
+
+/// Name, frequency and amplitude of the peaks of a channel.
+fn peaks(document: &Value, channel: &str) -> Vec<(String, f64, f64)> {
+    let peaks = document["peaks"].as_array().unwrap().iter();
+    let own = peaks.filter(|peak| peak["channel"] == channel);
+    own.map(|peak| {
+        let name = peak["name"].as_str().unwrap_or_default().to_owned();
+        (
+            name,
+            peak["f_Hz"].as_f64().unwrap(),
+            peak["amplitude"].as_f64().unwrap(),
+        )
+    })
+    .collect()
+}
+
+/// Spectra to round-off, with the names of shaft and ball passes; the page is there.
+#[test]
+fn a_trace_that_is_read_back_gives_the_spectra_of_its_run() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |path: &str| folder.path().join(path);
+    fs::write(at("scene.toml"), SCENE).unwrap();
+    done(jeffcott_in(&folder, &["run", "scene.toml"]));
+    let trace = [
+        "analyze",
+        "output/scene/trace.csv",
+        "--start",
+        "0.1 s",
+        "--bearing",
+        "6205",
+    ];
+    done(jeffcott_in(&folder, &trace));
+    let spectra = ["output/scene/spectrum.csv", "output/trace/spectrum.csv"];
+    let compare = ["compare", spectra[0], spectra[1], "--relative", "1e-10"];
+    done(jeffcott_in(&folder, &compare));
+    let (run, record) = (
+        read(at("output/scene/summary.json")),
+        read(at("output/trace/record.json")),
+    );
+    let (own, again) = (peaks(&run, "y"), peaks(&record, "y"));
+    assert_eq!(own.len(), again.len());
+    for ((name, f, amplitude), (other, at, value)) in own.iter().zip(&again) {
+        assert!((f - at).abs() < 1e-6 && (value / amplitude - 1.0).abs() < 1e-6);
+        // the run knows natural frequencies, and weak lines of a record bear no name
+        if name.trim_end_matches('×').parse::<u32>().is_ok() || name == "BPFO" {
+            assert_eq!(name, other);
+        }
+    }
+    assert!(again.iter().any(|(name, ..)| name == "1×"));
+    let page = fs::read_to_string(at("output/trace/record.html")).unwrap();
+    assert!(page.contains("trace") && page.contains("ball pass"));
+
+    let named = [
+        "compare",
+        "output/scene",
+        "output/trace",
+        "--named=0.01",
+        "--common",
+        "--json",
+    ];
+    let output = jeffcott_in(&folder, &named);
+    let named: Value = serde_json::from_str(&text(&output.stdout)).unwrap();
+    let lines = named["lines"].as_array().unwrap();
+    assert!(
+        lines
+            .iter()
+            .any(|line| line["name"] == "1×" && line["difference_dB"].as_f64() < Some(1e-6))
+    );
+}
+
+/// As the manual shows it, on made files of the shape.
+#[test]
+fn layouts_of_data_sets_are_read() {
+    let (cwru, mfpt, er16k) = (
+        "9, 0.3126 in, 1.537 in",
+        "8, 0.235 in, 1.245 in",
+        "9, 7.9375 mm, 38.5 mm",
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let records = root().join("tests/records");
+    for arguments in [
+        &[
+            "cwru.mat",
+            "--channel",
+            "X112_DE_time",
+            "--rate",
+            "12 kHz",
+            "--unit",
+            "g",
+            "--speed",
+            "1797 rpm",
+            "--bearing",
+            cwru,
+        ][..],
+        &[
+            "paderborn.mat",
+            "--channel",
+            "vibration_1",
+            "--rate",
+            "64 kHz",
+            "--speed",
+            "1500 rpm",
+            "--bearing",
+            "6203",
+        ],
+        &[
+            "mfpt.mat",
+            "--channel",
+            "bearing.gs",
+            "--rate",
+            "97656 Hz",
+            "--unit",
+            "g",
+            "--speed",
+            "25 Hz",
+            "--bearing",
+            mfpt,
+        ],
+        &[
+            "curtin.mat",
+            "--channel",
+            "Channel_1",
+            "--rate",
+            "51.2 kHz",
+            "--unit",
+            "m/s^2",
+            "--tacho",
+            "Channel_2",
+            "--bearing",
+            er16k,
+        ],
+        &["german.csv", "--speed", "3000 rpm"],
+        &["i16.wav", "--scale", "50", "--unit", "m/s^2"],
+        &["text.uff"],
+    ] {
+        let all = [&["analyze"], arguments, &["--out", out]].concat();
+        done(jeffcott_in(&records, &all));
+        let stem = arguments[0].split('.').next().unwrap();
+        let document = read(folder.path().join(stem).join("record.json"));
+        assert!(
+            document["sealed"]
+                .as_array()
+                .unwrap()
+                .iter()
+                .any(|name| name == "record.html")
+        );
+        assert!(document["samples"].as_u64() > Some(16) && document["spectrum"].is_object());
+    }
+}
+
+#[test]
+fn a_list_shows_what_a_file_holds() {
+    let records = root().join("tests/records");
+    let listed = |arguments: &[&str]| text(&done(jeffcott_in(&records, arguments)).stdout);
+    let text = listed(&["analyze", "cwru.mat", "--list"]);
+    assert!(
+        text.contains("X112_DE_time") && text.contains("X112RPM = 1797"),
+        "{text}"
+    );
+    let json: Value =
+        serde_json::from_str(&listed(&["analyze", "timed.csv", "--list", "--json"])).unwrap();
+    assert_eq!(json["channels"][0]["samples"], 100.0);
+    assert!((json["channels"][0]["rate_Hz"].as_f64().unwrap() - 25_600.0).abs() < 1e-6);
+}
+
+/// Each with what it says, and exit code 2.
+#[test]
+fn what_is_wrong_is_said_and_nothing_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    let records = root().join("tests/records");
+    let run = |arguments: &[&str]| -> Output {
+        let all = [&["analyze"], arguments, &["--out", out.to_str().unwrap()]].concat();
+        jeffcott_in(&records, &all)
+    };
+    for (arguments, words) in [
+        (&["cwru.mat"][..], "does not say how many samples a second"),
+        (
+            &["mfpt.mat", "--channel", "bearing.gs"],
+            "bearing.sr = 97656",
+        ),
+        (
+            &["cwru.mat", "--rate", "12 kHz", "--channel", "X112_DE"],
+            "did you mean `X112_DE_time`?",
+        ),
+        (
+            &["cwru.mat", "--rate", "12 kHz", "--speed", "1797"],
+            "needs a unit",
+        ),
+        (&["cwru.mat", "--rate", "12 kHz", "--window", "han"], "hann"),
+        (&["version4.mat"], "save it again in MATLAB with `-v7`"),
+        (&["missing.csv"], "cannot be read"),
+    ] {
+        let output = run(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(told(&output).contains(words), "{words}: {}", told(&output));
+    }
+    assert!(!out.exists());
+}
+
+#[test]
+fn the_command_prints_the_schema_of_records() {
+    let committed = fs::read(root().join("scenarios/record.schema.json")).unwrap();
+    assert!(done(jeffcott_in(root(), &["schema", "--record"])).stdout == committed);
+}

@@ -1,0 +1,265 @@
+//! Records of sensors: the lines of known signals, by the code that runs are analysed by.
+
+use std::f64::consts::TAU;
+use std::path::PathBuf;
+
+use crate::ask::record_setting;
+use crate::measurement::{Measured, Slip};
+use crate::record::Record;
+use crate::rotor::load::SplitMix64;
+use crate::scenario::{ScenarioError, describe_record};
+
+/// The bearing of the drive end of the Case Western Reserve rig: multiples of the shaft are published.
+const CWRU_6205: &str = "9, 0.3126 in, 1.537 in";
+
+fn settings(options: &[(&str, &str)]) -> Vec<String> {
+    let setting = |(name, value): &(&str, &str)| record_setting(name, &[(*value).to_owned()]);
+    options.iter().filter_map(setting).collect()
+}
+
+fn described(record: Record, options: &[(&str, &str)]) -> Result<Measured, ScenarioError> {
+    let file = describe_record(record, "made.csv", "{}", &settings(options))?;
+    Ok(file.measurement.analyse())
+}
+
+fn analysed(record: Record, options: &[(&str, &str)]) -> Measured {
+    described(record, options).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn columns(columns: Vec<(&str, Vec<f64>)>) -> Record {
+    let named = columns
+        .into_iter()
+        .map(|(name, values)| (name.to_owned(), values));
+    Record::from_columns(named, "made").unwrap()
+}
+
+/// What rings at 3 kHz whenever the shaft has turned by a part of a revolution, at a speed in Hz that rises by some Hz a second,
+/// in noise.
+fn ringing(rate: f64, count: u32, [speed, rise]: [f64; 2], order: f64) -> Vec<f64> {
+    let noise = SplitMix64::new(7);
+    let turns = |time: f64| time * (speed + 0.5 * rise * time);
+    let mut struck = (0.0, 0.0);
+    let at = |index: u32| {
+        let time = f64::from(index) / rate;
+        let strikes = (turns(time) * order).floor();
+        if strikes > struck.0 {
+            // when it was struck, by the speed now
+            let late = (turns(time) * order - strikes) / (order * (speed + rise * time));
+            struck = (strikes, time - late);
+        }
+        let since = time - struck.1;
+        let ring = 8.0 * (-600.0 * since).exp() * (TAU * 3000.0 * since).sin();
+        ring + noise.uniform(u64::from(index)) - 0.5 + 0.3 * (TAU * turns(time)).cos()
+    };
+    (0..count).map(at).collect()
+}
+
+#[test]
+fn lines_are_at_the_published_multiples_of_the_shaft() {
+    // balls, ball diameter, pitch diameter, angle; speed; outer, inner, cage, spin, and the digits that are printed
+    let cases = [
+        (
+            CWRU_6205,
+            "1 Hz",
+            [3.584_776, 5.415_224, 0.398_308, 0.5 * 4.713_443],
+            1e-6,
+        ),
+        (
+            "8, 0.2656 in, 1.122 in",
+            "1 Hz",
+            [3.053_12, 4.946_88, 0.381_640, f64::NAN],
+            1e-5,
+        ),
+        (
+            "8, 0.235 in, 1.245 in",
+            "25 Hz",
+            [81.13, 118.87, 10.14, 63.86],
+            6e-3,
+        ),
+        (
+            "9, 7.9375 mm, 38.50 mm",
+            "1 Hz",
+            [3.572, 5.428, 0.396_9, 2.32],
+            4e-3,
+        ),
+        (
+            "16, 8.4 mm, 71.5 mm, 15.17 deg",
+            "2000 rpm",
+            // 296.90 by these dimensions, which are rounded themselves
+            [236.4, 297.0, f64::NAN, f64::NAN],
+            0.11,
+        ),
+    ];
+    for (bearing, speed, expected, digits) in cases {
+        let record = columns(vec![("a", vec![0.0; 64])]);
+        let options = [("rate", "1 kHz"), ("speed", speed), ("bearing", bearing)];
+        let found = analysed(record, &options).nominal[0];
+        let found = [found.outer, found.inner, found.cage, found.spin];
+        for (found, expected) in found.into_iter().zip(expected) {
+            let is_printed = !expected.is_nan();
+            assert!(
+                !is_printed || (found - expected).abs() < digits,
+                "{bearing}: {found} {expected}"
+            );
+        }
+    }
+}
+
+/// The strongest line of the envelope bears the name of the race, and the slip is found to the resolution.
+#[test]
+fn the_slip_of_a_cage_is_measured() {
+    for (order, slip, name) in [
+        (3.584_776 * 0.99, 0.01, "BPFO"),
+        // Z (f − f_c) with a cage at 0.98 of 0.398308
+        (9.0 * (1.0 - 0.98 * 0.398_308), 0.02, "BPFI"),
+        (3.584_776, 0.0, "BPFO"),
+    ] {
+        let signal = ringing(12_000.0, 60_000, [30.0, 0.0], order);
+        let options = [
+            ("rate", "12 kHz"),
+            ("unit", "m/s^2"),
+            ("speed", "1800 rpm"),
+            ("bearing", CWRU_6205),
+        ];
+        let found = analysed(columns(vec![("a", signal)]), &options);
+        let Some(Slip {
+            cage_slip,
+            uncertainty,
+            ..
+        }) = &found.slips[0]
+        else {
+            panic!("no slip of {name}");
+        };
+        assert!(
+            (cage_slip - slip).abs() <= *uncertainty,
+            "{name}: {cage_slip} ± {uncertainty}"
+        );
+        assert!(*uncertainty < 1e-3, "{uncertainty}");
+        let line = &found.spectra[0].lines[0];
+        assert_eq!(line.line.kind.to_string(), name);
+        assert!((line.place - 30.0 * order).abs() < 0.1, "{}", line.place);
+    }
+}
+
+#[test]
+fn a_speed_that_nobody_gave_is_estimated_as_such() {
+    let signal = ringing(12_000.0, 60_000, [30.0, 0.0], 3.584_776);
+    let options = [("rate", "12 kHz"), ("unit", "g"), ("bearing", CWRU_6205)];
+    let found = analysed(columns(vec![("a", signal)]), &options);
+    assert!(found.speed.is_none() && found.spectra[0].lines.is_empty());
+    let likeliest = &found.speed_estimates[0];
+    let error = likeliest.shaft_frequency / 30.0 - 1.0;
+    assert!(error.abs() < 2e-3, "{likeliest:?}");
+}
+
+/// Under a speed that rises by two thirds, the order of the line is found over the angle of a tacho.
+#[test]
+fn a_tacho_brings_a_run_up_to_orders() {
+    let (rate, count) = (20_000.0, 100_000);
+    let signal = ringing(rate, count, [15.0, 2.0], 3.584_776);
+    let turns = |time: f64| time * (15.0 + time);
+    let tacho = (0..count).map(|n| {
+        let part = turns(f64::from(n) / rate).fract();
+        if part < 0.3 { 1.0 } else { 0.0 }
+    });
+    let record = columns(vec![("a", signal), ("tacho", tacho.collect())]);
+    let options = [
+        ("rate", "20 kHz"),
+        ("unit", "m/s^2"),
+        ("channel", "a"),
+        ("tacho", "tacho"),
+        ("bearing", CWRU_6205),
+    ];
+    let found = analysed(record, &options);
+    let [_, lowest, highest] = found.speed.unwrap().map(|speed| speed / TAU);
+    assert!(
+        (lowest - 15.0).abs() < 0.3 && (highest - 25.0).abs() < 0.3,
+        "{lowest} {highest}"
+    );
+    let line = &found.spectra[0].lines[0];
+    assert_eq!(line.line.kind.to_string(), "BPFO");
+    assert!((line.place - 3.584_776).abs() < 0.01, "{}", line.place);
+    assert!(
+        found
+            .maps
+            .is_some_and(|maps| !maps.tracks.points.is_empty())
+    );
+}
+
+/// Channels 0 and 1 of the made files, in every form and precision.
+#[test]
+fn every_form_gives_the_same_lines() {
+    let files = [
+        ("xjtu.csv", "1", 0.0),
+        ("ims", "1", 1e-14),
+        ("femto.csv", "1", 1e-14),
+        ("german.csv", "1", 2e-14),
+        ("i16.wav", "1", 0.0),
+        ("i24.wav", "1", 0.0),
+        ("f32.wav", "1", 0.0),
+        ("f64.wav", "1", 0.0),
+        ("cwru.mat", "1", 0.0),
+        ("cwru_packed.mat", "1", 0.0),
+        ("curtin.mat", "1", 0.0),
+        ("mfpt.mat", "bearing.gs", 0.0),
+    ];
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/records");
+    let lines = |file: &str, channel: &str| {
+        let record = Record::open(&folder.join(file)).unwrap();
+        let options = [("rate", "25.6 kHz"), ("channel", channel), ("unit", "um")];
+        let found = analysed(record, &options).spectrum.unwrap();
+        found.channels[0].amplitude.clone()
+    };
+    let expected = lines("xjtu.csv", "1");
+    let scale = expected.iter().copied().fold(0.0, f64::max);
+    for (file, channel, allowed) in files {
+        for (found, expected) in lines(file, channel).iter().zip(&expected) {
+            assert!(
+                (found - expected).abs() <= allowed * scale,
+                "{file}: {found} {expected}"
+            );
+        }
+    }
+}
+
+#[test]
+fn what_is_missing_is_asked_for() {
+    let signal = || {
+        columns(vec![
+            ("acc x", vec![0.5; 200]),
+            ("speed", vec![1500.0; 200]),
+        ])
+    };
+    let refused = |options: &[(&str, &str)]| {
+        let error = described(signal(), options).expect_err("it is wrong");
+        error.render(false)
+    };
+    for (options, words) in [
+        (&[][..], "how many samples a second"),
+        (
+            &[("rate", "1 kHz"), ("channel", "acc y")],
+            "did you mean `acc x`",
+        ),
+        (&[("rate", "1 kHz"), ("channel", "7")], "no channel `7`"),
+        (
+            &[("rate", "1 kHz"), ("speed", "speed")],
+            "no unit of `speed`",
+        ),
+        (&[("rate", "1 kHz"), ("tacho", "speed")], "0 pulses"),
+        (
+            &[("rate", "1 kHz"), ("start", "3 s")],
+            "the record ends at 0.2 s",
+        ),
+        (
+            &[("rate", "1 kHz"), ("bearing", "62O5")],
+            "the catalogue has no bearing",
+        ),
+        (&[("rate", "1000")], "needs a unit"),
+    ] {
+        let told = refused(options);
+        assert!(told.contains(words), "{words}: {told}");
+    }
+    let found = analysed(signal(), &[("rate", "1 kHz"), ("unit", "g")]);
+    assert_eq!(found.statistics[0].channel.name(), "acc_x");
+    assert!((found.statistics[0].moments.mean() - 0.5 * 9.806_65).abs() < 1e-12);
+}
