@@ -211,7 +211,7 @@ impl Structure {
                 None => Coordinate::from_axis(0, ""),
             })
             .collect();
-        self.dofs += room - massless.len();
+        self.dofs = self.dofs + room - massless.len();
         self
     }
 
