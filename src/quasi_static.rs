@@ -128,7 +128,7 @@ pub(crate) fn answer_on(
         .iter()
         .map(|bearing| bearing.friction_moment.total());
     let friction = moments.sum();
-    let arm = Support::largest(supports, Geometry::inner_groove_radius);
+    let arm = Support::largest(supports, Geometry::lever);
     Ok(QuasiStatic {
         displacement: equilibrium.displacement,
         force: equilibrium.force,
@@ -187,7 +187,7 @@ fn warnings(supports: &[Support], bearings: &[BearingState]) -> Vec<String> {
     let mut warnings = Vec::new();
     for (index, (support, bearing)) in supports.iter().zip(bearings).enumerate() {
         let number = index + 1;
-        let balls = support.definition().bearing.geometry.balls();
+        let balls = support.definition().bearing.geometry.all_balls();
         if support.is_preloaded() && bearing.balls_loaded < balls {
             warnings.push(format!(
                 "bearing {number}: the preload is lost on {} of {balls} balls",

@@ -1,7 +1,10 @@
 //! The friction moment of a mounted bearing.
 
 use super::static_rating::static_rating;
-use super::{Bearing, FrictionMoment, MountedBearing, Oil, RaceContacts, SkfMoment, Vector5};
+use super::{
+    Bearing, FrictionMoment, Geometry, MountedBearing, Oil, RaceContacts, RollerKind, SkfMoment,
+    Vector5,
+};
 use crate::physics::{FrictionFactors, MINERAL_OIL_DENSITY, SkfOperation};
 
 /// What the friction moment of a bearing rests on besides load and speed.
@@ -23,7 +26,7 @@ impl BearingFriction {
         // ν = η0/ρ
         let kinematic = |oil: Oil| oil.viscosity / MINERAL_OIL_DENSITY;
         Self {
-            factors: FrictionFactors::from_contact_angle(bearing.geometry.nominal_angle()),
+            factors: friction_factors(&bearing.geometry),
             pitch_diameter: bearing.geometry.pitch_diameter(),
             static_rating: static_rating(&bearing.geometry, contacts),
             viscosity: lubricant.or(definition.oil.map(kinematic)),
@@ -40,6 +43,21 @@ impl BearingFriction {
             viscous: self.viscosity.map_or(0.0, viscous),
         }
     }
+}
+
+/// Coefficients of a kind of bearing in an oil bath; of rollers the middle of the ranges in the source.
+fn friction_factors(geometry: &Geometry) -> FrictionFactors {
+    let angle = geometry.nominal_angle();
+    let Some(rollers) = geometry.rollers() else {
+        return FrictionFactors::from_contact_angle(angle);
+    };
+    let [load, viscous] = match rollers.kind {
+        RollerKind::Cylindrical => [3e-4, 3.0],
+        RollerKind::Needle => [5.5e-4, 12.0],
+        RollerKind::Tapered => [4e-4, 6.0],
+        RollerKind::Spherical => [4.5e-4, 5.0],
+    };
+    FrictionFactors::of_rollers(load, viscous, angle)
 }
 
 /// Moment after SKF under a force of the ring in N at a shaft speed in rad/s, where series, boundary dimensions and

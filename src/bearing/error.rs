@@ -51,6 +51,12 @@ pub enum BearingError {
          set contact = \"hertz\""
     )]
     RotatingRing,
+    /// What is known of balls only, asked of rollers.
+    #[error("{what} is not known of roller bearings")]
+    Rollers {
+        /// What it is.
+        what: &'static str,
+    },
     /// A coefficient of the contact damping is no number that damps.
     #[error("the contact damping is {value} s/m; it must be zero or positive, finite")]
     ContactDamping {

@@ -1,8 +1,9 @@
-//! Internal geometry of an angular contact or deep-groove ball bearing.
+//! Internal geometry of a ball or roller bearing.
 
+use super::{RollerKind, Rollers};
 use crate::physics::{BallPass, ball_pass_frequencies};
 
-/// Why a set of dimensions is not a ball bearing.
+/// Why a set of dimensions is not a bearing.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GeometryError {
@@ -65,6 +66,33 @@ pub enum GeometryError {
         /// Largest change that fits, m.
         largest: f64,
     },
+    /// Rollers lie at an angle that their kind does not have.
+    #[error("the contact angle of {kind} rollers is {degrees}°; {rule}")]
+    RollerAngle {
+        /// Kind of the bearing.
+        kind: &'static str,
+        /// Angle as given, degrees.
+        degrees: f64,
+        /// What it must be.
+        rule: &'static str,
+    },
+    /// A roller is cut into too few or too many slices.
+    #[error("{laminae} laminae: a roller is cut into {min} to {max}", min = Rollers::FEWEST_LAMINAE, max = Rollers::MOST_LAMINAE)]
+    Laminae {
+        /// Number as given.
+        laminae: usize,
+    },
+    /// The clearance of rollers is out of all proportion.
+    #[error(
+        "a diametral clearance of {clearance} m does not fit rollers of {diameter} m: its size must stay below a twentieth \
+         of them"
+    )]
+    RollerClearance {
+        /// Diametral clearance as given, m.
+        clearance: f64,
+        /// Diameter of the rollers, m.
+        diameter: f64,
+    },
     /// The balls overlap on the pitch circle.
     #[error(
         "{balls} balls of {ball_diameter} m overlap on a pitch circle of {pitch_diameter} m: at \
@@ -82,7 +110,7 @@ pub enum GeometryError {
     },
 }
 
-/// Dimensions of a ball bearing, checked at construction.
+/// Dimensions of a bearing, checked at construction. Its rolling elements, balls or [`Rollers`], are called balls.
 ///
 /// The frame, the symbols and the distances A and R_i are those of the crate's front page.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -94,8 +122,10 @@ pub struct Geometry {
     squeeze: f64,
     /// As made, before any change of clearance.
     free_position: FreePosition,
-    /// f = r/D of the inner and the outer race.
+    /// f = r/D of the inner and the outer race; infinite of rollers, whose races are straight.
     groove_factors: [f64; 2],
+    /// What it has in place of balls.
+    rollers: Option<Rollers>,
 }
 
 /// How the free position of the races is given.
@@ -186,6 +216,68 @@ impl Geometry {
             squeeze,
             free_position,
             groove_factors: [groove_factor_inner, groove_factor_outer],
+            rollers: None,
+        })
+    }
+
+    /// Checks the dimensions of a roller bearing: `count` rollers a row, lengths in m, contact angle in rad.
+    ///
+    /// # Errors
+    /// [`GeometryError`] with the offending number and the range that it must be in.
+    pub fn of_rollers(
+        count: usize,
+        diameter: f64,
+        pitch_diameter: f64,
+        contact_angle: f64,
+        rollers: Rollers,
+    ) -> Result<Self, GeometryError> {
+        let angle = FreePosition::ContactAngle(contact_angle);
+        let alike = Self::new(count, diameter, pitch_diameter, angle, 1.0, 1.0)?;
+        let (name, value) = ("roller length", rollers.length);
+        if !(value > 0.0 && value.is_finite()) {
+            return Err(GeometryError::Length { name, value });
+        }
+        let rule = match rollers.kind {
+            RollerKind::Cylindrical | RollerKind::Needle if contact_angle != 0.0 => {
+                "it must be zero"
+            }
+            RollerKind::Tapered | RollerKind::Spherical if contact_angle == 0.0 => {
+                "it must be above zero"
+            }
+            _ => "",
+        };
+        if !rule.is_empty() {
+            return Err(GeometryError::RollerAngle {
+                kind: rollers.kind.name(),
+                degrees: contact_angle.to_degrees(),
+                rule,
+            });
+        }
+        let laminae = rollers.laminae;
+        if !(Rollers::FEWEST_LAMINAE..=Rollers::MOST_LAMINAE).contains(&laminae) {
+            return Err(GeometryError::Laminae { laminae });
+        }
+        let geometry = Self {
+            groove_factors: [f64::INFINITY; 2],
+            rollers: Some(rollers),
+            ..alike
+        };
+        geometry.with_roller_clearance(rollers)
+    }
+
+    /// The bearing with rollers whose clearance fits it.
+    fn with_roller_clearance(self, rollers: Rollers) -> Result<Self, GeometryError> {
+        let (clearance, diameter) = (rollers.clearance, self.ball_diameter);
+        if !(clearance.abs() <= self.length_scale()) {
+            return Err(GeometryError::RollerClearance {
+                clearance,
+                diameter,
+            });
+        }
+        Ok(Self {
+            squeeze: 0.5 * (-clearance).max(0.0),
+            rollers: Some(rollers),
+            ..self
         })
     }
 
@@ -206,6 +298,13 @@ impl Geometry {
     pub fn with_clearance_change(&self, change: f64) -> Result<Self, GeometryError> {
         if change == 0.0 {
             return Ok(*self);
+        }
+        if let Some(rollers) = self.rollers {
+            let clearance = rollers.clearance + change;
+            return self.with_roller_clearance(Rollers {
+                clearance,
+                ..rollers
+            });
         }
         let distance = self.groove_centre_distance();
         // A − A cos α0, negative of squeezed balls
@@ -228,7 +327,30 @@ impl Geometry {
         })
     }
 
-    /// Number of balls Z.
+    /// What the bearing has in place of balls.
+    pub fn rollers(&self) -> Option<&Rollers> {
+        self.rollers.as_ref()
+    }
+
+    /// What a rolling element is called.
+    pub(crate) fn element(&self) -> &'static str {
+        match self.rollers {
+            Some(_) => "roller",
+            None => "ball",
+        }
+    }
+
+    /// Rows of balls or rollers.
+    pub fn rows(&self) -> usize {
+        self.rollers.as_ref().map_or(1, Rollers::rows)
+    }
+
+    /// Number of balls or rollers in all rows.
+    pub(crate) fn all_balls(&self) -> usize {
+        self.rows() * self.balls
+    }
+
+    /// Number of balls Z, of one row.
     pub fn balls(&self) -> usize {
         self.balls
     }
@@ -274,12 +396,23 @@ impl Geometry {
     /// Whether the bearing is alike in both directions along its axis, as a deep-groove bearing is: the groove
     /// centres are opposite each other at zero displacement, in the middle of the axial play.
     pub fn is_symmetric(&self) -> bool {
-        !matches!(self.free_position, FreePosition::ContactAngle(_))
+        match &self.rollers {
+            Some(rollers) => rollers.kind != RollerKind::Tapered,
+            None => !matches!(self.free_position, FreePosition::ContactAngle(_)),
+        }
     }
 
-    /// Diametral clearance P_d = 2A(1 − cos α0) of a deep-groove bearing, m; none of an angular contact bearing. Negative
-    /// where the balls are squeezed.
+    /// Whether the bearing holds its rings along the axis: all but cylindrical rollers do.
+    pub fn holds_axially(&self) -> bool {
+        self.rollers.is_none() || self.contact_angle > 0.0
+    }
+
+    /// Diametral clearance P_d = 2A(1 − cos α0) of a deep-groove bearing, or G_r of rollers, m; none of an angular contact
+    /// or tapered bearing. Negative where the balls are squeezed.
     pub fn diametral_clearance(&self) -> Option<f64> {
+        if let Some(rollers) = &self.rollers {
+            return self.is_symmetric().then_some(rollers.clearance);
+        }
         let half = (0.5 * self.contact_angle).sin();
         // 1 − cos α0 = 2 sin²(α0/2)
         let clearance = 4.0 * self.groove_centre_distance() * half * half;
@@ -328,6 +461,33 @@ impl Geometry {
         )
     }
 
+    /// Length that displacements between the rings compare with, m: the distance of the groove centres of balls, a
+    /// twentieth of the diameter of rollers.
+    pub fn length_scale(&self) -> f64 {
+        match self.rollers {
+            Some(_) => 0.05 * self.ball_diameter,
+            None => self.groove_centre_distance(),
+        }
+    }
+
+    /// Radius that turns tilts into displacements where the balls are, m: that of the inner groove centres or the pitch
+    /// radius of rollers.
+    pub fn lever(&self) -> f64 {
+        match self.rollers {
+            Some(_) => 0.5 * self.pitch_diameter,
+            None => self.inner_groove_radius(),
+        }
+    }
+
+    /// Radius on which axial forces act and tilts move the contacts, m: the [`Geometry::lever`]; none of spherical rollers,
+    /// whose outer race turns about the middle of the bearing.
+    pub(super) fn arm(&self) -> f64 {
+        match &self.rollers {
+            Some(rollers) if rollers.kind == RollerKind::Spherical => 0.0,
+            _ => self.lever(),
+        }
+    }
+
     /// Distance of the groove centres in the unloaded bearing, A = (f_i + f_o − 1)D, m.
     pub fn groove_centre_distance(&self) -> f64 {
         let [inner, outer] = self.groove_factors;
@@ -342,15 +502,20 @@ impl Geometry {
 
     /// Axial distance of the groove centres at zero displacement, m: A sin α0 of an angular contact bearing, whose
     /// free contact angle just closes there; 0 of a deep-groove bearing in the middle of its play.
+    /// Of rollers, whose approach is counted from zero displacement, 0.
     pub fn free_axial(&self) -> f64 {
-        match self.is_symmetric() {
+        match self.is_symmetric() || self.rollers.is_some() {
             true => 0.0,
             false => self.groove_centre_distance() * self.contact_angle.sin(),
         }
     }
 
-    /// Radial distance of the groove centres at zero displacement, A cos α0 and what the balls are squeezed by, m.
+    /// Radial distance of the groove centres at zero displacement, A cos α0 and what the balls are squeezed by, m. Of
+    /// rollers, −G_r/2.
     pub fn free_radial(&self) -> f64 {
+        if let Some(rollers) = &self.rollers {
+            return -0.5 * rollers.clearance;
+        }
         self.groove_centre_distance() * self.contact_angle.cos() + self.squeeze
     }
 }

@@ -1,6 +1,6 @@
-//! The ball bearing as a nonlinear spring: geometry, ball laws, ring sum.
+//! The ball or roller bearing as a nonlinear spring: geometry, ball laws, ring sum.
 //!
-//! Data climbs from a [`Bearing`] (dimensions, materials) over a [`BallLaw`] (force of one ball) and
+//! What rolls is called a ball throughout, and is a roller where the law of its contacts is that of one. Data climbs from a [`Bearing`] (dimensions, materials) over a [`BallLaw`] (force of one ball) and
 //! a [`Ring`] (the positions of the balls, and sums over them) to a [`Support`] (the bearing at its place on the
 //! shaft).
 
@@ -19,6 +19,7 @@ pub(crate) mod number;
 pub(crate) mod ring;
 mod ring_contacts;
 mod ring_forces;
+mod rollers;
 pub(crate) mod rotation;
 mod seat;
 mod state;
@@ -43,7 +44,7 @@ pub(crate) use law::{
     Ball, BallForce, BallLaw, ContactLaw, ForceLaw, RaceContacts, RaceFilms, TableError,
     TableReport,
 };
-pub use law::{BallContact, PERMISSIBLE_PRESSURE, permissible_static_load};
+pub use law::{BallContact, Lamina, PERMISSIBLE_PRESSURE, permissible_static_load};
 #[cfg(test)]
 pub(crate) use law::{
     BallRegion, BallState, BallTable, HertzFilmLaw, HertzLaw, JonesFilmLaw, JonesLaw,
@@ -53,10 +54,12 @@ pub use life::{ModifiedLife, RatingLives, reference_rating_life};
 pub use ring::{Matrix5, Vector5};
 pub(crate) use ring::{Ring, quarter_turn};
 pub use ring_contacts::BallLoads;
+pub use rollers::{Profile, ProfilePoints, RollerKind, Rollers, Slice};
 pub(crate) use rotation::{Angle, BearingRotation};
 pub(crate) use state::{Around, FitState, GeometryState, StiffnessShares};
 pub use state::{
-    BallLine, BearingState, FilmState, FrictionMoment, InternalGeometry, RaceContact, SkfMoment,
+    BallLine, BearingState, Elements, FilmState, FrictionMoment, InternalGeometry, LaminaLine,
+    RaceContact, RollerGeometry, SkfMoment,
 };
 pub(crate) use support::{ContactBand, LOADED_SHARE, Support};
 pub use surface::Surface;

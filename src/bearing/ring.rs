@@ -19,10 +19,10 @@ pub(super) type LaneVector<S> = [Lanes<S>; 5];
 /// The balls of a bearing at their azimuths.
 ///
 /// ```text
-/// A1_j = A sin α0 + z + R_i (θx sin φ_j − θy cos φ_j)   A2_j = A cos α0 + x cos φ_j + y sin φ_j
+/// A1_j = A sin α0 + s_j z + R_i T_j   A2_j = A cos α0 + x cos φ_j + y sin φ_j   T_j = θx sin φ_j − θy cos φ_j
 /// ```
 ///
-/// `Ring::visit` hands these positions to a consumer, four balls at a time, with the drops of the surfaces
+/// s_j is 1, but −1 in the second row of a bearing of two, whose contact lines lean the other way. `Ring::visit` hands these positions to a consumer, four balls at a time, with the drops of the surfaces
 /// under them: forces, stiffness, damping, lift-off, loads and life are consumers.
 ///
 /// The balls never move in the tables: cosines and sines of their azimuths are constants, turned with
@@ -43,13 +43,13 @@ pub struct Ring {
     pub(super) surfaces: Option<Box<ImperfectSurfaces>>,
 }
 
-/// Azimuths of a few balls in the cage's frame; a lane without a ball has zeros throughout.
+/// Azimuths of a few balls in the cage's frame, and which way each leans; a lane without a ball has zeros throughout.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(32))]
 struct Azimuths {
     cos: [f64; LANES],
     sin: [f64; LANES],
-    weight: [f64; LANES],
+    side: [f64; LANES],
 }
 
 /// Balls side by side in their positions.
@@ -59,8 +59,8 @@ pub(super) struct Balls<S: Simd> {
     pub first: usize,
     pub cos: Lanes<S>,
     pub sin: Lanes<S>,
-    /// One for a ball, zero for a lane without.
-    pub weight: Lanes<S>,
+    /// How A1 follows z: 1, of the second row −1, and zero for a lane without ball.
+    pub side: Lanes<S>,
     pub ball: Ball<Lanes<S>>,
 }
 
@@ -71,6 +71,7 @@ impl<S: Simd> Balls<S> {
         (first..count.min(first + LANES)).map(move |number| {
             let lane = number - first;
             let ball = Ball {
+                tilt: balls.tilt[lane],
                 drop: balls.drop.map(|drop| drop[lane]),
                 ..Ball::at(balls.axial[lane], balls.radial[lane])
             };
@@ -80,26 +81,35 @@ impl<S: Simd> Balls<S> {
 }
 
 impl Ring {
-    /// Places the balls of `geometry` evenly from azimuth `first_ball` in rad; their surfaces are perfect.
+    /// Places the balls of `geometry` evenly from azimuth `first_ball` in rad, a second row beside the first; their surfaces
+    /// are perfect.
     pub fn new(geometry: &Geometry, first_ball: f64) -> Self {
         let balls = geometry.balls();
-        let azimuths: Vec<f64> = (0..balls)
-            .map(|ball| first_ball + std::f64::consts::TAU * ball as f64 / balls as f64)
+        let azimuths: Vec<f64> = (0..geometry.all_balls())
+            .map(|ball| first_ball + std::f64::consts::TAU * (ball % balls) as f64 / balls as f64)
             .collect();
+        let firsts = (0..).step_by(LANES);
+        let groups = azimuths.chunks(LANES).zip(firsts);
+        let groups = groups.map(|(azimuths, first)| Azimuths::new(azimuths, first, balls));
         Self {
             level: Level::new(),
-            groups: azimuths.chunks(LANES).map(Azimuths::new).collect(),
+            groups: groups.collect(),
             azimuths,
             free_axial: geometry.free_axial(),
             free_radial: geometry.free_radial(),
-            arm: geometry.inner_groove_radius(),
+            arm: geometry.arm(),
             surfaces: None,
         }
     }
 
-    /// Number of balls.
+    /// Number of balls in all rows.
     pub(super) fn balls(&self) -> usize {
         self.azimuths.len()
+    }
+
+    /// 1 of a ball with a number; of the second row, which leans the other way, −1.
+    pub(super) fn side(&self, number: usize) -> f64 {
+        self.groups[number / LANES].side[number % LANES]
     }
 
     /// Hands the positions of all balls to a consumer, some balls side by side after the other. A consumer whose speed
@@ -168,34 +178,37 @@ impl Ring {
         for (group, azimuths) in self.groups.iter().enumerate() {
             let [cos, sin] = azimuths.turned(simd, rotation.cage);
             let start = [self.free_axial, self.free_radial];
-            let [axial, radial] = self.components(start, displacement, [cos, sin]);
+            let side = simd.load_array_ref_f64x4(&azimuths.side);
+            let [axial, radial, tilt] = self.components(start, displacement, [cos, sin, side]);
             take(&Balls {
                 first: LANES * group,
                 cos,
                 sin,
-                weight: simd.load_array_ref_f64x4(&azimuths.weight),
+                side,
                 ball: Ball {
                     axial,
                     radial,
+                    tilt,
                     drop: drops(LANES * group, [cos, sin]),
                 },
             });
         }
     }
 
-    /// Axial and radial component, where balls are, of a ring's displacement or velocity, from a start on.
+    /// Axial and radial component and tilt, where balls are, of a ring's displacement or velocity, from a start on.
     #[inline(always)]
     pub(super) fn components<T: Number>(
         &self,
         [axial, radial]: [f64; 2],
         [x, y, z, tilt_x, tilt_y]: &[T; 5],
-        [cos, sin]: [T; 2],
-    ) -> [T; 2] {
+        [cos, sin, side]: [T; 3],
+    ) -> [T; 3] {
         let arm = self.arm;
-        // A1 = start + z + R_i (θx sin φ − θy cos φ), A2 = start + x cos φ + y sin φ
+        // A1 = start + s z + R_i (θx sin φ − θy cos φ), A2 = start + x cos φ + y sin φ, T = θx sin φ − θy cos φ
         [
-            (*z + axial) + (*tilt_x * arm * sin - *tilt_y * arm * cos),
+            (*z * side + axial) + (*tilt_x * arm * sin - *tilt_y * arm * cos),
             (*x * cos + *y * sin) + radial,
+            *tilt_x * sin - *tilt_y * cos,
         ]
     }
 
@@ -209,7 +222,8 @@ impl Ring {
     ) -> Ball {
         let (sin, cos) = azimuth.sin_cos();
         let start = [self.free_axial, self.free_radial];
-        let [axial, radial] = self.components(start, displacement, [cos, sin]);
+        let side = number.map_or(1.0, |number| self.side(number));
+        let [axial, radial, tilt] = self.components(start, displacement, [cos, sin, side]);
         let drop = self.surfaces.as_ref().map_or([0.0; 2], |surfaces| {
             let alone = [cos, sin].map(|part| [part, 0.0, 0.0, 0.0]);
             let first = number.unwrap_or(usize::MAX);
@@ -217,6 +231,7 @@ impl Ring {
             drops.map(|[drop, ..]| drop)
         });
         Ball {
+            tilt,
             drop,
             ..Ball::at(axial, radial)
         }
@@ -236,14 +251,14 @@ impl Ring {
 }
 
 impl Azimuths {
-    /// Cosines and sines of at most `LANES` azimuths in rad.
-    fn new(azimuths: &[f64]) -> Self {
-        let [mut cos, mut sin, mut weight] = [[0.0; LANES]; 3];
+    /// Cosines and sines of at most `LANES` azimuths in rad, from the ball with a number on; of so many balls a row.
+    fn new(azimuths: &[f64], first: usize, row: usize) -> Self {
+        let [mut cos, mut sin, mut side] = [[0.0; LANES]; 3];
         for (lane, azimuth) in azimuths.iter().enumerate() {
             (sin[lane], cos[lane]) = azimuth.sin_cos();
-            weight[lane] = 1.0;
+            side[lane] = if first + lane < row { 1.0 } else { -1.0 };
         }
-        Self { cos, sin, weight }
+        Self { cos, sin, side }
     }
 
     /// Cosines and sines with the cage turned: no displacement enters, so that this can be worked out before one

@@ -104,7 +104,7 @@ impl Ring {
                     let response = law.response(&at.ball, rotation.speed);
                     sums.add_force(at, law, &response.force);
                     for (race, load) in response.load.into_iter().enumerate() {
-                        largest[race] = (load * at.weight).max(largest[race]);
+                        largest[race] = (load * at.side.abs()).max(largest[race]);
                         store(load, at.first, &mut loads.load[race]);
                     }
                     store(response.approach, at.first, &mut loads.approach);
@@ -134,7 +134,7 @@ impl Ring {
         self.visit(simd, &side_by_side(simd, displacement), rotation, |at| {
             for (_, ball) in at.single(self.balls()) {
                 let response = law.response(&ball, rotation.speed);
-                let elastic = law.elastic_energies(&response);
+                let elastic = law.elastic_energies(&ball, &response);
                 let in_films = films.map_or([0.0; 2], |films| {
                     films.stored_energies(response.load, rotation.speed)
                 });

@@ -2,7 +2,7 @@
 
 use fearless_simd::{Simd, SimdBase, SimdFloat};
 
-use super::number::{Dual, Lanes};
+use super::number::Lanes;
 use super::ring::{Balls, LaneVector, side_by_side};
 use super::{BallForce, BallLaw, BearingRotation, ForceLaw, Matrix5, Ring, Vector5};
 use crate::numerics::registers::in_wide_registers;
@@ -48,9 +48,23 @@ impl Ring {
     /// Force as by [`Ring::force`] and its exact derivative K = ∂F/∂q.
     ///
     /// ```text
-    /// K = Σ_j B_jᵀ (∂(F_a, F_r, couple)/∂(A1, A2)) B_j        B_j = ∂(A1, A2)/∂q
+    /// K = Σ_j B_jᵀ (∂(F_a, F_r, couple)/∂(A1, A2, T)) B_j        B_j = ∂(A1, A2, T)/∂q
     /// ```
-    pub fn force_and_stiffness(
+    pub fn force_and_stiffness<L: ForceLaw>(
+        &self,
+        law: &L,
+        displacement: &Vector5,
+        rotation: &BearingRotation,
+    ) -> (Vector5, Matrix5) {
+        match L::FOLLOWS_TILT {
+            true => self.force_and_slopes::<3>(law, displacement, rotation),
+            false => self.force_and_slopes::<2>(law, displacement, rotation),
+        }
+    }
+
+    /// Force and derivative, by the first D of A1, A2 and T.
+    #[inline(always)]
+    fn force_and_slopes<const D: usize>(
         &self,
         law: &impl ForceLaw,
         displacement: &Vector5,
@@ -67,19 +81,20 @@ impl Ring {
                 rotation,
                 #[inline(always)]
                 |at| {
-                    // force of each ball and its slopes by A1 and A2
-                    let force = law.force(&at.ball.with_slopes(), rotation.speed);
+                    // force of each ball and its slopes by A1, A2 and T
+                    let force = law.force(&at.ball.with_slopes::<D>(), rotation.speed);
                     sums.add_force(at, law, &force.value());
                     // N = R_i F_a + couple
-                    let moment: Dual<_, 2> = force.axial * arm + force.couple;
-                    // B_j: how A1 and A2 follow the ring
-                    let axial_slopes = [zero, zero, at.weight, arm * at.sin, -arm * at.cos];
+                    let moment = force.axial * arm + force.couple;
+                    // B_j: how A1, A2 and T follow the ring
+                    let axial_slopes = [zero, zero, at.side, arm * at.sin, -arm * at.cos];
                     let radial_slopes = [at.cos, at.sin, zero, zero, zero];
+                    let tilt_slopes = [zero, zero, zero, at.sin, -at.cos];
                     // rows of K: F_x, F_y, F_z, M_x, M_y
                     let rows = [
                         (at.cos, force.radial),
                         (at.sin, force.radial),
-                        (at.weight, force.axial),
+                        (at.side, force.axial),
                         (at.sin, moment),
                         (-at.cos, moment),
                     ];
@@ -88,6 +103,10 @@ impl Ring {
                         for column in 0..5 {
                             slopes[row][column] +=
                                 by_axial * axial_slopes[column] + by_radial * radial_slopes[column];
+                            if D == 3 {
+                                slopes[row][column] +=
+                                    factor * force.slopes[2] * tilt_slopes[column];
+                            }
                         }
                     }
                 },
@@ -134,7 +153,8 @@ impl Ring {
                 elastic.add_force(at, law, &response.force.value());
                 let approaches = law.elastic_approaches(&response);
                 // Ȧ1 and Ȧ2, and the rates of the drops
-                let [axial_rate, radial_rate] = self.components([0.0; 2], rate, [at.cos, at.sin]);
+                let [axial_rate, radial_rate, _] =
+                    self.components([0.0; 2], rate, [at.cos, at.sin, at.side]);
                 let drop_rates = match &self.surfaces {
                     Some(surfaces) if D == 4 => {
                         let speeds = [rotation.cage_speed, rotation.speed];
@@ -193,7 +213,7 @@ impl<S: Simd> ForceSums<S> {
     fn add(&mut self, at: &Balls<S>, [radial, axial, moment]: [Lanes<S>; 3]) {
         self.sums[0] += radial * at.cos;
         self.sums[1] += radial * at.sin;
-        self.sums[2] += axial * at.weight;
+        self.sums[2] += axial * at.side;
         self.sums[3] += moment * at.sin;
         self.sums[4] += moment * at.cos;
     }

@@ -28,7 +28,7 @@ impl Seat {
             Preload::Spring(force) => Self::Spring {
                 force,
                 start: displacement(force)?,
-                reach: 0.25 * geometry.groove_centre_distance(),
+                reach: 0.25 * geometry.length_scale(),
             },
         })
     }
@@ -139,7 +139,7 @@ fn thrust_displacement(
     force: f64,
 ) -> Result<f64, BearingError> {
     let unreachable = BearingError::Preload { preload: force };
-    let (free_axial, distance) = (geometry.free_axial(), geometry.groove_centre_distance());
+    let (free_axial, distance) = (geometry.free_axial(), geometry.length_scale());
     let (mut low, mut high) = (-free_axial, distance);
     let balls = geometry.balls() as f64;
     // Z F_a − F and its slope

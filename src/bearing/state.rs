@@ -2,7 +2,7 @@
 
 use serde::{Serialize, Serializer};
 
-use super::{BallContact, Clearance, Matrix5, RatingLives, Vector5};
+use super::{BallContact, Clearance, Matrix5, RatingLives, RollerKind, Vector5};
 use crate::keys;
 use crate::physics::{BallPass, Race};
 
@@ -22,10 +22,10 @@ pub struct RaceContact {
     /// Elastic approach δ of ball and race, m.
     #[serde(rename = "approach_m")]
     pub approach: f64,
-    /// Semi-axis of the contact ellipse across the rolling direction, m.
+    /// Semi-axis of the contact ellipse across the rolling direction, m; of a roller, half of its effective length.
     #[serde(rename = "semi_major_m")]
     pub semi_major: f64,
-    /// Semi-axis along the rolling direction, m.
+    /// Semi-axis along the rolling direction, m; of a roller, that of the slice which is pressed most.
     #[serde(rename = "semi_minor_m")]
     pub semi_minor: f64,
     /// Largest contact pressure, Pa.
@@ -78,8 +78,8 @@ pub struct Around {
     pub contact: BallContact,
 }
 
-/// One ball in its place.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+/// One ball or roller in its place.
+#[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct BallLine {
     /// Azimuth φ, rad, from +X towards +Y.
@@ -103,6 +103,27 @@ pub struct BallLine {
     /// Race that controls the ball's spin by Jones's criterion; none for an unloaded ball or a law
     /// without inertia.
     pub controlling_race: Option<Race>,
+    /// Slices of a roller; none of a ball.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub laminae: Vec<LaminaLine>,
+}
+
+/// One slice of a roller.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct LaminaLine {
+    /// Middle of the slice from that of the roller, m; towards +Z at a contact angle of zero and facing +Z.
+    #[serde(rename = "position_m")]
+    pub position: f64,
+    /// Approach of both races together, m; a gap where it is negative.
+    #[serde(rename = "approach_m")]
+    pub approach: f64,
+    /// Load, N.
+    #[serde(rename = "load_N")]
+    pub load: f64,
+    /// Largest pressure at the inner and the outer race, Pa.
+    #[serde(rename = "peak_pressure_Pa")]
+    pub peak_pressure: [f64; 2],
 }
 
 /// Internal geometry of a bearing, and the ratings that it has by the standards' formulas.
@@ -132,13 +153,52 @@ pub struct InternalGeometry {
     pub static_rating: f64,
 }
 
+/// Rollers of a bearing, and the rating that they have by the standards' formulas.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct RollerGeometry {
+    /// Kind of the bearing.
+    pub kind: RollerKind,
+    /// Number of rollers a row.
+    pub rollers: usize,
+    /// Number of rows.
+    pub rows: usize,
+    /// Roller diameter in its middle, m.
+    #[serde(rename = "roller_diameter_m")]
+    pub diameter: f64,
+    /// Effective length, m.
+    #[serde(rename = "roller_length_m")]
+    pub length: f64,
+    /// Pitch diameter, m.
+    #[serde(rename = "pitch_diameter_m")]
+    pub pitch_diameter: f64,
+    /// Contact angle, rad.
+    #[serde(rename = "contact_angle_rad")]
+    pub contact_angle: f64,
+    /// Number of slices of a roller.
+    pub laminae: usize,
+    /// C_0 of ISO 76, N, [`crate::physics::roller_static_rating`].
+    #[serde(rename = "static_rating_N")]
+    pub static_rating: f64,
+}
+
+/// What rolls in a bearing.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Elements {
+    /// Balls.
+    Balls(InternalGeometry),
+    /// Rollers.
+    Rollers(RollerGeometry),
+}
+
 /// Internal geometry of a bearing as it is mounted, and whether it is known.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct GeometryState {
-    /// Balls, races and ratings.
+    /// Balls or rollers, races and ratings.
     #[serde(flatten)]
-    pub internal: InternalGeometry,
+    pub elements: Elements,
     /// C_u of ISO 281, N, [`super::Bearing::fatigue_load_limit`].
     #[serde(rename = "fatigue_load_limit_N")]
     pub fatigue_load_limit: f64,

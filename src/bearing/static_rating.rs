@@ -1,6 +1,7 @@
 //! Loads that the contact pressure permits: static load rating and safety of ISO 76, fatigue load limit of ISO 281.
 
 use super::{Bearing, BearingError, Geometry, RaceContacts};
+use crate::physics::roller_static_rating;
 
 impl Bearing {
     /// Basic static radial load rating C_0 from the bearing's own contacts at the nominal contact angle, N.
@@ -9,7 +10,7 @@ impl Bearing {
     ///
     /// Q is the permissible load of the weaker contact, [`super::permissible_static_load`], in N, α the
     /// nominal contact angle; 5 is Stribeck's ratio of the largest ball load to the mean under
-    /// radial load.
+    /// radial load. Of a roller bearing, [`crate::physics::roller_static_rating`].
     ///
     /// Source: ISO 76:2006 with ISO/TR 10657:1991 (derivation); R. Stribeck (1901).
     ///
@@ -32,9 +33,9 @@ impl Bearing {
     /// 1500 MPa.
     ///
     /// `C_u = 0.2288 Z Q_u cos α`, times `(100 mm/d_m)^0.5` above 100 mm; Q_u is the load of the worse race at that
-    /// pressure.
+    /// pressure. Of a roller bearing `C_u = C_0/8.2`, times `(100 mm/d_m)^0.3` above 100 mm.
     ///
-    /// Source: ISO 281:2007, B.3.2.2.
+    /// Source: ISO 281:2007, B.3.2.2 and B.3.3.3.
     ///
     /// ```
     /// use jeffcott::bearing::Bearing;
@@ -53,6 +54,15 @@ impl Bearing {
 
 /// C_0 by [`Bearing::static_rating`] from [`Bearing::rated_contacts`], which take long to find.
 pub(super) fn static_rating(geometry: &Geometry, contacts: &RaceContacts) -> f64 {
+    if let Some(rollers) = geometry.rollers() {
+        return roller_static_rating(
+            geometry.all_balls(),
+            geometry.ball_diameter(),
+            rollers.length,
+            geometry.pitch_diameter(),
+            geometry.nominal_angle(),
+        );
+    }
     let loads = contacts.permissible_loads();
     static_rating_of_loads(geometry.balls(), loads, geometry.nominal_angle().cos())
 }
@@ -64,10 +74,14 @@ pub(super) fn static_rating_of_loads(balls: usize, [inner, outer]: [f64; 2], cos
 
 /// C_u by [`Bearing::fatigue_load_limit`] from [`Bearing::rated_contacts`].
 pub(super) fn fatigue_load_limit(geometry: &Geometry, contacts: &RaceContacts) -> f64 {
+    let oversize = (0.1 / geometry.pitch_diameter()).min(1.0);
+    if geometry.rollers().is_some() {
+        return static_rating(geometry, contacts) / 8.2 * oversize.powf(0.3);
+    }
     // Q_u = Q(4200 MPa) (1500/4200)³
     let share = (1500.0_f64 / 4200.0).powi(3);
     let [inner, outer] = contacts.permissible_loads();
-    let size = (0.1 / geometry.pitch_diameter()).sqrt().min(1.0);
+    let size = oversize.sqrt();
     let cosine = geometry.nominal_angle().cos();
     0.2288 * geometry.balls() as f64 * share * inner.min(outer) * cosine * size
 }

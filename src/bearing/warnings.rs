@@ -2,11 +2,13 @@
 
 use std::f64::consts::TAU;
 
-use super::{BallLine, Bearing, RaceContact, RaceContacts};
+use super::{BallLine, Bearing, LaminaLine, RaceContact};
 
 /// A contact of a numbered ball at a race with a name.
 struct Place<'a> {
     race: &'static str,
+    /// `ball` or `roller`.
+    name: &'static str,
     /// From 1.
     number: usize,
     ball: &'a BallLine,
@@ -19,11 +21,12 @@ impl Place<'_> {
     }
 }
 
-/// Warnings of a bearing at a shaft speed in rad/s; `loaded` are the balls that bear at the inner race,
-/// with their numbers.
+/// Warnings of a bearing at a shaft speed in rad/s and a permissible pressure in Pa; `loaded` are the balls that bear at the
+/// inner race, with their numbers.
 pub(super) fn bearing_warnings(
     bearing: &Bearing,
     speed: f64,
+    permissible: f64,
     balls: &[BallLine],
     loaded: &[(usize, &BallLine)],
 ) -> Vec<String> {
@@ -31,18 +34,20 @@ pub(super) fn bearing_warnings(
         too_fast(bearing, speed),
         wrong_way(bearing, loaded),
         squeezed(bearing),
+        edge_loaded(loaded),
     ];
     let mut warnings: Vec<String> = first.into_iter().flatten().collect();
     for (side, race) in ["inner", "outer"].into_iter().enumerate() {
         let place = |(number, ball)| Place {
             race,
+            name: bearing.geometry.element(),
             number: number + 1,
             ball,
             contact: [&ball.inner, &ball.outer][side],
         };
         let places: Vec<Place> = balls.iter().enumerate().map(place).collect();
         warnings.extend(cut_off(bearing, &places));
-        warnings.extend(overstressed(&places));
+        warnings.extend(overstressed(&places, permissible));
         warnings.extend(thin_film(&places));
     }
     warnings
@@ -75,7 +80,7 @@ const LEANING: f64 = 1e-5;
 /// Loaded balls of an angular contact bearing that lean against the wrong shoulders.
 fn wrong_way(bearing: &Bearing, loaded: &[(usize, &BallLine)]) -> Option<String> {
     let nominal = bearing.geometry.nominal_angle();
-    if nominal == 0.0 {
+    if nominal == 0.0 || bearing.geometry.rollers().is_some() {
         return None;
     }
     let leaning = loaded
@@ -117,13 +122,13 @@ fn cut_off(bearing: &Bearing, places: &[Place]) -> Option<String> {
 }
 
 /// Contacts beyond the permissible pressure of ISO 76.
-fn overstressed(places: &[Place]) -> Option<String> {
-    let permissible = RaceContacts::PERMISSIBLE_PRESSURE;
+fn overstressed(places: &[Place], permissible: f64) -> Option<String> {
     let pressure = |place: &Place| place.contact.peak_pressure;
     let (count, worst) = worst(places, pressure, permissible)?;
+    let name = worst.name;
     Some(format!(
-        "the contact pressure at the {} race exceeds the {:.0} MPa of ISO 76 on {count} of {} balls: \
-         {:.0} MPa on ball {} (at {:.1}°)",
+        "the contact pressure at the {} race exceeds the {:.0} MPa of ISO 76 on {count} of {} {name}s: \
+         {:.0} MPa on {name} {} (at {:.1}°)",
         worst.race,
         permissible / 1e6,
         places.len(),
@@ -138,11 +143,43 @@ fn squeezed(bearing: &Bearing) -> Option<String> {
     let squeeze = bearing.geometry.squeeze();
     (squeeze > 0.0).then(|| {
         format!(
-            "the clearance is negative: every ball is squeezed by {:.2} µm without load, and a warmer inner ring squeezes \
-             it more; ball loads and life include it, the friction moment does not",
+            "the clearance is negative: every {} is squeezed by {:.2} µm without load, and a warmer inner ring squeezes \
+             it more; loads and life include it, the friction moment does not",
+            bearing.geometry.element(),
             1e6 * squeeze
         )
     })
+}
+
+/// How many times the mean of a roller its end must bear to be told.
+const EDGE: f64 = 1.2;
+
+/// Rollers whose ends bear most.
+fn edge_loaded(loaded: &[(usize, &BallLine)]) -> Option<String> {
+    let load = |lamina: &LaminaLine| lamina.load;
+    // load of the more loaded end over the mean of the roller, where no other slice bears more
+    let excess = |ball: &BallLine| {
+        let (first, last) = (ball.laminae.first()?, ball.laminae.last()?);
+        let end = load(first).max(load(last));
+        let most = ball.laminae.iter().map(load).fold(0.0, f64::max);
+        let mean = ball.inner.load / ball.laminae.len() as f64;
+        Some(end / mean).filter(|part| end == most && *part > EDGE)
+    };
+    let ends = loaded
+        .iter()
+        .filter_map(|(number, ball)| Some((*number, *ball, excess(ball)?)));
+    let count = ends.clone().count();
+    let (number, ball, excess) = ends.max_by(|a, b| a.2.total_cmp(&b.2))?;
+    let pressure = ball.inner.peak_pressure.max(ball.outer.peak_pressure);
+    Some(format!(
+        "edge loading: the end of {count} of {} loaded rollers bears most; roller {} (at {:.1}°) bears {excess:.2} times its \
+         mean there, {:.0} MPa, and the stress concentration at a sharp end, which the laminae do not know, adds to it: align \
+         the shaft, or give the rollers a `profile`",
+        loaded.len(),
+        number + 1,
+        ball.azimuth.to_degrees(),
+        pressure / 1e6,
+    ))
 }
 
 /// Films thinner than the surfaces are rough.

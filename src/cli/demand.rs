@@ -180,7 +180,7 @@ fn tables(scenario: &Scenario, model: &Model, size: &RunSize) -> f64 {
     }
     if output.balls {
         let bearings = model.rotor.bearings.iter();
-        let balls = bearings.map(|bearing| bearing.bearing.geometry.balls());
+        let balls = bearings.map(|bearing| bearing.bearing.geometry.all_balls());
         columns += BALL * balls.sum::<usize>() as f64;
     }
     let mut numbers = columns * rows + size.table_numbers;

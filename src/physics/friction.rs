@@ -1,4 +1,4 @@
-//! Friction moment of a ball bearing after Palmgren.
+//! Friction moment of a ball or roller bearing after Palmgren.
 
 use std::f64::consts::PI;
 
@@ -10,11 +10,11 @@ pub const MINERAL_OIL_DENSITY: f64 = 870.0;
 /// standards' tables, 5°.
 pub const SMALLEST_ANGULAR_CONTACT: f64 = 5.0 * PI / 180.0;
 
-/// Measured coefficients of a type of ball bearing.
+/// Measured coefficients of a type of bearing.
 ///
 /// ```text
 /// M_1 = f_1 P_1 d_m             f_1 = z (P_0/C_0)^y
-/// P_0 = X_s F_r + Y_s F_a       P_1 = k F_a − 0.1 F_r      neither less than F_r
+/// P_0 = X_s F_r + Y_s F_a       P_1 = k F_a − k_r F_r      neither less than F_r
 /// M_0 = 1e-7 f_0 max(160, (ν n)^(2/3)) d_m³
 /// ```
 ///
@@ -42,8 +42,10 @@ pub struct FrictionFactors {
     pub static_radial: f64,
     /// Y_s, dimensionless.
     pub static_axial: f64,
-    /// k of `P_1 = k F_a − 0.1 F_r`, dimensionless.
+    /// k of `P_1 = k F_a − k_r F_r`, dimensionless.
     pub axial_factor: f64,
+    /// k_r, dimensionless.
+    pub radial_relief: f64,
     /// f_0, dimensionless: bearing type and way of lubrication.
     pub viscous_factor: f64,
 }
@@ -60,6 +62,7 @@ impl FrictionFactors {
         static_radial: 0.6,
         static_axial: 0.5,
         axial_factor: 3.0,
+        radial_relief: 0.1,
         viscous_factor: 2.0,
     };
 
@@ -89,7 +92,23 @@ impl FrictionFactors {
             static_axial: STATIC_AXIAL[below] * (1.0 - part) + STATIC_AXIAL[below + 1] * part,
             // 0.9 cot α
             axial_factor: 0.9 / angle.tan(),
+            radial_relief: 0.1,
             viscous_factor: 3.3,
+        }
+    }
+
+    /// Rollers with coefficients f_1 and f_0 at a contact angle in rad: y = 0, k = 0.8 cot α, k_r = 0.
+    ///
+    /// Source: Harris & Kotzalas (as above), tables 10.2 and 10.3 (f_1, f_0), eq. 10.26.
+    pub fn of_rollers(load_factor: f64, viscous_factor: f64, angle: f64) -> Self {
+        Self {
+            load_factor,
+            load_exponent: 0.0,
+            static_radial: 1.0,
+            static_axial: 0.0,
+            axial_factor: if angle > 0.0 { 0.8 / angle.tan() } else { 0.0 },
+            radial_relief: 0.0,
+            viscous_factor,
         }
     }
 
@@ -110,9 +129,9 @@ impl FrictionFactors {
         pitch_diameter: f64,
     ) -> f64 {
         let (radial, axial) = (radial.abs(), axial.abs());
-        // P_0 = X_s F_r + Y_s F_a, P_1 = k F_a − 0.1 F_r
+        // P_0 = X_s F_r + Y_s F_a, P_1 = k F_a − k_r F_r
         let static_load = (self.static_radial * radial + self.static_axial * axial).max(radial);
-        let load = (self.axial_factor * axial - 0.1 * radial).max(radial);
+        let load = (self.axial_factor * axial - self.radial_relief * radial).max(radial);
         // f_1 = z (P_0/C_0)^y
         let factor = self.load_factor * (static_load / static_rating).powf(self.load_exponent);
         // M_1 = f_1 P_1 d_m

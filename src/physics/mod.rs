@@ -14,6 +14,7 @@ mod hertz;
 mod inertia;
 mod kinematics;
 mod life_modification;
+mod line_contact;
 mod material;
 mod rating;
 mod skf_friction;
@@ -36,6 +37,7 @@ pub use kinematics::{BallPass, ball_pass_frequencies, nominal_cage_speed};
 pub use life_modification::{
     Contamination, life_modification_factor, reference_viscosity, reliability_factor,
 };
+pub use line_contact::{LINE_EXPONENT, LineContact, line_stiffness, roller_static_rating};
 pub use material::{Material, contact_modulus};
 pub use rating::{dynamic_rating, rating_factor};
 pub use skf_friction::{SkfFriction, SkfOperation};

@@ -51,9 +51,10 @@ impl Film {
         let cages = supports.iter().map(Support::cage_ratio);
         let bearings = rotor.bearings.iter().zip(cages).map(|(bearing, cage)| {
             let geometry = &bearing.bearing.geometry;
-            let known = frames[0].1.len() >= first + geometry.balls();
-            let balls = if known { geometry.balls() } else { 0 };
-            let range = first..first + balls;
+            let known = frames[0].1.len() >= first + geometry.all_balls();
+            let balls = if known { geometry.all_balls() } else { 0 };
+            // of two rows the first is drawn
+            let range = first..first + balls / geometry.rows();
             let loads = frames.iter().flat_map(|(_, loads)| &loads[range.clone()]);
             let bearing = json!({
                 // from the point that the displacements are of

@@ -7,7 +7,9 @@ use super::terminal::{
     mark_estimated, of_bearing,
 };
 use super::{FileSet, Findings};
-use crate::bearing::{BallLine, BearingState, FilmState, Matrix5, RaceContact};
+use crate::bearing::{
+    BallLine, BearingState, Elements, FilmState, GeometryState, LaminaLine, Matrix5, RaceContact,
+};
 use crate::physics::{BallPass, Race};
 use crate::quasi_static::{QuasiStatic, StaticQuestion};
 use crate::rotor::{FREEDOMS, Freedoms};
@@ -23,8 +25,21 @@ pub fn answer_findings(
     let title = &scenario.title;
     let bearings: Vec<_> = answer.bearings.iter().collect();
     let figures = balls_figure(title, &bearings).into_iter();
+    let mut tables = vec![("balls", balls_table((1..).zip(&answer.bearings)))];
+    let slices = (1..).zip(&answer.bearings).flat_map(|(bearing, state)| {
+        let rollers = (1..).zip(&state.balls);
+        rollers.flat_map(move |(roller, line)| {
+            line.laminae
+                .iter()
+                .map(move |lamina| (bearing, roller, lamina))
+        })
+    });
+    let slices: Vec<_> = slices.collect();
+    if !slices.is_empty() {
+        tables.push(("laminae", laminae_table(slices)));
+    }
     Findings {
-        tables: vec![("balls", balls_table((1..).zip(&answer.bearings)))],
+        tables,
         figures: figures.chain(deflection(title, question)).collect(),
         ..Findings::new(FileSet::BEARING, scenario, answer, text(title, answer))
     }
@@ -108,20 +123,12 @@ fn add_stiffness(out: &mut Lines, stiffness: &Matrix5) {
 
 fn add_bearing(out: &mut Lines, number: usize, state: &BearingState) {
     out.put(format_args!("bearing {number}"));
-    let geometry = &state.geometry;
-    let balls = format!(
-        "{} of {:.3} mm on {:.3} mm{}",
-        geometry.internal.balls,
-        MILLI * geometry.internal.ball_diameter,
-        MILLI * geometry.internal.pitch_diameter,
-        mark_estimated(geometry.estimated)
-    );
-    out.line("balls", balls);
+    let name = add_elements(out, &state.geometry);
     if let Some(clearance) = &state.clearance {
         out.line("clearance", clearance_text(clearance));
     }
     add_fit(out, state);
-    out.line("balls loaded", state.balls_loaded);
+    out.line(&format!("{name} loaded"), state.balls_loaded);
     if let Some(life) = state.life {
         out.line("life L10r", format!("{life:.4e} million revolutions"));
     }
@@ -152,7 +159,88 @@ fn add_bearing(out: &mut Lines, number: usize, state: &BearingState) {
         out.line("of films", diagonal(&shares.films));
     }
     if !state.balls.is_empty() {
-        out.show(&balls_table([(number, state)]), &SHOWN, 4);
+        let heads = SHOWN.map(|(head, column)| match head {
+            "ball" => (&name[..name.len() - 1], column),
+            _ => (head, column),
+        });
+        out.show(&balls_table([(number, state)]), &heads, 4);
+    }
+    let load = |line: &&BallLine| line.inner.load;
+    let most = (1..).zip(&state.balls);
+    let most = most.max_by(|a, b| load(&a.1).total_cmp(&load(&b.1)));
+    let Some((roller, line)) = most.filter(|(_, line)| !line.laminae.is_empty()) else {
+        return;
+    };
+    out.line("most loaded", format!("roller {roller}, slice by slice:"));
+    let slices = line.laminae.iter().map(|lamina| (number, roller, lamina));
+    out.show(&laminae_table(slices), &SHOWN_LAMINA, 4);
+}
+
+/// What is told of the slices of a roller.
+const SHOWN_LAMINA: [(&str, &str); 5] = [
+    ("s", "position"),
+    ("δ", "approach"),
+    ("q", "load"),
+    ("pi", "inner_peak_pressure"),
+    ("po", "outer_peak_pressure"),
+];
+
+/// Columns of a slice.
+const LAMINA: [Named<LaminaLine>; 5] = [
+    ("position", "m", |lamina| lamina.position),
+    ("approach", "m", |lamina| lamina.approach),
+    ("load", "N", |lamina| lamina.load),
+    ("inner_peak_pressure", "Pa", |lamina| {
+        lamina.peak_pressure[0]
+    }),
+    ("outer_peak_pressure", "Pa", |lamina| {
+        lamina.peak_pressure[1]
+    }),
+];
+
+/// Slices of rollers with the numbers of their bearings and their own.
+fn laminae_table<'a>(
+    slices: impl IntoIterator<Item = (usize, i32, &'a LaminaLine)>,
+) -> Table<'static> {
+    let slices: Vec<_> = slices.into_iter().collect();
+    let mut table = Table::default();
+    table.counts(
+        "bearing",
+        slices.iter().map(|(bearing, ..)| *bearing as f64),
+    );
+    table.counts(
+        "roller",
+        slices.iter().map(|(_, roller, _)| f64::from(*roller)),
+    );
+    table.named("", &LAMINA, slices.iter().map(|(.., lamina)| Some(*lamina)));
+    table
+}
+
+/// Adds what rolls in a bearing, and what it is called.
+fn add_elements(out: &mut Lines, geometry: &GeometryState) -> &'static str {
+    let size = |count: usize, size: String, pitch: f64| {
+        let estimated = mark_estimated(geometry.estimated);
+        format!("{count} of {size} mm on {:.3} mm{estimated}", MILLI * pitch)
+    };
+    match &geometry.elements {
+        Elements::Balls(own) => {
+            let diameter = format!("{:.3}", MILLI * own.ball_diameter);
+            out.line("balls", size(own.balls, diameter, own.pitch_diameter));
+            "balls"
+        }
+        Elements::Rollers(own) => {
+            let (diameter, length) = (MILLI * own.diameter, MILLI * own.length);
+            let dimensions = format!("{diameter:.3} × {length:.3}");
+            let rows = if own.rows > 1 { " a row, two rows" } else { "" };
+            let all = size(own.rollers, dimensions, own.pitch_diameter);
+            let kind = format!("{}, {all}{rows}, {} slices", own.kind.name(), own.laminae);
+            out.line("rollers", kind);
+            out.more(format!("C_0 {} N (ISO 76)", digits(own.static_rating)));
+            if own.contact_angle == 0.0 {
+                out.more("hold nothing along z: another bearing must locate the shaft");
+            }
+            "rollers"
+        }
     }
 }
 

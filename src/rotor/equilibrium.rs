@@ -126,10 +126,7 @@ impl StaticProblem<'_> {
         });
         StaticSearch {
             coordinates: coordinates.collect(),
-            groove_centre_distance: Support::largest(
-                self.supports,
-                Geometry::groove_centre_distance,
-            ),
+            length_scale: Support::largest(self.supports, Geometry::length_scale),
             restoring: &|position| structure.restoring(self.supports, position, self.speed, arm),
         }
         .solve()
@@ -140,10 +137,10 @@ impl StaticProblem<'_> {
         let pairs = self.supports.iter().zip(&structure.attachments);
         let arms = pairs.map(|(support, attachment)| {
             let geometry = &support.definition().bearing.geometry;
-            attachment.inner.arm.abs() + geometry.inner_groove_radius()
+            attachment.inner.arm.abs() + geometry.lever()
         });
         arms.reduce(f64::max)
-            .unwrap_or_else(|| Support::largest(self.supports, Geometry::inner_groove_radius))
+            .unwrap_or_else(|| Support::largest(self.supports, Geometry::lever))
     }
 }
 

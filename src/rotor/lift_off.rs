@@ -48,7 +48,7 @@ impl Rotor {
         rate: &mut [f64],
     ) {
         let geometry = &bearing.support.definition().bearing.geometry;
-        let moment = load * geometry.inner_groove_radius();
+        let moment = load * geometry.lever();
         let bound = [load, load, load, moment, moment];
         let accelerations = &mut rate[self.dofs()..2 * self.dofs()];
         bearing.attachment.add_force_bound(&bound, accelerations);

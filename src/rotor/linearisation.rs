@@ -123,7 +123,7 @@ impl Rotor {
         motion: &[Vector5; 2],
         damping: impl Fn(&[Vector5; 2]) -> Vector5,
     ) -> [Matrix5; 2] {
-        let arm = Support::largest(self.elements.supports(), Geometry::inner_groove_radius);
+        let arm = Support::largest(self.elements.supports(), Geometry::lever);
         let column = |which: usize, step: f64, axis: usize| -> Vector5 {
             let step = if axis < 3 { step } else { step / arm };
             let at = |step: f64| {
@@ -180,7 +180,7 @@ impl Rotor {
         if state >= 2 * dofs {
             return STEP;
         }
-        let arm = Support::largest(self.elements.supports(), Geometry::inner_groove_radius);
+        let arm = Support::largest(self.elements.supports(), Geometry::lever);
         let lever = self.structure.coordinates[state % dofs].length(arm);
         let unit = if state < dofs { 1.0 } else { RATE };
         STEP * APPROACH * unit / lever

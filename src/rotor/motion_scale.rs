@@ -55,7 +55,7 @@ impl Rotor {
     /// shock counts as a steady vibration of its length, which is less than what it excites. The
     /// length is at least so large that `tolerance` times the length stays above the round-off of a position.
     pub fn motion_scale(&self, tolerance: f64) -> MotionScale {
-        let arm = Support::largest(self.elements.supports(), Geometry::inner_groove_radius);
+        let arm = Support::largest(self.elements.supports(), Geometry::lever);
         let frequency = self.highest_frequency();
         let amplitudes = self
             .speeds()
@@ -63,7 +63,7 @@ impl Rotor {
             .chain(self.load_amplitudes(self.highest_speed()))
             .chain(self.passing_amplitudes())
             .chain(self.initial_amplitudes(frequency));
-        let least = SMALLEST_ERROR / tolerance * self.groove_centre_distance();
+        let least = SMALLEST_ERROR / tolerance * self.length_scale();
         let length = amplitudes
             .map(|amplitudes| self.largest(&amplitudes, arm))
             .fold(least, f64::max);
@@ -78,7 +78,7 @@ impl Rotor {
     /// Round-off of a displacement in a motion, m: that of the positions between the races, from which the forces
     /// follow. All passes of a run share it, so that their difference does not show it.
     pub(crate) fn displacement_round_off(&self) -> f64 {
-        POSITION_ROUND_OFF * self.groove_centre_distance()
+        POSITION_ROUND_OFF * self.length_scale()
     }
 
     /// Highest natural frequency √(K_ii/M_ii) of a freedom with all others held, rad/s, or the speed where that is higher.
@@ -112,8 +112,8 @@ impl Rotor {
         lowest.max(self.highest_speed()).min(scale.frequency)
     }
 
-    fn groove_centre_distance(&self) -> f64 {
-        Support::largest(self.elements.supports(), Geometry::groove_centre_distance)
+    fn length_scale(&self) -> f64 {
+        Support::largest(self.elements.supports(), Geometry::length_scale)
     }
 
     /// Estimated amplitudes of the degrees of freedom about the static equilibrium at a speed of the shaft in rad/s, m and

@@ -45,7 +45,7 @@ pub(super) struct StaticCoordinate {
 pub(super) struct StaticSearch<'a> {
     pub coordinates: Vec<StaticCoordinate>,
     /// Distance of the groove centres of the bearings, m: the unit of their displacements.
-    pub groove_centre_distance: f64,
+    pub length_scale: f64,
     pub restoring: &'a dyn Fn(&[f64]) -> Restoring,
 }
 
@@ -66,7 +66,7 @@ impl StaticSearch<'_> {
 
     /// Newton from a start until the residual is below what is accepted and at its round-off, or until it got lost.
     fn newton(&self) -> Result<Balance, Box<Balance>> {
-        let mut reach = 0.5 * self.groove_centre_distance;
+        let mut reach = 0.5 * self.length_scale;
         let start = self.coordinates.iter().map(|coordinate| coordinate.start);
         let mut state = self.evaluate(DVector::from_iterator(self.coordinates.len(), start));
         for newton_steps in 0..STEP_LIMIT {
@@ -128,7 +128,7 @@ impl StaticSearch<'_> {
             stiffest = stiffest.max(jacobian[(row, row)].abs());
         }
         // no residual can be told from zero below what round-off of a position makes of it
-        let round_off = POSITION_ROUND_OFF * self.groove_centre_distance * stiffest;
+        let round_off = POSITION_ROUND_OFF * self.length_scale * stiffest;
         Balance {
             displacement,
             restoring,
@@ -185,7 +185,7 @@ impl StaticSearch<'_> {
     }
 
     fn has_run_away(&self, state: &Balance) -> bool {
-        let limit = RUNAWAY * self.groove_centre_distance;
+        let limit = RUNAWAY * self.length_scale;
         let travels = self.travels(state);
         travels
             .iter()

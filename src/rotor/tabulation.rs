@@ -63,8 +63,8 @@ impl Rotor {
 /// amplitude.
 fn largest_amplitude(support: &Support, expected: &Vector5) -> Vector5 {
     let geometry = &support.definition().bearing.geometry;
-    let distance = geometry.groove_centre_distance();
-    let arm = geometry.inner_groove_radius();
+    let distance = geometry.length_scale();
+    let arm = geometry.lever();
     std::array::from_fn(|axis| {
         let lever = if axis < 3 { 1.0 } else { arm };
         let largest = LARGEST[usize::from(axis >= 2)] * distance / lever;

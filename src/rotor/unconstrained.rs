@@ -141,7 +141,7 @@ impl FreeDirections {
         let linear = linear.flat_map(|bearing| &bearing.stiffness[..3]);
         let contact = linear.fold(contact_stiffness(supports), |most, own| most.max(*own));
         let dofs = structure.dofs;
-        let arm = Support::largest(supports, Geometry::inner_groove_radius);
+        let arm = Support::largest(supports, Geometry::lever);
         let length = |dof: usize| structure.coordinates[dof].length(arm);
         let scaled = DMatrix::from_fn(dofs, dofs, |row, column| {
             let both = stiffness[(row, column)] + stiffness[(column, row)];

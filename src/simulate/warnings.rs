@@ -1,6 +1,6 @@
 //! What the reader of a run should know.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use super::passes::Passes;
 use super::run::Reduction;
@@ -142,11 +142,21 @@ fn inertia_left_out(rotor: &Rotor) -> Vec<String> {
         (left_out && factor > INERTIA_FREE).then(|| {
             let speed = nominal_cage_speed(rotor.highest_speed(), geometry.gamma());
             let density = support.definition().bearing.ball_material.density;
-            let mass = ball_mass(geometry.ball_diameter(), density);
+            let (name, diameter) = (geometry.element(), geometry.ball_diameter());
+            let (mass, advice) = match geometry.rollers() {
+                // a cylinder
+                Some(rollers) => (
+                    0.25 * PI * diameter * diameter * rollers.length * density,
+                    "no law of rollers counts that",
+                ),
+                None => (
+                    ball_mass(diameter, density),
+                    "contact = \"jones\" counts that, and gives other stiffnesses and frequencies",
+                ),
+            };
             format!(
-                "bearing {}: contact = \"hertz\" leaves out the inertia of the balls, and d_m·n is {factor:.0} mm/min, \
-                 above {INERTIA_FREE:.0}: a ball is pressed outwards with {:.1} N; contact = \"jones\" \
-                 counts that, and gives other stiffnesses and frequencies",
+                "bearing {}: contact = \"hertz\" leaves out the inertia of the {name}s, and d_m·n is {factor:.0} mm/min, \
+                 above {INERTIA_FREE:.0}: a {name} is pressed outwards with {:.1} N; {advice}",
                 index + 1,
                 centrifugal_force(mass, geometry.pitch_diameter(), speed)
             )

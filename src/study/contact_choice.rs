@@ -246,7 +246,7 @@ impl Candidate {
 
     /// Length that turns tilts into displacements, m.
     fn arm(&self) -> f64 {
-        Support::largest(&self.supports, Geometry::inner_groove_radius)
+        Support::largest(&self.supports, Geometry::lever)
     }
 
     /// Force and stiffness of all bearings, the cages turned by a part of their ball spacing.
@@ -420,7 +420,7 @@ fn reach(
         return Ok(0.0);
     }
     let scale = Rotor::assemble(steady)?.motion_scale(question.model_error);
-    let limit = LARGEST_MOTION * Support::largest(supports, Geometry::groove_centre_distance);
+    let limit = LARGEST_MOTION * Support::largest(supports, Geometry::length_scale);
     Ok(scale.length.min(limit))
 }
 

@@ -43,6 +43,13 @@ const KINDS: [(&str, &str); 12] = [
     ("QJ#", "a four-point contact bearing"),
 ];
 
+/// Whether a kind is that of a radial roller bearing whose rollers can be given.
+pub(super) fn has_rollers(kind: &str) -> bool {
+    ["cylindrical", "needle", "tapered", "spherical"]
+        .iter()
+        .any(|name| kind == format!("a {name} roller bearing"))
+}
+
 /// Contact angles in degrees that suffixes of angular contact bearings name, longer ones first.
 const ANGLES: [(&str, f64); 5] = [
     ("AC", 25.0),
@@ -52,7 +59,7 @@ const ANGLES: [(&str, f64); 5] = [
     ("C", 15.0),
 ];
 
-/// The kind of bearing that jeffcott does not model; none of deep groove and angular contact bearings, and of names that
+/// The kind of bearing that jeffcott finds in no catalogue; none of deep groove and angular contact bearings, and of names that
 /// say nothing. Capital letters without blanks.
 pub(super) fn not_modelled(designation: &str) -> Option<&'static str> {
     let begins = |pattern: &str| {

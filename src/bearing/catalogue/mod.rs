@@ -166,8 +166,12 @@ impl UnknownBearing {
         let angles = angles.map(|(angle, entry)| (angle, entry.line.contact_angle.to_degrees()));
         let angles = angles.filter(|(angle, own)| (angle - own).abs() > 0.5);
         let help = match (kind, angles, odd, same) {
+            (Some(kind), ..) if kind::has_rollers(kind) => format!(
+                "it is {kind}: give its rollers in [bearing.roller], for instance with kind, rollers, diameter, length and \
+                 pitch_diameter"
+            ),
             (Some(kind), ..) => format!(
-                "it is {kind}; jeffcott models deep groove and angular contact ball bearings with one row only so far"
+                "it is {kind}; jeffcott models ball bearings with one row, deep groove and angular contact, and radial roller bearings only so far"
             ),
             (_, Some((angle, own)), _, Some(entry)) => format!(
                 "its suffix stands for a contact angle of {angle}°, and \"{}\", of {own:.0}°, is another bearing: give the \

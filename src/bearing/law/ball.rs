@@ -12,6 +12,8 @@ pub struct Ball<T = f64> {
     pub axial: T,
     /// A2: their radial distance, m.
     pub radial: T,
+    /// T = θx sin φ − θy cos φ: tilt of the inner ring in the plane of the ball, rad. Balls do not know it but by A1.
+    pub tilt: T,
     /// How much lower the surfaces of the inner and the outer race lie under the ball, m: zero on perfect races.
     pub drop: [T; 2],
 }
@@ -22,19 +24,25 @@ impl Ball {
         Self {
             axial,
             radial,
+            tilt: 0.0,
             drop: [0.0; 2],
         }
     }
 }
 
 impl<T: Plain> Ball<T> {
-    /// Place with slopes by the first D, 2 or 4, of A1, A2 and both drops.
+    /// Place with slopes by A1 and A2; with D = 3 by the tilt, too, and with D = 4 by both drops.
     #[inline(always)]
     pub fn with_slopes<const D: usize>(&self) -> Ball<Dual<T, D>> {
         let [inner, outer] = self.drop;
         Ball {
             axial: Dual::variable(self.axial, 0),
             radial: Dual::variable(self.radial, 1),
+            tilt: if D == 3 {
+                Dual::variable(self.tilt, 2)
+            } else {
+                Dual::fixed(self.tilt)
+            },
             drop: if D == 4 {
                 [Dual::variable(inner, 2), Dual::variable(outer, 3)]
             } else {
@@ -113,6 +121,19 @@ pub struct BallContact {
     /// races together.
     #[serde(rename = "approach_m")]
     pub approach: f64,
+}
+
+/// What a slice of a roller bears between both races.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Lamina {
+    /// Middle from the middle of the roller, m.
+    pub position: f64,
+    /// Width, m.
+    pub width: f64,
+    /// Approach of both races together, m; negative where they are apart.
+    pub approach: f64,
+    /// Load, N.
+    pub load: f64,
 }
 
 /// Loads, angles, inertia and motion of one ball.

@@ -1,6 +1,8 @@
 //! What a ball law is: the seam between the contacts of one ball and the ring.
 
-use super::{Ball, BallContact, BallForce, BallResponse, BallState, BallTangent, ContactSpring};
+use super::{
+    Ball, BallContact, BallForce, BallResponse, BallState, BallTangent, ContactSpring, Lamina,
+};
 use crate::bearing::number::{Number, Plain};
 
 /// What holds the inner groove centre of one ball: a law or the table of one.
@@ -10,6 +12,9 @@ use crate::bearing::number::{Number, Plain};
 pub trait ForceLaw {
     /// Whether `BallForce::couple` can differ from zero; the ring leaves it out otherwise.
     const HAS_COUPLE: bool;
+
+    /// Whether the force depends on `Ball::tilt`; the ring leaves its slopes out otherwise.
+    const FOLLOWS_TILT: bool = false;
 
     /// Force at a shaft speed in rad/s. Free of branches where its speed counts: it runs in the innermost loop.
     fn force<T: Number>(&self, ball: &Ball<T>, speed: f64) -> BallForce<T>;
@@ -66,8 +71,13 @@ pub trait BallLaw: ForceLaw {
         None
     }
 
-    /// Energies, J, that the elastic contacts with both races store: `∫ Q dδ = Q δ/(1 + n)`.
-    fn elastic_energies(&self, response: &BallResponse) -> [f64; 2] {
+    /// The laminae of a roller; none of a ball.
+    fn laminae(&self, _ball: &Ball) -> Vec<Lamina> {
+        Vec::new()
+    }
+
+    /// Energies, J, that the elastic contacts of a ball with both races store: `∫ Q dδ = Q δ/(1 + n)`.
+    fn elastic_energies(&self, _ball: &Ball, response: &BallResponse) -> [f64; 2] {
         let approaches = self.elastic_approaches(response);
         let share = 1.0 / (1.0 + self.exponent());
         [0, 1].map(|race| share * response.load[race] * approaches[race])

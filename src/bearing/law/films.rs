@@ -1,6 +1,6 @@
 //! The oil films between a ball and both races.
 
-use super::RaceContacts;
+use super::PointContacts;
 use crate::bearing::{Bearing, BearingError, Oil};
 use crate::physics::{FilmContact, FilmInputs, contact_modulus, entrainment_speed};
 
@@ -18,7 +18,7 @@ impl RaceFilms {
     /// [`BearingError::Oil`] where the oil is none.
     pub fn new(
         bearing: &Bearing,
-        contacts: &RaceContacts,
+        contacts: &PointContacts,
         oil: &Oil,
     ) -> Result<Self, BearingError> {
         oil.check()?;

@@ -5,7 +5,7 @@ use super::shares::spring_tangent;
 use super::spring::approaches_under;
 use super::{
     Ball, BallForce, BallLaw, BallResponse, BallTangent, ContactSpring, FilmLaw, ForceLaw,
-    HertzSpring, PreparedContact, RaceContacts, RaceFilms,
+    HertzSpring, PointContacts, PreparedContact, RaceFilms,
 };
 use crate::bearing::number::{Number, Plain};
 use crate::bearing::{Bearing, BearingError, Geometry, Oil};
@@ -60,7 +60,7 @@ impl HertzLaw {
     }
 
     /// From the geometry of a bearing and its contacts.
-    pub(super) fn from_contacts(geometry: &Geometry, contacts: &RaceContacts) -> Self {
+    pub(super) fn from_contacts(geometry: &Geometry, contacts: &PointContacts) -> Self {
         let distance = geometry.groove_centre_distance();
         Self::between(contacts.in_series(), contacts.springs(), distance)
     }
@@ -76,7 +76,7 @@ impl HertzFilmLaw {
         oil: Oil,
         prepared_speed: f64,
     ) -> Result<Self, BearingError> {
-        let contacts = bearing.contacts()?;
+        let contacts = bearing.point_contacts()?;
         let films = RaceFilms::new(bearing, &contacts, &oil)?;
         // equal loads and equal exponents: the two films add up to one
         let film = films.central_constants().iter().sum();

@@ -1,4 +1,4 @@
-//! The laws of one ball: from the position of the inner groove centre to loads and forces.
+//! The laws of one ball or roller: from the position of the inner groove centre to loads and forces.
 //!
 //! [`BallLaw`] is what a law is; each law is a file or a folder here, a variant of [`ContactLaw`] and of the one list
 //! of laws below. [`RaceContacts`] is what ratings and reports ask of the contacts. Outside this folder nothing knows how
@@ -10,24 +10,31 @@ mod film_spring;
 mod films;
 mod hertz;
 mod jones;
+mod line_contacts;
+mod ninth_root;
 mod race_contacts;
+mod roller;
 mod shares;
 mod spring;
 mod table;
 
-pub use ball::{Ball, BallContact, BallForce, BallResponse, BallState, BallTangent};
+pub use ball::{Ball, BallContact, BallForce, BallResponse, BallState, BallTangent, Lamina};
 pub use ball_law::{BallLaw, FilmLaw, ForceLaw};
 pub use films::{FilmThickness, RaceFilms};
 pub use hertz::{HertzFilmLaw, HertzLaw};
 pub use jones::{JonesFilmLaw, JonesLaw};
 pub(super) use race_contacts::hertz_contacts;
-pub use race_contacts::{PERMISSIBLE_PRESSURE, RaceContacts, permissible_static_load};
+pub use race_contacts::{
+    PERMISSIBLE_PRESSURE, PointContacts, RaceContacts, permissible_static_load,
+};
+pub use roller::RollerLaw;
 pub(super) use shares::Share;
 pub use spring::{ContactSpring, HertzSpring, PreparedContact};
 pub use table::{BallRegion, BallTable, TableError, TableReport};
 
-use super::{BearingError, MountedBearing};
+use super::{BearingError, MountedBearing, RollerKind};
 use crate::physics::{Race, RaceControl};
+use line_contacts::LineContacts;
 
 /// Force law between the rings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,6 +54,10 @@ pub(in crate::bearing) enum Law {
     HertzFilm(HertzFilmLaw),
     Jones(JonesLaw),
     JonesFilm(JonesFilmLaw),
+    /// Rollers that follow the tilt of their ring.
+    Roller(RollerLaw<true>),
+    /// Rollers of a spherical bearing.
+    Barrel(RollerLaw<false>),
 }
 
 /// Evaluates an expression for the law inside.
@@ -57,6 +68,8 @@ macro_rules! with_law {
             $crate::bearing::law::Law::HertzFilm($law) => $value,
             $crate::bearing::law::Law::Jones($law) => $value,
             $crate::bearing::law::Law::JonesFilm($law) => $value,
+            $crate::bearing::law::Law::Roller($law) => $value,
+            $crate::bearing::law::Law::Barrel($law) => $value,
         }
     };
 }
@@ -71,6 +84,10 @@ impl Law {
         speed: f64,
     ) -> Result<Self, BearingError> {
         let bearing = &definition.bearing;
+        let contacts = match contacts {
+            RaceContacts::Point(contacts) => contacts,
+            RaceContacts::Line(contacts) => return Self::of_rollers(definition, contacts),
+        };
         let has_inertia = matches!(definition.law, ContactLaw::Jones(_));
         if has_inertia && bearing.rotating_ring == Race::Outer {
             return Err(BearingError::RotatingRing);
@@ -87,6 +104,38 @@ impl Law {
                 Self::JonesFilm(JonesFilmLaw::with_film(bearing, control, oil, speed)?)
             }
         })
+    }
+
+    /// The law of rollers with their contacts.
+    fn of_rollers(
+        definition: &MountedBearing,
+        contacts: &LineContacts,
+    ) -> Result<Self, BearingError> {
+        for (known, what) in [
+            (
+                !matches!(definition.law, ContactLaw::Jones(_)),
+                "contact = \"jones\"",
+            ),
+            (definition.oil.is_none(), "film = true"),
+            (
+                definition.contact_damping.is_none(),
+                "damping of the contacts",
+            ),
+        ] {
+            if !known {
+                return Err(BearingError::Rollers { what });
+            }
+        }
+        let geometry = &definition.bearing.geometry;
+        Ok(match contacts.rollers.kind {
+            RollerKind::Spherical => Self::Barrel(RollerLaw::new(geometry, contacts)),
+            _ => Self::Roller(RollerLaw::new(geometry, contacts)),
+        })
+    }
+
+    /// Whether a table of it can be faster than the law itself.
+    pub fn gains_from_table(&self) -> bool {
+        !matches!(self, Self::Hertz(_) | Self::Roller(_) | Self::Barrel(_))
     }
 
     /// Whether the force of its balls is smooth where they lift off, as behind films.

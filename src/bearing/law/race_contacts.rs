@@ -1,15 +1,96 @@
-//! The elastic contacts of balls with both races, as ratings and reports ask of them: point contacts after Hertz.
+//! The elastic contacts of balls or rollers with both races, as ratings and reports ask of them.
 
+use super::line_contacts::LineContacts;
 use super::{ContactSpring, HertzSpring};
-use crate::bearing::{Bearing, BearingError};
+use crate::bearing::{BallLine, Bearing, BearingError};
 use crate::physics::{
     ContactEllipse, HertzContact, HertzError, contact_modulus, inner_race_curvature,
     outer_race_curvature, series_stiffness,
 };
 
-/// Elastic contacts of a ball with both races, inner first.
+/// Elastic contacts of a ball or a roller with both races, inner first.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RaceContacts {
+pub enum RaceContacts {
+    /// Of a ball.
+    Point(PointContacts),
+    /// Of a roller.
+    Line(LineContacts),
+}
+
+/// Evaluates an expression for the contacts inside.
+macro_rules! with_contacts {
+    ($any:expr, $contacts:ident => $value:expr) => {
+        match $any {
+            RaceContacts::Point($contacts) => $value,
+            RaceContacts::Line($contacts) => $value,
+        }
+    };
+}
+
+impl RaceContacts {
+    /// Stiffness of both contacts in series at an approach in m, N/m.
+    pub fn stiffness_at(&self, approach: f64) -> f64 {
+        with_contacts!(self, contacts => contacts.stiffness_at(approach))
+    }
+
+    /// Load, N, of a ball without inertia whose approach to both races together is given in m; of a roller that is
+    /// straight and not tilted.
+    pub fn load_at(&self, approach: f64) -> f64 {
+        with_contacts!(self, contacts => contacts.load_at(approach))
+    }
+
+    /// Where a ball bears on a race under a load in N; a roller on a strip that is pressed alike along its length.
+    pub fn ellipse(&self, race: usize, load: f64) -> ContactEllipse {
+        with_contacts!(self, contacts => contacts.ellipse(race, load))
+    }
+
+    /// Half the angle that the contact of a ball with a race takes across it under a load in N, rad; none of a roller.
+    pub fn reach(&self, race: usize, load: f64) -> Option<f64> {
+        match self {
+            Self::Point(contacts) => Some(contacts.reach(race, load)),
+            Self::Line(_) => None,
+        }
+    }
+
+    /// Stiffness of the contact of the geometry with a race under a load in N, N/m.
+    pub fn stiffness_under(&self, race: usize, load: f64) -> f64 {
+        with_contacts!(self, contacts => contacts.stiffness_under(race, load))
+    }
+
+    /// Loads of a ball, or a roller pressed alike along its length, at both races that leave no dent, N.
+    pub fn permissible_loads(&self) -> [f64; 2] {
+        with_contacts!(self, contacts => contacts.permissible_loads())
+    }
+
+    /// Largest contact pressure of ISO 76 that leaves no dent, Pa.
+    pub fn permissible_pressure(&self) -> f64 {
+        match self {
+            Self::Point(_) => PERMISSIBLE_PRESSURE,
+            Self::Line(_) => LineContacts::PERMISSIBLE_PRESSURE,
+        }
+    }
+
+    /// Static safety: permissible load over the largest one, at the race where that is less; none without load. Rollers
+    /// are judged by the lamina that is pressed most.
+    pub(in crate::bearing) fn static_safety(&self, balls: &[BallLine]) -> Option<f64> {
+        let safety = match self {
+            Self::Point(contacts) => {
+                contacts.static_safety(balls.iter().map(|ball| [ball.inner.load, ball.outer.load]))
+            }
+            // the load of a lamina grows with the square of its pressure
+            Self::Line(_) => {
+                let contacts = balls.iter().flat_map(|ball| [&ball.inner, &ball.outer]);
+                let pressure = contacts.map(|contact| contact.peak_pressure);
+                (self.permissible_pressure() / pressure.fold(0.0, f64::max)).powi(2)
+            }
+        };
+        Some(safety).filter(|safety| safety.is_finite())
+    }
+}
+
+/// Elastic contacts of a ball with both races, inner first: point contacts after Hertz.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PointContacts {
     /// Contacts by the dimensions of the bearing.
     pub(super) hertz: [HertzContact; 2],
     /// K_n of both races together where it is given, N/m^1.5.
@@ -18,10 +99,7 @@ pub struct RaceContacts {
     groove_radii: [f64; 2],
 }
 
-impl RaceContacts {
-    /// Largest contact pressure that leaves no dent, Pa.
-    pub const PERMISSIBLE_PRESSURE: f64 = PERMISSIBLE_PRESSURE;
-
+impl PointContacts {
     /// The contacts of a bearing with the curvatures of γ = D cos α/d_m.
     pub fn new(bearing: &Bearing, gamma: f64) -> Result<Self, BearingError> {
         let (diameter, grooves) = (
@@ -92,15 +170,14 @@ impl RaceContacts {
         self.hertz.each_ref().map(permissible_static_load)
     }
 
-    /// Static safety: permissible load over the largest one, at the race where that is less; none without load.
-    /// `loads` are those of every ball in N.
-    pub fn static_safety(&self, loads: impl Iterator<Item = [f64; 2]>) -> Option<f64> {
+    /// Permissible load over the largest one, at the race where that is less; `loads` are those of every ball in N.
+    fn static_safety(&self, loads: impl Iterator<Item = [f64; 2]>) -> f64 {
         let largest = loads.fold([0.0; 2], |largest: [f64; 2], load| {
             [largest[0].max(load[0]), largest[1].max(load[1])]
         });
         let permissible = self.permissible_loads();
         let [inner, outer] = [0, 1].map(|race| permissible[race] / largest[race]);
-        Some(inner.min(outer)).filter(|safety| safety.is_finite())
+        inner.min(outer)
     }
 }
 
@@ -124,7 +201,7 @@ impl Bearing {
     /// # Errors
     /// [`BearingError::Contact`] where the curvatures do not meet in an ellipse.
     pub fn inner_contact(&self) -> Result<HertzContact, BearingError> {
-        Ok(self.contacts()?.hertz[0])
+        Ok(self.point_contacts()?.hertz[0])
     }
 
     /// Hertz contact of ball and outer race, curvature at the free contact angle.
@@ -132,7 +209,7 @@ impl Bearing {
     /// # Errors
     /// [`BearingError::Contact`] where the curvatures do not meet in an ellipse.
     pub fn outer_contact(&self) -> Result<HertzContact, BearingError> {
-        Ok(self.contacts()?.hertz[1])
+        Ok(self.point_contacts()?.hertz[1])
     }
 
     /// Load–deflection constant K_n of a ball between both races, N/m^1.5.
@@ -150,18 +227,30 @@ impl Bearing {
     pub fn load_deflection_constant(&self) -> Result<f64, BearingError> {
         match self.contact_stiffness {
             Some(given) => Ok(given),
-            None => Ok(self.contacts()?.in_series().stiffness),
+            None => Ok(self.point_contacts()?.in_series().stiffness),
         }
     }
 
     /// Contacts of ball and races at the free contact angle.
+    pub(crate) fn point_contacts(&self) -> Result<PointContacts, BearingError> {
+        PointContacts::new(self, self.geometry.gamma())
+    }
+
+    /// Contacts of ball or roller and races at the free contact angle.
     pub(crate) fn contacts(&self) -> Result<RaceContacts, BearingError> {
-        RaceContacts::new(self, self.geometry.gamma())
+        self.contacts_at(self.geometry.gamma())
     }
 
     /// Contacts of ball and races at the nominal contact angle, which the ratings belong to, whatever the clearance.
     pub(in crate::bearing) fn rated_contacts(&self) -> Result<RaceContacts, BearingError> {
-        RaceContacts::new(self, self.geometry.nominal_gamma())
+        self.contacts_at(self.geometry.nominal_gamma())
+    }
+
+    fn contacts_at(&self, gamma: f64) -> Result<RaceContacts, BearingError> {
+        Ok(match self.geometry.rollers() {
+            Some(rollers) => RaceContacts::Line(LineContacts::new(self, rollers, gamma)),
+            None => RaceContacts::Point(PointContacts::new(self, gamma)?),
+        })
     }
 }
 

@@ -8,8 +8,9 @@ use crate::bearing::law::{BallLaw, FilmLaw, FilmThickness, Law, Share, with_law}
 use crate::bearing::static_rating::{fatigue_load_limit, static_rating};
 use crate::bearing::warnings::bearing_warnings;
 use crate::bearing::{
-    Around, BallLine, Bearing, BearingRotation, BearingState, CageMotion, FilmState, GeometryState,
-    InternalGeometry, RaceContact, RaceFilms, StiffnessShares,
+    Around, Ball, BallContact, BallLine, Bearing, BearingRotation, BearingState, CageMotion,
+    Elements, FilmState, Geometry, GeometryState, InternalGeometry, Lamina, LaminaLine,
+    RaceContact, RaceContacts, RaceFilms, RollerGeometry, StiffnessShares,
 };
 use crate::physics::{BallMotion, RaceControl, dynamic_rating};
 
@@ -57,13 +58,13 @@ impl Support {
         positions: Option<usize>,
     ) -> Vec<Around> {
         let rotation = BearingRotation::at_start(speed);
-        let free = self.definition.bearing.geometry.groove_centre_distance();
         let at = |azimuth, number| {
             let ball = self.ring.ball_at(place, azimuth, number, &rotation);
+            let contact = with_law!(&self.law, law => law.contact(&ball, speed));
             Around {
                 azimuth,
-                deformation: ball.axial.hypot(ball.radial) - free,
-                contact: with_law!(&self.law, law => law.contact(&ball, speed)),
+                deformation: self.deformation(&ball, &contact),
+                contact,
             }
         };
         let balls = self.ring.azimuths.iter().enumerate();
@@ -74,6 +75,17 @@ impl Support {
             Some(count) => (0..count)
                 .map(|index| at(TAU * index as f64 / count as f64, None))
                 .collect(),
+        }
+    }
+}
+
+impl Support {
+    /// Change of the distance of the groove centres d − A, m; of a roller, the approach of the slice that is pressed most.
+    fn deformation(&self, ball: &Ball, contact: &BallContact) -> f64 {
+        let geometry = &self.definition.bearing.geometry;
+        match geometry.rollers() {
+            Some(_) => contact.approach,
+            None => ball.axial.hypot(ball.radial) - geometry.groove_centre_distance(),
         }
     }
 }
@@ -102,11 +114,17 @@ impl Assessment<'_> {
             shares: self.shares(),
             balls_loaded: loaded.len(),
             life,
-            static_safety: contacts.static_safety(loads()),
+            static_safety: contacts.static_safety(&balls),
             friction_moment: support.friction_moment(&force, speed),
             ball_pass: self.cage.ball_pass(bearing, speed),
             nominal_ball_pass: support.nominal_ball_pass(speed),
-            warnings: bearing_warnings(bearing, speed, &balls, &loaded),
+            warnings: bearing_warnings(
+                bearing,
+                speed,
+                contacts.permissible_pressure(),
+                &balls,
+                &loaded,
+            ),
             balls,
         }
     }
@@ -122,20 +140,20 @@ impl Assessment<'_> {
     fn geometry(&self) -> GeometryState {
         let (bearing, contacts) = (self.bearing(), &self.support.rated_contacts);
         let geometry = &bearing.geometry;
-        let (balls, ball_diameter) = (geometry.balls(), geometry.ball_diameter());
-        let pitch_diameter = geometry.pitch_diameter();
-        let angle = geometry.nominal_angle();
-        let [groove_factor_inner, groove_factor_outer] = geometry.groove_factors();
         GeometryState {
-            internal: InternalGeometry {
-                balls,
-                ball_diameter,
-                pitch_diameter,
-                contact_angle: geometry.contact_angle(),
-                groove_factor_inner,
-                groove_factor_outer,
-                dynamic_rating: dynamic_rating(balls, ball_diameter, pitch_diameter, angle),
-                static_rating: static_rating(geometry, contacts),
+            elements: match geometry.rollers() {
+                Some(rollers) => Elements::Rollers(RollerGeometry {
+                    kind: rollers.kind,
+                    rollers: geometry.balls(),
+                    rows: geometry.rows(),
+                    diameter: geometry.ball_diameter(),
+                    length: rollers.length,
+                    pitch_diameter: geometry.pitch_diameter(),
+                    contact_angle: geometry.contact_angle(),
+                    laminae: rollers.laminae,
+                    static_rating: static_rating(geometry, contacts),
+                }),
+                None => Elements::Balls(internal_geometry(geometry, contacts)),
             },
             fatigue_load_limit: fatigue_load_limit(geometry, contacts),
             estimated: bearing.estimated,
@@ -157,9 +175,14 @@ impl Assessment<'_> {
         let (ring, speed) = (&self.support.ring, self.rotation.speed);
         let geometry = &self.bearing().geometry;
         let ball = ring.ball_at(&self.place, azimuth, Some(number), &self.rotation);
+        let laminae = law.laminae(&ball);
         let inertia = law.state(&ball, speed);
         let contact = inertia.map_or_else(|| law.contact(&ball, speed), |state| state.contact);
-        let [inner_angle, outer_angle] = [contact.angle_inner, contact.angle_outer];
+        let deformation = self.support.deformation(&ball, &contact);
+        // the second row leans the other way
+        let side = ring.side(number);
+        let [inner_angle, outer_angle] =
+            [contact.angle_inner, contact.angle_outer].map(|a| side * a);
         // without inertia it rolls as under outer control at the common contact angle
         let ratio = geometry.ball_diameter() / geometry.pitch_diameter();
         let rolling = || BallMotion::new(RaceControl::Outer, ratio, inner_angle, outer_angle);
@@ -168,26 +191,63 @@ impl Assessment<'_> {
         let films = self.films(loads);
         BallLine {
             azimuth,
-            // d − A
-            deformation: ball.axial.hypot(ball.radial) - geometry.groove_centre_distance(),
+            deformation,
             inner: RaceContact {
                 film: films[0],
-                ..self.race_contact(0, loads[0], inner_angle, motion.spin_to_roll_inner)
+                ..self.race_contact(
+                    0,
+                    loads[0],
+                    inner_angle,
+                    motion.spin_to_roll_inner,
+                    &laminae,
+                )
             },
             outer: RaceContact {
                 film: films[1],
-                ..self.race_contact(1, loads[1], outer_angle, motion.spin_to_roll_outer)
+                ..self.race_contact(
+                    1,
+                    loads[1],
+                    outer_angle,
+                    motion.spin_to_roll_outer,
+                    &laminae,
+                )
             },
             centrifugal_force: inertia.map_or(0.0, |state| state.centrifugal_force),
             gyroscopic_moment: inertia.map_or(0.0, |state| state.gyroscopic_moment),
             controlling_race: inertia
                 .filter(|_| loads[0] > 0.0)
                 .map(|state| state.controlling_race),
+            laminae: laminae.iter().map(|lamina| self.lamina(lamina)).collect(),
+        }
+    }
+
+    /// A slice of a roller.
+    fn lamina(&self, lamina: &Lamina) -> LaminaLine {
+        LaminaLine {
+            position: lamina.position,
+            approach: lamina.approach,
+            load: lamina.load,
+            peak_pressure: [0, 1].map(|race| self.strip(race, lamina)[1]),
+        }
+    }
+
+    /// Half-width, m, and largest pressure, Pa, of a slice of a roller on a race.
+    fn strip(&self, race: usize, lamina: &Lamina) -> [f64; 2] {
+        match &self.support.contacts {
+            RaceContacts::Line(contacts) => contacts.strip(race, lamina),
+            RaceContacts::Point(_) => [0.0; 2],
         }
     }
 
     /// All but the film of a contact.
-    fn race_contact(&self, race: usize, load: f64, angle: f64, spin_to_roll: f64) -> RaceContact {
+    fn race_contact(
+        &self,
+        race: usize,
+        load: f64,
+        angle: f64,
+        spin_to_roll: f64,
+        laminae: &[Lamina],
+    ) -> RaceContact {
         let contacts = &self.support.contacts;
         let ellipse = contacts.ellipse(race, load);
         let mut state = RaceContact {
@@ -200,9 +260,15 @@ impl Assessment<'_> {
             contact_stiffness: contacts.stiffness_under(race, load),
             ..RaceContact::default()
         };
+        for lamina in laminae {
+            // the slice that is pressed most decides
+            let [half_width, pressure] = self.strip(race, lamina);
+            state.semi_minor = state.semi_minor.max(half_width);
+            state.peak_pressure = state.peak_pressure.max(pressure);
+        }
         if load > 0.0 {
             state.shoulder_margin = self.support.shoulder_margin(race, angle, load);
-            if self.rotation.speed != 0.0 {
+            if self.rotation.speed != 0.0 && laminae.is_empty() {
                 state.spin_to_roll = spin_to_roll;
             }
         }
@@ -246,6 +312,24 @@ impl Assessment<'_> {
             seat.condense(stiffness)
         });
         StiffnessShares { contacts, films }
+    }
+}
+
+/// Balls, grooves and ratings of a ball bearing.
+fn internal_geometry(geometry: &Geometry, contacts: &RaceContacts) -> InternalGeometry {
+    let (balls, ball_diameter) = (geometry.balls(), geometry.ball_diameter());
+    let pitch_diameter = geometry.pitch_diameter();
+    let angle = geometry.nominal_angle();
+    let [groove_factor_inner, groove_factor_outer] = geometry.groove_factors();
+    InternalGeometry {
+        balls,
+        ball_diameter,
+        pitch_diameter,
+        contact_angle: geometry.contact_angle(),
+        groove_factor_inner,
+        groove_factor_outer,
+        dynamic_rating: dynamic_rating(balls, ball_diameter, pitch_diameter, angle),
+        static_rating: static_rating(geometry, contacts),
     }
 }
 

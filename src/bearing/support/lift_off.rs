@@ -33,13 +33,18 @@ impl Support {
     /// Largest approach that any ball has without inertia and film at a displacement, at any angle of the
     /// cage, m. A bound, which a ball comes to where the ring tilts towards the side to which it is shifted.
     ///
-    /// `δ = hypot(|A1|, A2) − A` with the largest A1 and A2 around the ring.
+    /// `δ = hypot(|A1|, A2) − A` with the largest A1 and A2 around the ring; of rollers `|A1| sin α + A2 cos α + T L/2`.
     pub(crate) fn hertz_approach(&self, displacement: &Vector5, rotation: &BearingRotation) -> f64 {
         let place = self.settled(displacement, rotation);
         let [axial, radial] = self.ring.amplitudes(&place);
         let [along, across] = [axial, radial].map(|[middle, square]| middle.abs() + square.sqrt());
-        let apart = self.definition.bearing.geometry.groove_centre_distance();
-        along.hypot(across) - apart
+        let geometry = &self.definition.bearing.geometry;
+        let Some(rollers) = geometry.rollers() else {
+            return along.hypot(across) - geometry.groove_centre_distance();
+        };
+        let (sin, cos) = geometry.contact_angle().sin_cos();
+        let tilt = place[3].hypot(place[4]);
+        (along * sin + across * cos) + 0.5 * rollers.length * tilt
     }
 
     /// Largest load of a ball so far past its lift-off in m, N; zero where the force is smooth there.

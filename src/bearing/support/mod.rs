@@ -67,8 +67,12 @@ impl Support {
         let (geometry, imperfections) = (&definition.bearing.geometry, &definition.imperfections);
         imperfections.check(geometry)?;
         let law = Law::new(definition, &contacts, speed)?;
-        let films = definition.oil.as_ref();
-        let films = films.map(|oil| RaceFilms::new(&definition.bearing, &contacts, oil));
+        let films = match (&contacts, definition.oil.as_ref()) {
+            (RaceContacts::Point(contacts), Some(oil)) => {
+                Some(RaceFilms::new(&definition.bearing, contacts, oil)?)
+            }
+            _ => None,
+        };
         let cage = Cage::new(
             &definition.bearing,
             geometry.gamma(),
@@ -82,7 +86,7 @@ impl Support {
             rated_contacts,
             seat: Seat::new(definition, &law)?,
             law,
-            films: films.transpose()?,
+            films,
             table: None,
             cage,
             cage_jitter: CageJitter::new(&imperfections.cage_steps, geometry.balls()),
@@ -117,10 +121,10 @@ impl Support {
         &self.contacts
     }
 
-    /// Stiffness of a loaded contact by its order of magnitude, N/m: that of a ball pressed in by a thousandth of the
-    /// distance of the groove centres.
+    /// Stiffness of a loaded contact by its order of magnitude, N/m: that of a ball pressed in by a thousandth of
+    /// [`Geometry::length_scale`].
     pub(crate) fn contact_stiffness(&self) -> f64 {
-        let distance = self.definition.bearing.geometry.groove_centre_distance();
+        let distance = self.definition.bearing.geometry.length_scale();
         self.contacts.stiffness_at(1e-3 * distance)
     }
 
@@ -128,7 +132,7 @@ impl Support {
     /// contact angle in rad and a load in N; negative where the contact is cut off, none where no shoulder is known.
     pub(crate) fn shoulder_margin(&self, race: usize, angle: f64, load: f64) -> Option<f64> {
         let shoulder_angle = self.definition.bearing.shoulder_angle?;
-        let reach = self.contacts.reach(race, load);
+        let reach = self.contacts.reach(race, load)?;
         Some(shoulder_angle - angle.abs() - reach)
     }
 

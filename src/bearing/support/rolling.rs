@@ -102,8 +102,8 @@ impl Support {
         self.definition.bearing.rolling_ball_pass(0.0, speed)
     }
 
-    /// Balls that pass a point at rest, a revolution.
+    /// Balls of a row that pass a point at rest, a revolution.
     pub(crate) fn passes(&self) -> f64 {
-        self.ring.balls() as f64 * self.cage.ratio
+        self.definition.bearing.geometry.balls() as f64 * self.cage.ratio
     }
 }

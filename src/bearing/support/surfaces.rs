@@ -64,7 +64,8 @@ impl Support {
             let [place, rate] = motion.map(|vector| side_by_side(simd, &vector));
             let mut moments = [0.0; 2];
             self.ring.visit(simd, &place, rotation, |at| {
-                let [axial, radial] = self.ring.components([0.0; 2], &rate, [at.cos, at.sin]);
+                let directions = [at.cos, at.sin, at.side];
+                let [axial, radial, _] = self.ring.components([0.0; 2], &rate, directions);
                 let directions: [&[f64; LANES]; 2] = [&at.cos, &at.sin];
                 let ratios = [cage_ratio, 1.0];
                 let [by_inner, by_outer] = surfaces.rates(at.first, directions, rotation, ratios);

@@ -2,7 +2,7 @@
 
 use super::{Seat, Support, Vector5};
 use crate::bearing::BearingRotation;
-use crate::bearing::law::{BallRegion, BallTable, Law, TableError, TableReport, with_law};
+use crate::bearing::law::{BallRegion, BallTable, TableError, TableReport, with_law};
 
 /// Least amplitude that a table allows for, over the distance of the groove centres.
 const LEAST_AMPLITUDE: f64 = 1e-3;
@@ -15,7 +15,7 @@ impl Support {
     /// then differ by no more than `tolerance` times the largest ball load at `displacement` a
     /// ball; further out and at other speeds they are exact, and slow.
     ///
-    /// None where a table would not pay: for Hertz contacts without film, a linear bearing, and a
+    /// None where a table would not pay: for Hertz contacts without film, rollers, a linear bearing, and a
     /// floating ring, which asks for much more than forces.
     ///
     /// # Errors
@@ -50,7 +50,7 @@ impl Support {
     /// Whether a table may pay.
     fn may_gain_from_table(&self) -> bool {
         let floats = matches!(self.seat, Seat::Spring { .. });
-        self.frozen.is_none() && !floats && !matches!(self.law, Law::Hertz(_))
+        self.frozen.is_none() && !floats && self.law.gains_from_table()
     }
 
     /// Whether a table is compiled where one is asked for.
@@ -83,8 +83,8 @@ impl Support {
         let geometry = &self.definition.bearing.geometry;
         let [x, y, z, tilt_x, tilt_y] = *place;
         let tilting = amplitude[3].hypot(amplitude[4]);
-        let arm = geometry.inner_groove_radius();
-        let least = LEAST_AMPLITUDE * geometry.groove_centre_distance();
+        let arm = geometry.lever();
+        let least = LEAST_AMPLITUDE * geometry.length_scale();
         let axial = arm * (tilt_x.hypot(tilt_y) + tilting) + amplitude[2].max(least);
         let lateral = amplitude[0].hypot(amplitude[1]);
         let radial = x.hypot(y) + lateral.max(least);

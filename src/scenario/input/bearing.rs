@@ -10,6 +10,7 @@ use super::geometry::{GeometryInput, Printed, Sources};
 use super::imperfections::{BallSizesInput, CageJitterInput, DefectInput, WavinessInput};
 use super::oil::OilInput;
 use super::ratings::RatingsInput;
+use super::roller::RollerInput;
 use super::settings::{ContactChoice, ModelInput};
 use super::support::{HousingInput, LinearInput};
 use crate::bearing::catalogue::{CATALOGUE, CatalogueEntry};
@@ -25,7 +26,7 @@ use crate::scenario::quantity::{
     Angle, AngularSpeed, Density, Force, Length, Pressure, Quantity, si,
 };
 
-/// A ball bearing and its place on the shaft.
+/// A ball or roller bearing and its place on the shaft.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("x-at-most-one" = ["axial_offset", "preload", "spring_preload"]))]
@@ -39,6 +40,8 @@ pub struct BearingInput {
     #[serde(default)]
     #[schemars(extend("examples" = ["-30 mm"]))]
     pub position: Quantity<Length>,
+    /// Rollers in place of balls: what their bearing is, instead of `catalogue`, `ratings` and `geometry`.
+    pub roller: Option<RollerInput>,
     /// Constant stiffness and damping in place of balls; of the other keys only `position` and `housing` belong to it.
     pub linear: Option<LinearInput>,
     /// Makes a set of two bearings of this one, symmetric about the position and `spacing` apart:
@@ -185,14 +188,21 @@ impl BearingInput {
         catalogue: &[CatalogueEntry],
         problems: &mut Problems<'_>,
     ) -> Option<Vec<MountedBearing>> {
-        let mounted = self.build_one(model, freedoms, catalogue, problems);
+        let mounted = match &self.roller {
+            Some(rollers) => rollers.build(self, model, freedoms, problems),
+            None => self.build_one(model, freedoms, catalogue, problems),
+        };
         let places = self.places(problems);
         let mounted = mounted?;
         let is_symmetric = mounted.bearing.geometry.is_symmetric();
         if self.facing.is_some() && is_symmetric && mounted.preload == Preload::AxialOffset(0.0) {
             problems.warn(format!(
-                "`{}` says nothing here: a deep-groove bearing without preload is alike in both directions",
-                problems.path(".facing")
+                "`{}` says nothing here: {} without preload is alike in both directions",
+                problems.path(".facing"),
+                match &self.roller {
+                    Some(rollers) => format!("a {} roller bearing", rollers.kind.name()),
+                    None => "a deep-groove bearing".to_owned(),
+                }
             ));
         }
         let place = |(position, facing)| MountedBearing {
@@ -298,7 +308,7 @@ impl BearingInput {
     }
 
     /// What makes its surfaces differ from perfect ones, as far as it fits.
-    fn imperfections(
+    pub(super) fn imperfections(
         &self,
         geometry: &Geometry,
         model: &ModelInput,
@@ -399,7 +409,7 @@ impl BearingInput {
         self.oil.as_ref().map(OilInput::build)
     }
 
-    fn preload(&self) -> Preload {
+    pub(super) fn preload(&self) -> Preload {
         let offset = si(&self.axial_offset).unwrap_or(0.0);
         si(&self.spring_preload)
             .map(Preload::Spring)
@@ -484,7 +494,7 @@ impl Identity<'_> {
             (None, None) if self.has_geometry => Ok(None),
             (None, None) => {
                 let message = format!(
-                    "`{}` needs `catalogue`, a table `[bearing.ratings]` or `[bearing.geometry]`",
+                    "`{}` needs `catalogue`, a table `[bearing.ratings]`, `[bearing.geometry]` or `[bearing.roller]`",
                     problems.path(".")
                 );
                 let issue =
@@ -645,8 +655,8 @@ pub fn warn_where_unheld(bearings: &[MountedBearing], last: usize, problems: &mu
              `[[bearing]]` with facing = \"{other}\", leave the preload out, or add {load}"
         ),
         1 => format!(
-            "a single angular contact bearing bears axially one way only and needs an axial load: with none its \
-             balls lose their contact angle and hardly hold the shaft; add {load}"
+            "a single angular contact or tapered bearing bears axially one way only and needs an axial load: with none it \
+             hardly holds the shaft; add {load}"
         ),
         count => {
             let turned = match last {
@@ -654,7 +664,7 @@ pub fn warn_where_unheld(bearings: &[MountedBearing], last: usize, problems: &mu
                 last => format!("write facing = \"{other}\" in `bearing[{}]`", last + 1),
             };
             let face = match bearings.iter().all(angular) {
-                true => "angular contact bearings face",
+                true => "bearings face",
                 false => "bearings face or are preloaded",
             };
             format!(

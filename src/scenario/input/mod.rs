@@ -13,6 +13,7 @@ mod oil;
 mod output;
 mod ratings;
 mod record;
+mod roller;
 mod scenario;
 mod settings;
 mod shaft;

@@ -425,6 +425,11 @@ impl ScenarioInput {
             },
         );
         let contact_damping = damping::contact(self.damping.as_ref());
+        if !contact_damping.is_none() && self.bearing.iter().any(|own| own.roller.is_some()) {
+            let message = "the damping of contacts is not known of roller bearings";
+            let issue = Issue::new("damping.contact", message);
+            problems.refuse(issue.help("give `ratio` or `coefficients` instead"));
+        }
         let damped = |bearing| MountedBearing {
             contact_damping,
             ..bearing

@@ -1,6 +1,6 @@
 //! The hardest that balls are pressed in a run, and whether Hertz contact still means something there.
 
-use crate::bearing::{BallLine, BallLoads, BearingState, RaceContacts, Support};
+use crate::bearing::{BallLine, BallLoads, BearingState, Support};
 use crate::rotor::{BallContacts, Rotor};
 
 const RACES: [&str; 2] = ["inner", "outer"];
@@ -124,7 +124,8 @@ impl PeakLoads {
         at_rest: &BearingState,
     ) -> Result<Vec<String>, BeyondContact> {
         let linear = support.known_balls() == 0;
-        let (contacts, permissible) = (support.contacts(), RaceContacts::PERMISSIBLE_PRESSURE);
+        let contacts = support.contacts();
+        let permissible = contacts.permissible_pressure();
         let radius = 0.5 * support.definition().bearing.geometry.ball_diameter();
         let mut warnings = Vec::new();
         for race in 0..2 {

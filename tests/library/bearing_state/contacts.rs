@@ -42,7 +42,7 @@ fn harris_mindel(pounds: f64, degrees: f64) -> [RaceContact; 2] {
         0.0,
         0.0,
     ];
-    let ball = state_at(&mounted(bearing), place, 0.0).balls[0];
+    let ball = state_at(&mounted(bearing), place, 0.0).balls[0].clone();
     // the line of contact keeps its direction
     assert_near("α", ball.inner.angle, angle, 1e-14);
     assert_near("δ", ball.deformation, approach, 1e-12 * INCH);
@@ -102,7 +102,7 @@ fn azimuths_go_round_from_the_first_ball() {
 #[test]
 fn a_given_stiffness_leaves_ellipse_and_pressure_to_the_geometry() {
     let literature = literature_bearing(8, [11.9062e-3, 52.0e-3], 0.0, 8.37536e9);
-    let ball = state_at(&mounted(literature), [10e-6, 0.0, 0.0, 0.0, 0.0], 0.0).balls[0];
+    let ball = state_at(&mounted(literature), [10e-6, 0.0, 0.0, 0.0, 0.0], 0.0).balls[0].clone();
     // Q = K_n δ^(3/2) of the given constant
     let load = 8.37536e9 * 10e-6f64.powf(1.5);
     assert_near("Q", ball.inner.load, load, 1e-12 * load);

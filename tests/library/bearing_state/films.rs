@@ -32,7 +32,7 @@ fn films_at(speed: f64) -> [FilmState; 2] {
             high = middle;
         }
     }
-    let ball = state_at(&definition, along(low), speed).balls[0];
+    let ball = state_at(&definition, along(low), speed).balls[0].clone();
     [ball.inner, ball.outer].map(|contact| contact.film.expect("a film"))
 }
 
@@ -64,7 +64,7 @@ fn the_film_ratio_is_the_minimum_over_the_roughness() {
         },
         ..oiled(ContactLaw::Jones(RaceControl::Outer))
     };
-    let ball = state_under_thrust(&definition, 1000.0, 1000.0).balls[0];
+    let ball = state_under_thrust(&definition, 1000.0, 1000.0).balls[0].clone();
     for film in [ball.inner.film, ball.outer.film].map(|film| film.expect("a film")) {
         let lambda = film.lambda.expect("a roughness");
         assert_near("λ", lambda, film.minimum / 0.1e-6, 1e-12);
@@ -92,7 +92,7 @@ fn no_film_without_oil_or_at_rest() {
 #[test]
 fn films_and_approaches_make_up_the_deformation() {
     let state = state_under_thrust(&oiled(ContactLaw::Hertz), 1000.0, 1000.0);
-    let ball = state.balls[0];
+    let ball = state.balls[0].clone();
     let [inner, outer] =
         [ball.inner, ball.outer].map(|c| c.approach - c.film.expect("a film").central);
     assert_near("d − A", inner + outer, ball.deformation, 1e-16);
@@ -103,7 +103,7 @@ fn films_and_approaches_make_up_the_deformation() {
 fn along_the_normal_the_compliances_of_contact_and_film_add_up() {
     let state = state_under_thrust(&oiled(ContactLaw::Hertz), 1000.0, 1000.0);
     let shares = state.shares.as_ref().expect("films");
-    let ball = &state.balls[0];
+    let ball = &state.balls[0].clone();
     let (sin, cos) = ball.inner.angle.sin_cos();
     let distance = bearing("7205C").geometry.groove_centre_distance() + ball.deformation;
     let across = 12.0 * ball.inner.load / distance * cos * cos;

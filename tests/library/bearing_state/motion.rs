@@ -65,7 +65,7 @@ fn the_criterion_of_race_control_goes_over_to_the_outer_race() {
 #[test]
 fn spin_to_roll_without_inertia() {
     let state = state_under_thrust(&mounted(bearing("7205C")), 1000.0, 500.0);
-    let ball = state.balls[0];
+    let ball = state.balls[0].clone();
     let angle = ball.inner.angle;
     let motion = BallMotion::new(RaceControl::Outer, 7.938 / 38.5, angle, angle);
     let spin = motion.spin_to_roll_inner;

@@ -40,7 +40,7 @@ fn a_sound_bearing_says_nothing() {
 
 #[test]
 fn the_shoulder_margin_is_the_angle_less_the_half_ellipse() {
-    let ball = state_under_thrust(&with_shoulder(25.0), 1000.0, 0.0).balls[0];
+    let ball = state_under_thrust(&with_shoulder(25.0), 1000.0, 0.0).balls[0].clone();
     for (contact, factor) in [(ball.inner, 0.52), (ball.outer, 0.53)] {
         // sin ϑ = a/(f D)
         let half = (contact.semi_major / (factor * 7.938e-3)).asin();

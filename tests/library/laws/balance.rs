@@ -38,7 +38,7 @@ fn forces_on_a_lubricated_ball_balance_everywhere() {
         let couple = law.force(&ball, case.speed).couple;
         assert!(state.trials <= 60, "{} trials, {control:?}", state.trials);
         let loads = [state.contact.load_inner, state.contact.load_outer];
-        let contacts = case.bearing.contacts().unwrap();
+        let contacts = case.bearing.point_contacts().unwrap();
         let films = RaceFilms::new(&case.bearing, &contacts, &OIL).unwrap();
         let films = films.thickness(loads, case.speed);
         Check::new(&case, &state, couple, films.map(|film| film.central)).run(control);

@@ -158,7 +158,7 @@ fn film_thickness() {
         [500.0, 0.5381, 0.4370, 0.6434, 0.5176],
     ];
     let bearing = bearing_7205c();
-    let films = RaceFilms::new(&bearing, &bearing.contacts().unwrap(), &OIL).unwrap();
+    let films = RaceFilms::new(&bearing, &bearing.point_contacts().unwrap(), &OIL).unwrap();
     for [
         speed,
         inner_central,

@@ -12,6 +12,7 @@ mod linear_rotor;
 mod linearisation;
 mod loads;
 mod ring;
+mod rollers;
 mod spectral_lines;
 mod speed;
 mod table;

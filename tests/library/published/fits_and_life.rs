@@ -7,7 +7,7 @@ use crate::physics::{
     reliability_factor, thermal_clearance_change,
 };
 use crate::scenario::Scenario;
-use crate::tests::support::assert_near;
+use crate::tests::support::{assert_near, inside};
 
 const PER_MINUTE: f64 = std::f64::consts::PI / 30.0;
 
@@ -173,10 +173,9 @@ fn fits_raise_the_preload_of_a_pair_and_a_warm_shaft_lowers_it() {
     assert!(fit.angle < fit.angle_before);
     assert!(fitted.preload > 490.0, "{}", fitted.preload);
     let [before, after] = fit.axial_offset.expect("a preset");
-    let shift =
-        bare.geometry.internal.contact_angle.sin() - fitted.geometry.internal.contact_angle.sin();
+    let shift = inside(&bare).contact_angle.sin() - inside(&fitted).contact_angle.sin();
     // A = 0.05 D
-    let expected = 0.05 * bare.geometry.internal.ball_diameter * shift;
+    let expected = 0.05 * inside(&bare).ball_diameter * shift;
     assert_near("µm", (after - before) / 1e-6, expected / 1e-6, 1e-6);
     // back to back, the shaft with its inner rings 10 K warmer: apart by α_T L/2 a side, and tighter by the rings
     let warm =
@@ -186,8 +185,7 @@ fn fits_raise_the_preload_of_a_pair_and_a_warm_shaft_lowers_it() {
     // the shaft grows into the ring as well, by 5 µm on 40 mm
     let fit = warm.fit.expect("a fit");
     assert_near("µm", fit.interference[0] / 1e-6, 5.0, 1e-9);
-    let turned =
-        0.05 * warm.geometry.internal.ball_diameter * (fit.angle_before.sin() - fit.angle.sin());
+    let turned = 0.05 * inside(&warm).ball_diameter * (fit.angle_before.sin() - fit.angle.sin());
     assert_near(
         "µm",
         (after - before) / 1e-6,

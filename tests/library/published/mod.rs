@@ -8,5 +8,6 @@ mod jones_7205c;
 mod kinematics;
 mod masta_6305;
 mod quasi_static_7205c;
+pub mod rollers;
 mod tiwari_6204;
 mod validation_page;

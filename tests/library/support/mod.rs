@@ -6,8 +6,9 @@ use std::io;
 use std::sync::atomic::AtomicBool;
 
 use crate::bearing::{
-    BallContact, BallLoads, Bearing, BearingRotation, Facing, FreePosition, Geometry, HertzLaw,
-    Matrix5, MountedBearing, Preload, Ring, Support, Vector5, catalogue,
+    BallContact, BallLoads, Bearing, BearingRotation, BearingState, Elements, Facing, FreePosition,
+    Geometry, HertzLaw, InternalGeometry, Matrix5, MountedBearing, Preload, Ring, Support, Vector5,
+    catalogue,
 };
 use crate::integrate::{Method, Settings, System};
 use crate::rotor::{
@@ -36,6 +37,14 @@ pub fn without_clearance(designation: &str) -> Bearing {
     Bearing {
         geometry: geometry.expect("a geometry"),
         ..bearing
+    }
+}
+
+/// Balls and grooves of a state.
+pub fn inside(state: &BearingState) -> InternalGeometry {
+    match state.geometry.elements {
+        Elements::Balls(own) => own,
+        Elements::Rollers(own) => panic!("{own:?}"),
     }
 }
 

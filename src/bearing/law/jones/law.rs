@@ -7,7 +7,7 @@ use crate::bearing::law::film_spring::LubricatedContact;
 use crate::bearing::law::spring::approaches_under;
 use crate::bearing::law::{
     Ball, BallContact, BallForce, BallLaw, BallResponse, BallState, BallTangent, ContactSpring,
-    FilmLaw, ForceLaw, HertzSpring, PreparedContact, RaceContacts, RaceFilms,
+    FilmLaw, ForceLaw, HertzSpring, PointContacts, PreparedContact, RaceFilms,
 };
 use crate::bearing::number::{Function, Number, Plain};
 use crate::bearing::{Bearing, BearingError, Oil};
@@ -103,12 +103,12 @@ impl<C: PreparedContact> JonesLaw<C> {
     fn with_contacts(
         bearing: &Bearing,
         control: RaceControl,
-        prepare: impl FnOnce(&RaceContacts) -> Result<[C; 2], BearingError>,
+        prepare: impl FnOnce(&PointContacts) -> Result<[C; 2], BearingError>,
     ) -> Result<Self, BearingError> {
         if let Some(stiffness) = bearing.contact_stiffness {
             return Err(BearingError::SeriesStiffness { stiffness });
         }
-        let contacts = bearing.contacts()?;
+        let contacts = bearing.point_contacts()?;
         let prepared = prepare(&contacts)?;
         let geometry = &bearing.geometry;
         let density = bearing.ball_material.density;

@@ -1,0 +1,339 @@
+//! Law of one roller between both races, lamina by lamina.
+
+use std::sync::Arc;
+
+use fearless_simd::{Level, Simd, SimdBase, SimdFloat};
+
+use super::line_contacts::LineContacts;
+use super::ninth_root::ninth_root;
+use super::{Ball, BallContact, BallForce, BallLaw, BallResponse, ContactSpring, ForceLaw, Lamina};
+use crate::bearing::Geometry;
+use crate::bearing::number::{Function, LANES, Lanes, Number, Plain};
+use crate::numerics::registers::in_wide_registers;
+use crate::numerics::root::bisection;
+use crate::physics::LINE_EXPONENT;
+
+/// A roller cut into laminae that bear each by itself, both races in series, ball inertia neglected.
+///
+/// ```text
+/// δ_k = A1 sin α + A2 cos α − T s_k − 2 P_k        q_k = c_s max(δ_k, 0)^(10/9)        c_s = C/n_s
+/// F_a = sin α Σ q_k        F_r = cos α Σ q_k        couple = −Σ s_k q_k
+/// ```
+///
+/// | symbol | meaning | unit |
+/// |---|---|---|
+/// | A1, A2, T | where the inner ring is in the plane of the roller | m, m, rad |
+/// | α | contact angle | rad |
+/// | s_k, P_k | middle and drop of a lamina, [`crate::bearing::Rollers`] | m |
+/// | q_k | its load | N |
+/// | C | constant of the whole roller, [`crate::physics::line_stiffness`] | N/m^(10/9) |
+///
+/// The forces are the work conjugates of A1, A2 and T, so that they have a potential. Holds for rigid rings at speeds
+/// where centrifugal force is small against the roller load. The flange of a tapered bearing, whose force is small, carries
+/// nothing here. Without `TILTS` a roller follows the tilt of its ring, as in the sphere of a spherical bearing.
+///
+/// Source: ISO/TS 16281:2008, 4.2; H. T. Nguyen-Schäfer, *Computational Tapered and Cylinder Roller Bearings* (2019).
+#[derive(Debug, Clone)]
+pub struct RollerLaw<const TILTS: bool = true> {
+    level: Level,
+    sin: f64,
+    cos: f64,
+    /// c_s.
+    stiffness: f64,
+    /// Width of a lamina, m.
+    width: f64,
+    laminae: usize,
+    /// L/2, m.
+    half_length: f64,
+    /// Least 2 P of any lamina, m.
+    least_drop: f64,
+    /// In fours, the last filled up with ones that never bear.
+    groups: Arc<[Four]>,
+}
+
+/// Laminae side by side.
+#[derive(Debug, Clone, Copy)]
+#[repr(align(32))]
+struct Four {
+    position: [f64; LANES],
+    /// 2 P, m.
+    drop: [f64; LANES],
+}
+
+/// Drop of what fills up the last four, m: deeper than any approach.
+const NEVER: f64 = 1e3;
+
+/// Sums over the laminae of a roller.
+#[derive(Clone, Copy)]
+struct Sums<T> {
+    /// Σ q and −Σ s q.
+    load: [T; 2],
+    /// Σ dq/dδ s^m, m = 0, 1, 2.
+    stiffness: [T; 3],
+}
+
+impl<const TILTS: bool> RollerLaw<TILTS> {
+    /// The law of a roller of a bearing with its contacts.
+    pub(super) fn new(geometry: &Geometry, contacts: &LineContacts) -> Self {
+        let rollers = &contacts.rollers;
+        let (sin, cos) = geometry.contact_angle().sin_cos();
+        let slices: Vec<_> = rollers.slices(geometry.ball_diameter()).collect();
+        let groups = slices.chunks(LANES).map(|slices| {
+            let mut four = Four {
+                position: [0.0; LANES],
+                drop: [NEVER; LANES],
+            };
+            for (lane, slice) in slices.iter().enumerate() {
+                four.position[lane] = slice.position;
+                four.drop[lane] = 2.0 * slice.drop;
+            }
+            four
+        });
+        let groups: Arc<[Four]> = groups.collect();
+        let drops = groups.iter().flat_map(|four| four.drop);
+        let count = rollers.laminae as f64;
+        Self {
+            level: Level::new(),
+            sin,
+            cos,
+            stiffness: contacts.stiffness / count,
+            width: rollers.length / count,
+            laminae: rollers.laminae,
+            half_length: 0.5 * rollers.length,
+            least_drop: drops.fold(NEVER, f64::min),
+            groups,
+        }
+    }
+
+    /// A1 sin α + A2 cos α less the drops of both races.
+    #[inline(always)]
+    fn middle<T: Number>(&self, ball: &Ball<T>) -> T {
+        let [inner, outer] = ball.drop;
+        (ball.axial * self.sin + ball.radial * self.cos) - (inner + outer)
+    }
+
+    /// The tilt that its laminae see.
+    #[inline(always)]
+    fn tilt<T: Number>(ball: &Ball<T>) -> T {
+        if TILTS {
+            ball.tilt
+        } else {
+            ball.tilt.constant(0.0)
+        }
+    }
+
+    /// The laminae one by one: position and 2 P, m.
+    fn slices(&self) -> impl Iterator<Item = [f64; 2]> {
+        let four = |four: &Four| {
+            let pairs = four.position.into_iter().zip(four.drop);
+            pairs
+                .map(|(position, drop)| [position, drop])
+                .collect::<Vec<_>>()
+        };
+        self.groups.iter().flat_map(four).take(self.laminae)
+    }
+
+    /// Sums with the middle of the roller approached by some m under a tilt in rad; those of the stiffness only where
+    /// `SLOPES`.
+    #[inline(always)]
+    fn sums<S: Simd, const SLOPES: bool>(&self, simd: S, middle: f64, tilt: f64) -> Sums<f64> {
+        let zero = Lanes::splat(simd, 0.0);
+        let (mut load, mut stiffness) = ([zero; 2], [zero; 3]);
+        if middle + tilt.abs() * self.half_length <= self.least_drop {
+            // no lamina bears
+            return Sums {
+                load: [0.0; 2],
+                stiffness: [0.0; 3],
+            };
+        }
+        for four in self.groups.iter() {
+            let position = simd.load_array_ref_f64x4(&four.position);
+            let drop = simd.load_array_ref_f64x4(&four.drop);
+            // δ_k
+            let approach = (Lanes::splat(simd, middle) - position * tilt) - drop;
+            if !simd.any_true_mask64x4(simd.simd_gt_f64x4(approach, zero)) {
+                continue;
+            }
+            let pressed = approach.max(zero);
+            // dq/dδ = 10/9 c_s δ^(1/9) and q = c_s δ δ^(1/9), both over c_s
+            let root = ninth_root(pressed);
+            let pushed = pressed * root;
+            load[0] += pushed;
+            load[1] -= position * pushed;
+            if SLOPES {
+                let slope = approach.if_positive(root);
+                let lever = position * slope;
+                stiffness[0] += slope;
+                stiffness[1] += lever;
+                stiffness[2] += position * lever;
+            }
+        }
+        let scale = self.stiffness;
+        Sums {
+            load: load.map(|lanes| scale * total(&lanes)),
+            stiffness: stiffness.map(|lanes| LINE_EXPONENT * scale * total(&lanes)),
+        }
+    }
+}
+
+/// Sum of the lanes.
+#[inline(always)]
+fn total<S: Simd>(lanes: &Lanes<S>) -> f64 {
+    let [a, b, c, d] = **lanes;
+    (a + b) + (c + d)
+}
+
+/// Load and couple of a roller by the approach of its middle and its tilt.
+impl<const TILTS: bool> Function<2, 2> for RollerLaw<TILTS> {
+    fn with_slopes(&self, [middle, tilt]: [f64; 2]) -> ([f64; 2], [[f64; 2]; 2]) {
+        let Sums {
+            load,
+            stiffness: [k0, k1, k2],
+        } = in_wide_registers!(self.level, simd => self.sums::<_, true>(simd, middle, tilt));
+        (load, [[k0, -k1], [-k1, k2]])
+    }
+
+    fn values(&self, [middle, tilt]: [f64; 2]) -> [f64; 2] {
+        in_wide_registers!(self.level, simd => self.sums::<_, false>(simd, middle, tilt).load)
+    }
+
+    #[inline(always)]
+    fn side_by_side<S: Simd>(&self, [middle, tilt]: [Lanes<S>; 2]) -> [Lanes<S>; 2] {
+        let simd = middle.witness();
+        let [mut load, mut couple] = [[0.0; LANES]; 2];
+        for lane in 0..LANES {
+            let sums = self.sums::<S, false>(simd, middle[lane], tilt[lane]);
+            [load[lane], couple[lane]] = sums.load;
+        }
+        [load, couple].map(|lanes| simd.load_array_f64x4(lanes))
+    }
+}
+
+impl<const TILTS: bool> ForceLaw for RollerLaw<TILTS> {
+    const HAS_COUPLE: bool = TILTS;
+    const FOLLOWS_TILT: bool = TILTS;
+
+    #[inline(always)]
+    fn force<T: Number>(&self, ball: &Ball<T>, _speed: f64) -> BallForce<T> {
+        let [load, couple] = T::apply(self, [self.middle(ball), Self::tilt(ball)]);
+        BallForce {
+            axial: load * self.sin,
+            radial: load * self.cos,
+            couple,
+        }
+    }
+
+    /// That of the lamina which is pressed most.
+    #[inline(always)]
+    fn distance_past_lift_off<T: Plain>(&self, ball: &Ball<T>, _speed: f64) -> T {
+        self.largest_approach(ball)
+    }
+}
+
+impl<const TILTS: bool> RollerLaw<TILTS> {
+    /// Approach of the lamina that is pressed most, m.
+    #[inline(always)]
+    fn largest_approach<T: Number>(&self, ball: &Ball<T>) -> T {
+        let (middle, tilt) = (self.middle(ball), Self::tilt(ball));
+        let mut largest = middle - NEVER;
+        for four in self.groups.iter() {
+            for (position, drop) in four.position.iter().zip(&four.drop) {
+                // max(a, b) = a + max(b − a, 0)
+                let approach = (middle - tilt * *position) - *drop;
+                largest = largest + (approach - largest).positive();
+            }
+        }
+        largest
+    }
+}
+
+impl<const TILTS: bool> BallLaw for RollerLaw<TILTS> {
+    type Spring = Self;
+
+    #[inline(always)]
+    fn response<T: Number>(&self, ball: &Ball<T>, speed: f64) -> BallResponse<T> {
+        let [load, _] = T::apply(self, [self.middle(ball), Self::tilt(ball)]);
+        BallResponse {
+            force: self.force(ball, speed),
+            load: [load; 2],
+            approach: self.largest_approach(ball),
+        }
+    }
+
+    fn spring(&self, _speed: f64) -> Self {
+        self.clone()
+    }
+
+    fn exponent(&self) -> f64 {
+        LINE_EXPONENT
+    }
+
+    /// Half of that of the lamina which is pressed most.
+    #[inline(always)]
+    fn elastic_approaches<T: Number>(&self, response: &BallResponse<T>) -> [T; 2] {
+        [response.approach.positive() * 0.5; 2]
+    }
+
+    fn contact(&self, ball: &Ball, speed: f64) -> BallContact {
+        let response = self.response(ball, speed);
+        let angle = self.sin.atan2(self.cos);
+        BallContact {
+            load_inner: response.load[0],
+            load_outer: response.load[1],
+            angle_inner: angle,
+            angle_outer: angle,
+            approach: response.approach,
+        }
+    }
+
+    /// `Σ q_k δ_k/(1 + n)`, half of it at each race.
+    fn elastic_energies(&self, ball: &Ball, _response: &BallResponse) -> [f64; 2] {
+        let energy = |lamina: Lamina| lamina.load * lamina.approach / (1.0 + LINE_EXPONENT);
+        let energy: f64 = self.laminae(ball).into_iter().map(energy).sum();
+        [0.5 * energy; 2]
+    }
+
+    fn laminae(&self, ball: &Ball) -> Vec<Lamina> {
+        let (middle, tilt) = (self.middle(ball), Self::tilt(ball));
+        let lamina = |[position, drop]: [f64; 2]| {
+            let approach = middle - tilt * position - drop;
+            Lamina {
+                position,
+                width: self.width,
+                approach,
+                load: self.stiffness * approach.max(0.0).powf(LINE_EXPONENT),
+            }
+        };
+        self.slices().map(lamina).collect()
+    }
+}
+
+/// A roller that is not tilted, by the approach of the lamina that is pressed most: that with the least drop.
+impl<const TILTS: bool> ContactSpring for RollerLaw<TILTS> {
+    const IS_SMOOTH: bool = false;
+
+    #[inline(always)]
+    fn load<T: Number>(&self, approach: T) -> T {
+        let [load, _] = T::apply(self, [approach + self.least_drop, approach.constant(0.0)]);
+        load
+    }
+
+    fn load_and_stiffness(&self, approach: f64) -> (f64, f64) {
+        let (load, slopes) = self.with_slopes([approach + self.least_drop, 0.0]);
+        (load[0], slopes[0][0])
+    }
+
+    fn approach(&self, load: f64) -> f64 {
+        if load <= 0.0 {
+            return 0.0;
+        }
+        // a single lamina under the load is pressed in more than all of them
+        let most = (load / self.stiffness).powf(1.0 / LINE_EXPONENT);
+        let bears_more = |approach| self.load_and_stiffness(approach).0 > load;
+        bisection(bears_more, [0.0, most], f64::EPSILON * most)
+    }
+
+    fn lift(&self) -> f64 {
+        0.0
+    }
+}

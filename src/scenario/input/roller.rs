@@ -1,0 +1,347 @@
+//! `[bearing.roller]`.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::bearing::{BearingInput, material};
+use super::settings::{ContactChoice, ModelInput};
+use crate::bearing::{
+    Bearing, ContactDamping, Facing, Geometry, GeometryError, MountedBearing, Profile,
+    ProfilePoints, RollerKind, Rollers,
+};
+use crate::physics::Material;
+use crate::rotor::Freedoms;
+use crate::scenario::Issue;
+use crate::scenario::problems::Problems;
+use crate::scenario::quantity::{Angle, Length, Quantity, si, significant};
+
+/// Steel for which ISO/TS 16281 gives the stiffness of rollers.
+const ROLLER_STEEL: Material = Material {
+    youngs_modulus: 206e9,
+    ..Material::BEARING_STEEL
+};
+
+/// Rollers in place of balls, with their internal dimensions.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RollerInput {
+    /// "cylindrical" or "needle", which hold nothing along z; "tapered"; "spherical", with two rows.
+    pub kind: RollerKind,
+    /// Number of rollers of a row, 3 to 200.
+    #[schemars(range(min = 3, max = 200))]
+    pub rollers: u32,
+    /// Diameter of a roller in its middle, for instance "7.5 mm".
+    #[schemars(extend("examples" = ["7.5 mm"], "x-minimum" = 1e-5))]
+    pub diameter: Quantity<Length>,
+    /// Effective length of a roller, for instance "8 mm".
+    #[schemars(extend("examples" = ["8 mm"], "x-minimum" = 1e-5))]
+    pub length: Quantity<Length>,
+    /// Diameter of the circle of the middles of the rollers, for instance "46 mm".
+    #[schemars(extend("examples" = ["46 mm"], "x-minimum" = 1e-5))]
+    pub pitch_diameter: Quantity<Length>,
+    /// Contact angle with the outer race, for instance "14 deg", of tapered and spherical rollers; cylindrical ones have
+    /// none.
+    #[schemars(extend("examples" = ["14 deg"], "x-minimum" = 0.0, "x-maximum" = Geometry::LARGEST_CONTACT_ANGLE))]
+    pub contact_angle: Option<Quantity<Angle>>,
+    /// Diametral clearance, for instance "20 um"; negative where the rollers are squeezed without load. Default: "0 um" of
+    /// tapered rollers; all others need it.
+    #[schemars(extend("examples" = ["20 um"]))]
+    pub diametral_clearance: Option<Quantity<Length>>,
+    /// Profile of a roller: "logarithmic", that of ISO/TS 16281, or "flat". Default: "logarithmic", but of spherical rollers
+    /// that of their radii.
+    pub profile: Option<ProfileInput>,
+    /// Drops of a roller, at rising distances from its middle, instead of `profile`: straight lines in between.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub drop: Vec<DropInput>,
+    /// Radius of a spherical roller along its length, for instance "33.2 mm".
+    #[schemars(extend("examples" = ["33.2 mm"], "x-above" = 0.0))]
+    pub roller_radius: Option<Quantity<Length>>,
+    /// Radius of the races of spherical rollers along the rollers, for instance "34 mm".
+    #[schemars(extend("examples" = ["34 mm"], "x-above" = 0.0))]
+    pub race_radius: Option<Quantity<Length>>,
+    /// Number of slices that a roller is cut into, 4 to 500; ISO/TS 16281 asks for 30 at least. Default: 30.
+    #[schemars(range(min = Rollers::FEWEST_LAMINAE, max = Rollers::MOST_LAMINAE))]
+    pub laminae: Option<u32>,
+    /// Width of the bearing; the rollers are checked against it.
+    #[schemars(extend("examples" = ["16 mm"], "x-above" = 0.0))]
+    pub width: Option<Quantity<Length>>,
+}
+
+/// Profile of a roller by its name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ProfileInput {
+    /// That of ISO/TS 16281 for the kind and the proportions of the rollers.
+    Logarithmic,
+    /// None.
+    Flat,
+}
+
+/// How much a roller is thinner at a distance from its middle.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DropInput {
+    /// Distance from the middle, for instance "3.5 mm".
+    #[schemars(extend("examples" = ["3.5 mm"], "x-minimum" = 0.0))]
+    pub at: Quantity<Length>,
+    /// Drop of roller and race together, for instance "4 um".
+    #[schemars(extend("examples" = ["4 um"], "x-minimum" = 0.0))]
+    pub drop: Quantity<Length>,
+}
+
+impl RollerInput {
+    /// The bearing of these rollers at its nominal position, as far as nothing in its table contradicts it.
+    pub fn build(
+        &self,
+        own: &BearingInput,
+        model: &ModelInput,
+        freedoms: Freedoms,
+        problems: &mut Problems<'_>,
+    ) -> Option<MountedBearing> {
+        self.check_keys(own, problems);
+        let geometry = self.geometry(problems)?;
+        let changed = geometry.with_clearance_change(own.clearance_change.si());
+        let wrong = |error: GeometryError| Issue::new(".clearance_change", error.to_string());
+        let geometry = problems.take(changed.map_err(wrong))?;
+        let ring_material = material(own.material.as_ref(), ROLLER_STEEL);
+        let law = match own.contact(model) {
+            ContactChoice::Linear => ContactChoice::Linear,
+            _ => ContactChoice::Hertz,
+        };
+        Some(MountedBearing {
+            law: law.law(None),
+            oil: None,
+            position: own.position.si(),
+            facing: Facing::PlusZ,
+            preload: own.preload(),
+            contact_damping: ContactDamping::default(),
+            first_ball: own.first_ball.si(),
+            imperfections: own.imperfections(&geometry, model, problems)?,
+            housing: problems.given("housing", &own.housing, |housing, problems| {
+                problems.take(housing.build(freedoms))
+            })?,
+            bearing: Bearing {
+                ring_material,
+                ball_material: material(own.ball_material.as_ref(), ring_material),
+                limiting_speed: si(&own.limiting_speed),
+                rotating_ring: own.rotating_ring,
+                ..Bearing::of_steel(geometry)
+            },
+        })
+    }
+
+    /// Refuses what belongs to balls, and what is not known of rollers.
+    fn check_keys(&self, own: &BearingInput, problems: &mut Problems<'_>) {
+        let known = "`[bearing.roller]` already says what the bearing is";
+        let ball = "this belongs to balls";
+        let unknown = "this is not modelled of roller bearings";
+        let one_way = "only tapered rollers are preloaded along the axis";
+        let preloads = self.kind != RollerKind::Tapered;
+        for (key, given, message) in [
+            (".catalogue", own.catalogue.is_some(), known),
+            (".ratings", own.ratings.is_some(), known),
+            (".geometry", own.geometry.is_some(), known),
+            (".shoulder_angle", own.shoulder_angle.is_some(), ball),
+            (".race_control", own.race_control.is_some(), ball),
+            (".ball_sizes", own.ball_sizes.is_some(), ball),
+            (".contact", own.contact == Some(ContactChoice::Jones), ball),
+            (".clearance_class", own.clearance_class.is_some(), unknown),
+            (".film", own.film == Some(true), unknown),
+            (".oil", own.oil.is_some(), unknown),
+            (".roughness", own.roughness.is_some(), unknown),
+            (".dynamic_rating", own.dynamic_rating.is_some(), unknown),
+            (".reliability", own.reliability.is_some(), unknown),
+            (".fit", own.fit.is_some(), unknown),
+            (".defect", !own.defect.is_empty(), unknown),
+            (".waviness", !own.waviness.is_empty(), unknown),
+            (
+                ".axial_offset",
+                preloads && own.axial_offset.is_some(),
+                one_way,
+            ),
+            (".preload", preloads && own.preload.is_some(), one_way),
+            (
+                ".spring_preload",
+                preloads && own.spring_preload.is_some(),
+                one_way,
+            ),
+        ] {
+            if given {
+                let issue = Issue::new(key, message).help("remove it");
+                problems.refuse(issue.against(".roller"));
+            }
+        }
+    }
+
+    fn geometry(&self, problems: &mut Problems<'_>) -> Option<Geometry> {
+        let profile = self.profile(problems);
+        let clearance = self.clearance(problems);
+        self.check_room(problems);
+        let laminae = self
+            .laminae
+            .map_or(Rollers::STANDARD_LAMINAE, |count| count as usize);
+        if laminae < Rollers::STANDARD_LAMINAE {
+            problems.warn(format!(
+                "`{}`: {laminae} slices of a roller are fewer than the {} of ISO/TS 16281: edges and tilts are coarse",
+                problems.path(".roller.laminae"),
+                Rollers::STANDARD_LAMINAE
+            ));
+        }
+        let rollers = Rollers {
+            kind: self.kind,
+            length: self.length.si(),
+            profile: profile?,
+            laminae,
+            clearance: clearance?,
+        };
+        let built = Geometry::of_rollers(
+            self.rollers as usize,
+            self.diameter.si(),
+            self.pitch_diameter.si(),
+            si(&self.contact_angle).unwrap_or(0.0),
+            rollers,
+        );
+        problems.take(built.map_err(|error| self.wrong(&error)))
+    }
+
+    /// The profile, where radii, drops and a name do not contradict each other.
+    fn profile(&self, problems: &mut Problems<'_>) -> Option<Profile> {
+        let (roller, race) = (si(&self.roller_radius), si(&self.race_radius));
+        let spherical = self.kind == RollerKind::Spherical;
+        let radii = [
+            (".roller.roller_radius", roller),
+            (".roller.race_radius", race),
+        ];
+        for (key, _) in radii
+            .iter()
+            .filter(|(_, radius)| radius.is_some() && !spherical)
+        {
+            let issue = Issue::new(
+                *key,
+                "only spherical rollers have a radius along their length",
+            );
+            problems.refuse(issue.help("remove it").against(".roller.kind"));
+        }
+        let named = self.profile.map(|profile| match profile {
+            ProfileInput::Logarithmic => Profile::Logarithmic,
+            ProfileInput::Flat => Profile::Flat,
+        });
+        let is_round = roller.is_some() || race.is_some();
+        let ways = [named.is_some(), !self.drop.is_empty(), is_round];
+        if ways.into_iter().filter(|given| *given).count() > 1 {
+            let message = "the profile of the rollers is given in two ways";
+            let issue = Issue::new(".roller", message);
+            problems.refuse(issue.help("keep one of `profile`, `drop` and the two radii"));
+            return None;
+        }
+        if !self.drop.is_empty() {
+            let pairs: Vec<_> = self
+                .drop
+                .iter()
+                .map(|own| [own.at.si(), own.drop.si()])
+                .collect();
+            let message = format!(
+                "the distances of a profile must rise, with at most {} points",
+                ProfilePoints::MOST
+            );
+            let points = ProfilePoints::new(&pairs).map(Profile::Points);
+            return problems.take(points.ok_or_else(|| Issue::new(".roller.drop", message)));
+        }
+        if named.is_some() || !spherical {
+            return Some(named.unwrap_or(Profile::Logarithmic));
+        }
+        let half = 0.5 * self.length.si();
+        problems.take(match (roller, race) {
+            (Some(roller_radius), Some(race_radius))
+                if roller_radius > half && race_radius >= roller_radius =>
+            {
+                Ok(Profile::Barrel {
+                    roller_radius,
+                    race_radius,
+                })
+            }
+            (Some(_), Some(_)) => {
+                let message = "a spherical roller is a barrel in a wider race: half its length is less than its radius, and that \
+                               no more than the radius of the race";
+                Err(Issue::new(".roller.roller_radius", message)
+                    .against_all([".roller.race_radius", ".roller.length"]))
+            }
+            _ => {
+                let message = "spherical rollers need `roller_radius` and `race_radius`";
+                let issue = Issue::new(".roller.roller_radius", message);
+                Err(issue
+                    .help("for instance roller_radius = \"33.2 mm\" and race_radius = \"34 mm\", or profile = \"flat\"")
+                    .against(".roller.race_radius"))
+            }
+        })
+    }
+
+    /// The clearance; of tapered rollers none where it is not given.
+    fn clearance(&self, problems: &mut Problems<'_>) -> Option<f64> {
+        let assumed = (self.kind == RollerKind::Tapered).then_some(0.0);
+        problems.take(si(&self.diametral_clearance).or(assumed).ok_or_else(|| {
+            let message = format!("{} rollers need `diametral_clearance`", self.kind.name());
+            Issue::new(".roller.diametral_clearance", message)
+                .help("for instance: diametral_clearance = \"20 um\"")
+        }))
+    }
+
+    /// Refuses rollers that are longer than the bearing is wide, or that no bearing of this pitch circle has.
+    fn check_room(&self, problems: &mut Problems<'_>) {
+        let rows = if self.kind == RollerKind::Spherical {
+            2.0
+        } else {
+            1.0
+        };
+        let cosine = si(&self.contact_angle).unwrap_or(0.0).cos();
+        let takes = rows * self.length.si() * cosine;
+        let (room, key, what) = match &self.width {
+            Some(width) => (width.si(), ".roller.width", "the bearing is wide"),
+            None => (
+                self.pitch_diameter.si(),
+                ".roller.pitch_diameter",
+                "their pitch circle",
+            ),
+        };
+        if takes > room {
+            let message = format!(
+                "the rollers take {} along the axis, more than {what}: {}",
+                millimetres(takes),
+                millimetres(room)
+            );
+            problems.refuse(Issue::new(".roller.length", message).against(key));
+        }
+    }
+
+    /// The problem of dimensions that make no bearing.
+    fn wrong(&self, error: &GeometryError) -> Issue {
+        let key = match error {
+            GeometryError::RollerAngle { .. } => ".roller.contact_angle",
+            GeometryError::RollerClearance { .. } => ".roller.diametral_clearance",
+            GeometryError::Laminae { .. } => ".roller.laminae",
+            _ => ".roller.rollers",
+        };
+        let message = match *error {
+            GeometryError::Overlap {
+                balls,
+                ball_diameter,
+                pitch_diameter,
+                largest,
+            } => format!(
+                "{balls} rollers of {} overlap on a pitch circle of {}: at most {largest} fit",
+                millimetres(ball_diameter),
+                millimetres(pitch_diameter)
+            ),
+            GeometryError::RollerAngle { rule, .. } => {
+                format!("the contact angle of {} rollers: {rule}", self.kind.name())
+            }
+            _ => error.to_string(),
+        };
+        Issue::new(key, message).against(".roller.kind")
+    }
+}
+
+/// A length in mm with four significant digits.
+fn millimetres(length: f64) -> String {
+    format!("{} mm", significant(length * 1e3))
+}
