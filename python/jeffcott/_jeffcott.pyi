@@ -18,6 +18,7 @@ __all__ = [
     "StopSignal",
     "StudyPlan",
     "__version__",
+    "analyze",
     "arrow_stream",
     "catalogue",
     "compare",
