@@ -268,7 +268,7 @@ impl Geometry {
     /// The bearing with rollers whose clearance fits it.
     fn with_roller_clearance(self, rollers: Rollers) -> Result<Self, GeometryError> {
         let (clearance, diameter) = (rollers.clearance, self.ball_diameter);
-        if !(clearance.abs() <= self.length_scale()) {
+        if clearance.is_nan() || clearance.abs() > self.length_scale() {
             return Err(GeometryError::RollerClearance {
                 clearance,
                 diameter,

@@ -56,7 +56,7 @@ pub struct ProfilePoints {
 
 impl ProfilePoints {
     /// Most points of a profile.
-    pub const MOST: usize = 16;
+    pub const MOST: usize = 8;
 
     /// From pairs of a distance and a drop; none where they are too many or none, do not rise, or are negative.
     pub fn new(pairs: &[[f64; 2]]) -> Option<Self> {
