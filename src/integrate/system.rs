@@ -40,6 +40,17 @@ pub trait System {
         forces.fill(0.0);
     }
 
+    /// Slopes of the forces w of [`System::separated`], of those that act by the states that they depend on.
+    fn force_slopes(
+        &self,
+        _time: f64,
+        _state: &[f64],
+        seen: &[usize],
+        acting: &[usize],
+    ) -> DMatrix<f64> {
+        DMatrix::zeros(acting.len(), seen.len())
+    }
+
     /// The first time after `after`, in s, at which the derivative or its slope by time jumps, as
     /// where a shock begins; infinite where it is smooth from there on. No step reaches over such a
     /// time, so none can miss what begins there.
@@ -169,6 +180,17 @@ impl System for Shifted<'_> {
 
     fn forces(&self, time: f64, state: &[f64], forces: &mut [f64]) {
         self.system.forces(self.start + time, state, forces);
+    }
+
+    fn force_slopes(
+        &self,
+        time: f64,
+        state: &[f64],
+        seen: &[usize],
+        acting: &[usize],
+    ) -> DMatrix<f64> {
+        let system = self.system;
+        system.force_slopes(self.start + time, state, seen, acting)
     }
 
     fn next_break(&self, after: f64) -> f64 {

@@ -6,6 +6,9 @@ use std::sync::atomic::AtomicBool;
 use fearless_simd::Level;
 use nalgebra::DMatrix;
 
+use super::exponential::ExponentialStepper;
+use super::problem::Problem;
+use super::stepper::{MethodStepper, Start};
 use super::{
     Counters, Grid, IntegrateError, Integration, Method, Scaling, Settings, States, System,
 };
@@ -101,7 +104,8 @@ impl System for Augmented<'_> {
 /// ẏ = f(t, y),   Φ̇ = ∂f/∂y(t, y) Φ,   Φ(0) = 1
 /// ```
 ///
-/// Both are kept to the tolerance of `settings` by Verner's pair 7(6), whatever method they name.
+/// Both are kept to the tolerance of `settings`, whatever method they name: where few forces make what is not linear, by
+/// exponential steps, else by Verner's pair 7(6).
 ///
 /// # Errors
 /// [`IntegrateError`] where the integration cannot go on.
@@ -113,6 +117,9 @@ pub fn variation(
     duration: f64,
     start: &[f64],
 ) -> Result<Variation, IntegrateError> {
+    if let Some(found) = few_forces_variation(system, scaling, settings, stop, duration, start)? {
+        return Ok(found);
+    }
     let states = system.states();
     let augmented = Augmented {
         system,
@@ -146,6 +153,59 @@ pub fn variation(
     })
 }
 
+/// A motion with its slopes by exponential steps; none where the remainder of its equation is not one of few forces.
+fn few_forces_variation(
+    system: &dyn System,
+    scaling: &Scaling,
+    settings: &Settings,
+    stop: &AtomicBool,
+    duration: f64,
+    start: &[f64],
+) -> Result<Option<Variation>, IntegrateError> {
+    if system.separated(0.0, start).is_none() {
+        return Ok(None);
+    }
+    let problem = Problem {
+        system,
+        scaling: scaling.clone(),
+        settings: *settings,
+        stop,
+        progress: None,
+        interval: duration,
+        end: duration,
+    };
+    let from = start.iter().zip(&scaling.origin);
+    let from = Start {
+        time: 0.0,
+        deviation: from.map(|(state, origin)| state - origin).collect(),
+        counters: Counters::default(),
+    };
+    let mut stepper = ExponentialStepper::with_slopes(&problem, &from);
+    while stepper.reached().time < duration {
+        stepper.step(&problem)?;
+        if stepper.slopes().is_none() {
+            return Ok(None);
+        }
+    }
+    let mut end = start.to_vec();
+    problem.write_state(stepper.reached().deviation, &mut end);
+    Ok(stepper.slopes().map(|slopes| Variation {
+        end,
+        slopes: in_units(slopes.clone(), &scaling.scale),
+        counters: stepper.reached().counters,
+    }))
+}
+
+/// Slopes of states by states from those of numbers in units of the states.
+fn in_units(mut slopes: DMatrix<f64>, scale: &[f64]) -> DMatrix<f64> {
+    for (column, mut entries) in slopes.column_iter_mut().enumerate() {
+        for (row, entry) in entries.iter_mut().enumerate() {
+            *entry *= scale[row] / scale[column];
+        }
+    }
+    slopes
+}
+
 /// Slopes `∂(end)/∂(start)` over a duration of a system that is linear in its states, with the same slopes at all times:
 ///
 /// ```text
@@ -160,14 +220,7 @@ pub fn linear_variation(system: &dyn System, scaling: &Scaling, duration: f64) -
     let mut slopes = DMatrix::zeros(states, states);
     system.linearisation(0.0, &scaling.origin, &mut slopes, &mut vec![0.0; states]);
     scaling.scale_jacobian(&mut slopes);
-    let mut slopes = (slopes * duration).exp();
-    let scale = &scaling.scale;
-    for (column, mut entries) in slopes.column_iter_mut().enumerate() {
-        for (row, entry) in entries.iter_mut().enumerate() {
-            *entry *= scale[row] / scale[column];
-        }
-    }
-    slopes
+    in_units((slopes * duration).exp(), &scaling.scale)
 }
 
 /// Units of the state, and of its slopes as they follow from them.

@@ -3,9 +3,9 @@
 use nalgebra::{ArrayStorage, DMatrix};
 
 use super::Rotor;
-use super::element::{AttachedBearing, ElementMotion, Instant, seen_by};
+use super::element::{AttachedBearing, ElementMotion, seen_by};
 use super::excitation::{TIME_STEP, forward_rate};
-use crate::bearing::{BearingRotation, Geometry, Matrix5, Support, Vector5};
+use crate::bearing::{Geometry, Matrix5, Support, Vector5};
 use crate::integrate::System;
 
 /// Steps over which the damping of the contacts is looked at, m and m/s: short against the approach
@@ -19,13 +19,6 @@ const STEP: f64 = 6e-6;
 const APPROACH: f64 = 1e-5;
 /// A usual angular frequency, rad/s.
 const RATE: f64 = 1e3;
-
-/// Slopes of the force onto an element.
-struct Slopes {
-    by_place: Matrix5,
-    by_rate: Matrix5,
-    by_time: Vector5,
-}
 
 impl Rotor {
     /// Writes the slopes of the derivative by the state and by the time.
@@ -46,13 +39,14 @@ impl Rotor {
             linear.by_place(rotation.speed),
             linear.by_rate(rotation.speed),
         ];
-        let held = self.add_element_slopes(time, &at, &mut slopes);
-        linear.write_state_matrix(&slopes, jacobian);
         by_time.fill(0.0);
         let by_time = &mut by_time[dofs..];
-        for (by_time, held) in by_time.iter_mut().zip(&held) {
-            *by_time -= held;
+        for (bearing, motion) in self.elements.bearings_at(&at) {
+            let by_cage_angle = self.add_bearing_slopes(&bearing, &motion, &mut slopes);
+            let held = self.bearing_force_rate(time, &bearing, &motion, &by_cage_angle);
+            bearing.attachment.add_force(-1.0, &held, by_time);
         }
+        linear.write_state_matrix(&slopes, jacobian);
         self.excitation.add_force_rates(time, &rotation, by_time);
         let change = rotation.acceleration;
         linear.gyroscopic.add_product(-change, at.velocity, by_time);
@@ -60,60 +54,50 @@ impl Rotor {
         linear.mass.accelerate(by_time);
     }
 
-    /// Adds the slopes of the forces onto the bearings at an instant by place and by rate of all coordinates; the rate of
-    /// change of these forces in a state that stays.
-    pub(super) fn add_element_slopes(
+    /// Adds the slopes of the force onto a bearing in a motion, of contacts and their damping, by place and by rate of all
+    /// coordinates; its slope by the angle of the cage.
+    pub(super) fn add_bearing_slopes(
         &self,
-        time: f64,
-        at: &Instant<'_>,
+        bearing: &AttachedBearing<'_>,
+        motion: &ElementMotion,
         [by_place, by_rate]: &mut [DMatrix<f64>; 2],
-    ) -> Vec<f64> {
-        let mut by_time = vec![0.0; by_place.nrows()];
-        for (bearing, motion) in self.elements.bearings_at(at) {
-            let slopes = self.bearing_slopes(time, &bearing, &motion);
-            let attachment = bearing.attachment;
-            attachment.add_stiffness(&slopes.by_place, by_place);
-            attachment.add_stiffness(&slopes.by_rate, by_rate);
-            attachment.add_force(1.0, &slopes.by_time, &mut by_time);
+    ) -> Vector5 {
+        let (support, attachment, seen) = (bearing.support, bearing.attachment, &motion.rotation);
+        let tangent = support.tangent(&motion.displacement, seen);
+        attachment.add_stiffness(&tangent.stiffness, by_place);
+        if support.is_damped() {
+            let place = [motion.displacement, motion.rate];
+            let damping = |[place, rate]: &[Vector5; 2]| support.damped_force(place, rate, seen)[1];
+            let [damped_place, damped_rate] = self.damping_slopes(&place, damping);
+            attachment.add_stiffness(&damped_place, by_place);
+            attachment.add_stiffness(&damped_rate, by_rate);
         }
-        by_time
+        tangent.by_cage_angle
     }
 
-    /// Slopes of the force onto a bearing in a motion at a time, contacts and their damping.
-    fn bearing_slopes(
+    /// Rate of change of the force onto a bearing in a motion that stays, of contacts and their damping.
+    fn bearing_force_rate(
         &self,
         time: f64,
         bearing: &AttachedBearing<'_>,
         motion: &ElementMotion,
-    ) -> Slopes {
+        by_cage_angle: &Vector5,
+    ) -> Vector5 {
         let (support, seen) = (bearing.support, &motion.rotation);
-        let place = [motion.displacement, motion.rate];
+        let (place, rate) = (&motion.displacement, &motion.rate);
         let later = |step: f64| {
             let rotation = self.excitation.speed.at(time + step);
             seen_by(support, &rotation, &self.elements.phases(&rotation))
         };
-        let tangent = support.tangent(&place[0], seen);
-        let mut slopes = Slopes {
-            by_place: tangent.stiffness,
-            by_rate: Matrix5::zeros(),
-            by_time: match support.is_imperfect() {
-                true => forward_rate(|step| support.force(&place[0], &later(step))),
-                false => tangent.by_cage_angle.map(|slope| seen.cage_speed * slope),
-            },
+        let elastic = match support.is_imperfect() {
+            true => forward_rate(|step| support.force(place, &later(step))),
+            false => by_cage_angle.map(|slope| seen.cage_speed * slope),
         };
-        if support.is_damped() {
-            let damping = |[place, rate]: &[Vector5; 2], seen: &BearingRotation| {
-                support.damped_force(place, rate, seen)[1]
-            };
-            let [by_place, by_rate] = self.damping_slopes(&place, |motion| damping(motion, seen));
-            slopes.by_place += by_place;
-            slopes.by_rate += by_rate;
-            let by_time = forward_rate(|step| damping(&place, &later(step)));
-            for (sum, part) in slopes.by_time.iter_mut().zip(by_time) {
-                *sum += part;
-            }
+        if !support.is_damped() {
+            return elastic;
         }
-        slopes
+        let damping = forward_rate(|step| support.damped_force(place, rate, &later(step))[1]);
+        std::array::from_fn(|axis| elastic[axis] + damping[axis])
     }
 
     /// Slopes of the force against the damping of a bearing's contacts by place and by rate, by central differences: the

@@ -25,7 +25,7 @@ impl Rotor {
         let (dofs, linear) = (self.dofs(), &self.linear);
         let (seen, acting) = self.seen_and_acting();
         // A = (0 1, −M⁻¹ (K − ω H) −M⁻¹ (C + ω G)), c = (0, M⁻¹ f₀)
-        let mut held = [linear.by_place(speed), linear.by_rate(speed)];
+        let held = [linear.by_place(speed), linear.by_rate(speed)];
         let mut matrix = DMatrix::zeros(2 * dofs, 2 * dofs);
         linear.write_state_matrix(&held, &mut matrix);
         let mut constant = vec![0.0; 2 * dofs];
@@ -37,14 +37,7 @@ impl Rotor {
             column[dofs + own] = 1.0;
             linear.mass.accelerate(&mut column.as_mut_slice()[dofs..]);
         }
-        // −K, of the bearings alone
-        held.iter_mut().for_each(|held| held.fill(0.0));
-        let rotation = self.excitation.speed.at(time);
-        self.add_element_slopes(time, &self.instant(state, &rotation), &mut held);
-        let slopes = DMatrix::from_fn(acting.len(), seen.len(), |row, column| {
-            let (row, column) = (acting[row], seen[column]);
-            -held[column / dofs][(row, column % dofs)]
-        });
+        let slopes = self.few_force_slopes(time, state, &seen, &acting);
         Some(Separated {
             constant,
             matrix,
@@ -84,6 +77,27 @@ impl Rotor {
             seen[places..].iter_mut().for_each(|rate| *rate += dofs);
         }
         (seen, moving(acting))
+    }
+
+    /// ∂w/∂x, of the forces `acting` by the states `seen`: of the bearings alone.
+    pub(super) fn few_force_slopes(
+        &self,
+        time: f64,
+        state: &[f64],
+        seen: &[usize],
+        acting: &[usize],
+    ) -> DMatrix<f64> {
+        let dofs = self.dofs();
+        let mut held = [(); 2].map(|()| DMatrix::zeros(dofs, dofs));
+        let rotation = self.excitation.speed.at(time);
+        let at = self.instant(state, &rotation);
+        for (bearing, motion) in self.elements.bearings_at(&at) {
+            self.add_bearing_slopes(&bearing, &motion, &mut held);
+        }
+        DMatrix::from_fn(acting.len(), seen.len(), |row, column| {
+            let (row, column) = (acting[row], seen[column]);
+            -held[column / dofs][(row, column % dofs)]
+        })
     }
 
     /// Writes w for [`Rotor::separation`].

@@ -53,6 +53,16 @@ impl System for Rotor {
         self.few_forces(time, state, forces);
     }
 
+    fn force_slopes(
+        &self,
+        time: f64,
+        state: &[f64],
+        seen: &[usize],
+        acting: &[usize],
+    ) -> DMatrix<f64> {
+        self.few_force_slopes(time, state, seen, acting)
+    }
+
     fn next_break(&self, after: f64) -> f64 {
         self.excitation
             .next_break(after)

@@ -1,10 +1,11 @@
 //! Along a branch of motions: continuation by pseudo-arclength.
 //!
 //! ```text
-//! G(u, p) = 0,   ⟨t, (u, p) − (u₀, p₀) − s t⟩ = 0,   ⟨a, b⟩ = Σ a_i b_i/n + a_p b_p
+//! G(u, p) = 0,   ⟨t, (u, p) − (u₀, p₀) − s t⟩ = 0,   ⟨a, b⟩ = Σ a_i b_i/(n U²) + a_p b_p
 //! ```
 //!
-//! with t the tangent at the point before, so that nothing is singular where the branch turns round.
+//! with t the tangent at the point before, so that nothing is singular where the branch turns round, and U the size of the
+//! motion there.
 //!
 //! Source: H. B. Keller, *Numerical solution of bifurcation and nonlinear eigenvalue problems* (1977);
 //! Seydel, ch. 4.

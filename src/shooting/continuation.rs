@@ -2,7 +2,7 @@
 
 use nalgebra::DVector;
 
-use super::corrector::{Continuer, Node, normalised, parameter_direction, product};
+use super::corrector::{Continuer, Node, normalised, parameter_direction, product, unit};
 use super::multipliers::{Crossing, SpecialKind};
 use super::newton::{ShootingError, solve};
 use super::{Branch, BranchEnd, BranchPoint, Special, Unrefined};
@@ -41,13 +41,14 @@ impl Continuer<'_> {
         distance: f64,
     ) -> Result<Node, ShootingError> {
         let origin = point.states.clone().push(point.parameter);
-        let direction = normalised(direction.push(0.0));
+        let unit = unit(&origin);
+        let direction = normalised(direction.push(0.0), unit);
         // where branches meet two directions lead on, and slopes there tell nothing of which
         let guess = &origin + &direction * distance;
         let slopes = self.slopes_at(&guess)?;
         let mut node = self.corrected(guess, &direction, &slopes)?;
         let away = &node.unknowns - &origin;
-        if product(&away, &node.tangent) < 0.0 {
+        if product(&away, &node.tangent, unit) < 0.0 {
             node.tangent.neg_mut();
         }
         Ok(node)
@@ -109,7 +110,7 @@ impl Continuer<'_> {
             let length = *step;
             let smallest = length <= self.plan.least_step;
             match found {
-                Ok(next) if smallest || product(&next.tangent, &node.tangent) > STRAIGHT => {
+                Ok(next) if smallest || cosine(&next, node) > STRAIGHT => {
                     if next.corrections <= FEW_CORRECTIONS {
                         *step = (length * GROW).min(self.plan.step);
                     }
@@ -198,6 +199,14 @@ impl Continuer<'_> {
         }
         Ok(nearest)
     }
+}
+
+/// Cosine between the tangents at two neighbouring points, in the unit of the second.
+fn cosine(next: &Node, node: &Node) -> f64 {
+    let unit = unit(&node.unknowns);
+    let product = |left, right| product(left, right, unit);
+    let lengths = [next, node].map(|node| product(&node.tangent, &node.tangent).sqrt());
+    product(&next.tangent, &node.tangent) / (lengths[0] * lengths[1])
 }
 
 /// Whether a motion of doubled period went through one of half the period.

@@ -3,10 +3,12 @@
 //!
 //! ```text
 //! ( ∂G/∂u  ∂G/∂p ) (Δu)     (G)
-//! ( d_u/n    d_p ) (Δp) = − (0)
+//! ( d_u/nU²  d_p ) (Δp) = − (0)
 //! ```
 //!
-//! The matrix is kept from correction to correction (chord method), and renewed where corrections shrink slowly.
+//! with n states in units of U, the largest of them: what is the same part of a motion counts the same, however large the
+//! motion. The matrix B is that of a point nearby. From each correction Δ to the next it learns from the residual r that is
+//! left, `B + r Δᵀ/ΔᵀΔ` (Broyden's method), and it is made anew where corrections shrink slowly.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -33,7 +35,7 @@ pub(super) struct Node {
     pub point: BranchPoint,
     /// (u, p): states, and the parameter last.
     pub unknowns: DVector<f64>,
-    /// Direction of the branch, of length 1 by [`product`].
+    /// Direction of the branch, of length 1 by [`product`] in the unit there.
     pub tangent: DVector<f64>,
     /// (∂G/∂u, ∂G/∂p), one row less than columns.
     pub slopes: DMatrix<f64>,
@@ -74,15 +76,20 @@ impl Continuer<'_> {
         direction: &DVector<f64>,
         slopes: &DMatrix<f64>,
     ) -> Result<Node, ShootingError> {
-        let mut factors = bordered(slopes, direction).lu();
+        let unit = unit(&unknowns);
+        let mut matrix = bordered(slopes, direction, unit);
+        let mut latest: Option<DVector<f64>> = None;
         let (mut history, mut before, mut renewals) = (Vec::new(), f64::INFINITY, 0);
         for corrections in 1..=MOST_CORRECTIONS {
             let residual = self.residual(&unknowns)?;
             history.push(residual.amax());
+            let residual = residual.push(0.0);
+            if let Some(correction) = latest.take() {
+                matrix -= &residual * correction.transpose() / correction.norm_squared();
+            }
             // (Δu, Δp), without its sign
-            let correction = factors
-                .solve(&residual.push(0.0))
-                .ok_or(ShootingError::Singular)?;
+            let correction = matrix.clone().lu().solve(&residual);
+            let correction = correction.ok_or(ShootingError::Singular)?;
             unknowns -= &correction;
             let size = correction.amax();
             let is_slow = size > SLOW * before;
@@ -95,8 +102,10 @@ impl Continuer<'_> {
                 break;
             }
             if is_slow {
-                factors = bordered(&self.slopes_at(&unknowns)?, direction).lu();
+                matrix = bordered(&self.slopes_at(&unknowns)?, direction, unit);
                 renewals += 1;
+            } else {
+                latest = Some(correction);
             }
             before = size;
         }
@@ -124,19 +133,18 @@ impl Continuer<'_> {
 
     /// (∂G/∂u, ∂G/∂p) at states and a parameter.
     pub fn slopes_at(&mut self, unknowns: &DVector<f64>) -> Result<DMatrix<f64>, ShootingError> {
-        let (states, image) = self.image(unknowns, Slopes::All)?;
-        self.slopes_from(unknowns, &states, &image)
+        let (_, image) = self.image(unknowns, Slopes::All)?;
+        self.slopes_from(unknowns, &image)
     }
 
     /// (∂G/∂u, ∂G/∂p) from an image with its slopes; by the parameter as a difference.
     fn slopes_from(
         &mut self,
         unknowns: &DVector<f64>,
-        states: &DVector<f64>,
         image: &Image,
     ) -> Result<DMatrix<f64>, ShootingError> {
         let by_states = jacobian(self.family, &image.slopes);
-        let here = residual(self.family, states, &image.end);
+        let here = self.residual(unknowns)?;
         let mut ahead = unknowns.clone();
         ahead[unknowns.len() - 1] += PARAMETER_STEP;
         let by_parameter = (self.residual(&ahead)? - here) / PARAMETER_STEP;
@@ -153,13 +161,13 @@ impl Continuer<'_> {
         direction: &DVector<f64>,
         corrections: usize,
     ) -> Result<Node, ShootingError> {
-        let (states, image) = self.image(&unknowns, Slopes::All)?;
+        let (states, image) = self.image(&unknowns, Slopes::Exact)?;
         let half = self.family.half_return(&states)?;
         let multipliers = multipliers(self.family.circle(), &image.slopes);
-        let slopes = self.slopes_from(&unknowns, &states, &image)?;
+        let slopes = self.slopes_from(&unknowns, &image)?;
         // the tangent t leaves G at zero, and ⟨d, t⟩ = 1: the last row of the system
-        let last_row = parameter_direction(unknowns.len());
-        let tangent = bordered(&slopes, direction).lu().solve(&last_row);
+        let (last_row, unit) = (parameter_direction(unknowns.len()), unit(&unknowns));
+        let tangent = bordered(&slopes, direction, unit).lu().solve(&last_row);
         let tangent = tangent.ok_or(ShootingError::Singular)?;
         Ok(Node {
             point: BranchPoint {
@@ -169,7 +177,7 @@ impl Continuer<'_> {
                 multipliers,
             },
             unknowns,
-            tangent: normalised(tangent),
+            tangent: normalised(tangent, unit),
             slopes,
             half,
             corrections,
@@ -184,26 +192,31 @@ pub(super) fn parameter_direction(unknowns: usize) -> DVector<f64> {
     direction
 }
 
-/// `⟨a, b⟩ = Σ a_i b_i/n + a_p b_p` over n states and the parameter, so that the number of states does not outweigh the
-/// parameter.
-pub(super) fn product(left: &DVector<f64>, right: &DVector<f64>) -> f64 {
+/// The unit U of the states among the unknowns: the largest of them, but no less than the size of the motion assumed.
+pub(super) fn unit(unknowns: &DVector<f64>) -> f64 {
+    unknowns.rows(0, unknowns.len() - 1).amax().max(1.0)
+}
+
+/// `⟨a, b⟩ = Σ a_i b_i/(n U²) + a_p b_p` over n states and the parameter, so that neither the number of states nor their
+/// size outweighs the parameter.
+pub(super) fn product(left: &DVector<f64>, right: &DVector<f64>, unit: f64) -> f64 {
     let states = left.len() - 1;
     let sum: f64 = (0..states).map(|i| left[i] * right[i]).sum();
-    sum / states as f64 + left[states] * right[states]
+    sum / (states as f64 * unit * unit) + left[states] * right[states]
 }
 
 /// A direction with the length 1 by [`product`].
-pub(super) fn normalised(vector: DVector<f64>) -> DVector<f64> {
-    let length = product(&vector, &vector).sqrt();
+pub(super) fn normalised(vector: DVector<f64>, unit: f64) -> DVector<f64> {
+    let length = product(&vector, &vector, unit).sqrt();
     vector / length
 }
 
 /// The matrix of Newton's method: (∂G/∂u, ∂G/∂p), and below it the row that makes ⟨d, Δ⟩ of a change Δ.
-fn bordered(slopes: &DMatrix<f64>, direction: &DVector<f64>) -> DMatrix<f64> {
+fn bordered(slopes: &DMatrix<f64>, direction: &DVector<f64>, unit: f64) -> DMatrix<f64> {
     let states = slopes.nrows();
     let mut all = slopes.clone().insert_row(states, 0.0);
     for column in 0..states {
-        all[(states, column)] = direction[column] / states as f64;
+        all[(states, column)] = direction[column] / (states as f64 * unit * unit);
     }
     all[(states, states)] = direction[states];
     all

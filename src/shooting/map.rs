@@ -10,10 +10,14 @@ use crate::integrate::IntegrateError;
 pub enum Slopes {
     /// None.
     None,
-    /// Slopes of the first state, taken for all.
+    /// Slopes of the first state, taken for all, and only as exact as a search needs them.
     First,
-    /// Slopes of every state.
+    /// Slopes of every state, only as exact as a search needs them.
     All,
+    /// Slopes of every state, as exact as multipliers are asked for.
+    Exact,
+    /// Slopes of the first state alone, as exact.
+    FirstExact,
 }
 
 /// States after a period.

@@ -18,6 +18,7 @@ mod corrector;
 mod map;
 mod multipliers;
 mod newton;
+mod reduction;
 
 pub use branch::{
     Branch, BranchEnd, BranchPoint, Continuation, Special, Unrefined, follow, follow_doubled,

@@ -6,7 +6,7 @@ use std::fmt;
 use nalgebra::{Complex, DMatrix};
 use serde::Serialize;
 
-use super::Circle;
+use super::{Circle, reduction};
 use crate::keys;
 
 /// Multipliers of a motion.
@@ -106,8 +106,7 @@ pub enum Stability {
 /// Multipliers of a motion from the slopes of the map in its states.
 ///
 /// Of a single state they are the eigenvalues of its slopes A. On a closed curve they are those of
-/// `v(φ) → A(φ − ρ) v(φ − ρ)`; each appears once for every harmonic of the curve, turned but of the same
-/// magnitude as far as the harmonics resolve it, and the middle one of these copies is taken.
+/// `v(φ) → A(φ − ρ) v(φ − ρ)`, by coordinates in which A is constant or, where none are found, by the whole operator.
 pub fn multipliers(circle: &Circle, slopes: &[DMatrix<f64>]) -> Multipliers {
     match slopes {
         [only] => Multipliers::Periodic(sorted(only)),
@@ -127,6 +126,16 @@ fn sorted(matrix: &DMatrix<f64>) -> Vec<Complex<f64>> {
 }
 
 fn magnitudes(circle: &Circle, slopes: &[DMatrix<f64>]) -> Vec<f64> {
+    let Some(mut all) = reduction::magnitudes(circle, slopes) else {
+        return magnitudes_of_copies(circle, slopes);
+    };
+    all.sort_by(|a, b| b.total_cmp(a));
+    all
+}
+
+/// Magnitudes of the multipliers by the operator over all nodes: each appears once for every harmonic of the curve, turned
+/// but of the same magnitude as far as the harmonics resolve it, and the middle one of these copies is taken.
+pub(super) fn magnitudes_of_copies(circle: &Circle, slopes: &[DMatrix<f64>]) -> Vec<f64> {
     let (count, size) = (slopes.len(), slopes[0].nrows());
     let back = circle.back();
     let whole = DMatrix::from_fn(size * count, size * count, |row, column| {

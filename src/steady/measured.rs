@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
 use super::SteadyError;
-use super::rotor_map::RotorMap;
+use super::rotor_map::{RotorMap, Solver};
 use super::samples::sampled;
 use super::search::{Found, returned_from};
 use crate::rotor::{MotionScale, Sample};
@@ -36,7 +36,7 @@ pub(super) fn measured(
     let asked = map.solver;
     map.solver = asked.reference();
     let tolerance = map.solver.settings.tolerance;
-    let (states, multipliers) = found_again(map, &found.states, &found.slopes)?;
+    let (states, multipliers) = found_again(map, &found.states, &found.slopes, asked)?;
     let reference = sampled(map, &states, model, false)?;
     map.solver = asked;
     let round_off = map.multiplier_round_off(&found.slopes);
@@ -50,16 +50,24 @@ pub(super) fn measured(
     })
 }
 
-/// The states and multipliers of a motion that is found again with the present settings.
+/// The states and multipliers of a motion that is found again with the present settings, from one that `before` found with
+/// its slopes: a correction within the tolerance of that leaves about its square.
 pub(super) fn found_again(
     map: &mut RotorMap<'_>,
     states: &DVector<f64>,
     slopes: &[DMatrix<f64>],
+    before: Solver<'_>,
 ) -> Result<(DVector<f64>, Multipliers), ShootingError> {
-    let tolerance = map.solver.settings.tolerance;
+    let tolerance = before.settings.tolerance;
     let again = solve(map, states.clone(), Some(slopes), tolerance)?;
-    let slopes = map.image(&again.states, Slopes::All)?.slopes;
-    Ok((again.states, multipliers(map.circle(), &slopes)))
+    // of a closed curve what the first slopes change by is taken for all
+    let first = map.image(&again.states, Slopes::FirstExact)?.slopes;
+    let mut changed = slopes.to_vec();
+    if let [first] = &first[..] {
+        let change = first - &slopes[0];
+        changed.iter_mut().for_each(|slopes| *slopes += &change);
+    }
+    Ok((again.states, multipliers(map.circle(), &changed)))
 }
 
 /// What is kept of a shaft that bends; of a verified motion also how far that of a shaft with more modes is from it, where

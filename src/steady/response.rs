@@ -325,7 +325,7 @@ fn response_point(
 fn multiplier_errors(map: &mut RotorMap<'_>, point: &BranchPoint) -> Option<Vec<f64>> {
     let asked = map.solver;
     map.solver = asked.reference();
-    let again = found_again(map, &point.states, &point.slopes);
+    let again = found_again(map, &point.states, &point.slopes, asked);
     map.solver = asked;
     let (_, multipliers) = again.ok()?;
     let round_off = map.multiplier_round_off(&point.slopes);

@@ -15,8 +15,10 @@ use crate::rotor::{HarmonicMotion, MotionScale, Rotor, RotorDefinition};
 use crate::shooting::{Circle, Image, MapError, ReturnMap, Slopes, Stability};
 use crate::simulate::reference_settings;
 
-/// Slopes are integrated at least this exactly: the search and the signs of multipliers along a branch rest on them.
+/// Slopes are integrated at least this exactly where the signs of multipliers along a branch rest on them,
 const SLOPE_TOLERANCE: f64 = 1e-7;
+/// and with this tolerance where only a search does: each of its corrections leaves about as much of the one before.
+const ROUGH_TOLERANCE: f64 = 1e-4;
 
 /// Multipliers that are not measured are taken for as exact as so many tolerances of their slopes.
 const MULTIPLIER_FACTOR: f64 = 100.0;
@@ -144,26 +146,58 @@ impl<'a> RotorMap<'a> {
             .map_or_else(|| vec![f64::NAN; state.len()], <[f64]>::to_vec))
     }
 
-    /// Slopes of that state, scaled, integrated beside the motion.
-    fn slopes(&mut self, start: f64, state: &[f64]) -> Result<DMatrix<f64>, IntegrateError> {
+    /// The state a period after a time with its slopes, scaled.
+    fn end_with_slopes(
+        &mut self,
+        start: f64,
+        state: &[f64],
+        settings: &Settings,
+    ) -> Result<(Vec<f64>, DMatrix<f64>), IntegrateError> {
         let system = Shifted {
             system: &self.rotor,
             start,
         };
         let (solver, period) = (&self.solver, self.periods.circle.period);
         let scaling = &self.scaling;
-        let slopes = if self.rotor.is_linear() {
-            linear_variation(&system, scaling, period)
+        let (end, slopes) = if self.rotor.is_linear() {
+            let slopes = linear_variation(&system, scaling, period);
+            (self.end(start, state)?, slopes)
         } else {
-            let found = variation(&system, scaling, &solver.slopes, solver.stop, period, state)?;
+            let found = variation(&system, scaling, settings, solver.stop, period, state)?;
             self.counters.add(&found.counters);
             solver.integrated.fetch_add(1, Ordering::Relaxed);
-            found.slopes
+            (found.end, found.slopes)
         };
         let scale = &self.unit.scale;
-        Ok(DMatrix::from_fn(scale.len(), scale.len(), |row, column| {
+        let scaled = DMatrix::from_fn(scale.len(), scale.len(), |row, column| {
             slopes[(row, column)] * scale[column] / scale[row]
-        }))
+        });
+        Ok((end, scaled))
+    }
+
+    /// The state a period after a time, with slopes where they are asked for.
+    fn image_of(
+        &mut self,
+        node: usize,
+        state: &[f64],
+        slopes: Slopes,
+    ) -> Result<(Vec<f64>, Option<DMatrix<f64>>), IntegrateError> {
+        let start = self.periods.time(self.periods.circle.strobes[node]);
+        let exact = self.solver.slopes;
+        if slopes == Slopes::Exact || slopes == Slopes::FirstExact && node == 0 {
+            let (end, slopes) = self.end_with_slopes(start, state, &exact)?;
+            return Ok((end, Some(slopes)));
+        }
+        let end = self.end(start, state)?;
+        let rough = Settings {
+            tolerance: exact.tolerance.max(ROUGH_TOLERANCE),
+            ..exact
+        };
+        let slopes = match slopes == Slopes::All || slopes == Slopes::First && node == 0 {
+            true => Some(self.end_with_slopes(start, state, &rough)?.1),
+            false => None,
+        };
+        Ok((end, slopes))
     }
 
     /// Whether neighbouring motions come closer, as far as the tolerance of the slopes tells.
@@ -225,11 +259,8 @@ impl ReturnMap for RotorMap<'_> {
         let mut end = DVector::zeros(states.len());
         let mut found = Vec::new();
         for (node, state) in self.states(states).iter().enumerate() {
-            let start = self.periods.time(self.periods.circle.strobes[node]);
-            let reached = self.end(start, state)?;
-            if slopes == Slopes::All || slopes == Slopes::First && node == 0 {
-                found.push(self.slopes(start, state)?);
-            }
+            let (reached, own) = self.image_of(node, state, slopes)?;
+            found.extend(own);
             let size = reached.len();
             end.as_mut_slice()[size * node..size * (node + 1)]
                 .copy_from_slice(&self.unit.scaled(&reached));

@@ -185,7 +185,7 @@ fn more_harmonics(sizes: &[f64], tolerance: f64) -> Option<usize> {
 
 /// With the slopes and multipliers of what was found.
 fn finished(map: &mut RotorMap<'_>, returned: Returned, waited: u64) -> Result<Found, SteadyError> {
-    let image = map.image(&returned.states, Slopes::All)?;
+    let image = map.image(&returned.states, Slopes::Exact)?;
     let shifted = mixed(&map.circle().shift, &returned.states, map.size());
     Ok(Found {
         residual: (&image.end - shifted).amax(),

@@ -39,8 +39,8 @@ pub(super) struct LinearPart {
     /// −Λ.
     against: Vec<Diagonal>,
     /// V and V⁻¹.
-    shapes: ChunkMatrix,
-    parts: ChunkMatrix,
+    pub shapes: ChunkMatrix,
+    pub parts: ChunkMatrix,
     /// The remainder by the few forces that make it, where the system knows them.
     pub few_forces: Option<FewForces>,
 }

@@ -23,6 +23,14 @@ impl ChunkMatrix {
         }
     }
 
+    /// This matrix, which has so many rows.
+    pub fn to_matrix(&self, rows: usize) -> DMatrix<f64> {
+        let columns = self.columns.chunks_exact(self.width);
+        let columns = columns.flat_map(|column| &column.as_flattened()[..rows]);
+        let count = self.columns.len() / self.width;
+        DMatrix::from_iterator(rows, count, columns.copied())
+    }
+
     /// Finds the product with the first numbers of a vector, or adds it, within code for wide registers.
     #[inline(always)]
     pub fn multiply<const ADD: bool>(&self, vector: &[f64], sums: &mut [Chunk]) {

@@ -17,8 +17,8 @@
 //! ```
 //!
 //! with the E_i and A_ij of `propagator.rs`, the g_j of `remainder.rs`, in which few states and forces do where the system
-//! knows that its remainder depends on few, and the solution for the z_i by the sweeps of `sweeps.rs`. A change δz of its start
-//! goes through the same step: `δz_i = E_i δz + Σ_j A_ij G_j δz_j`, with the slopes G_j of the g_j by the z_j.
+//! knows that its remainder depends on few, and the solution for the z_i by the sweeps of `sweeps.rs`. Changes of its start
+//! go through the same step, in `slopes.rs`.
 //!
 //! Any J will do, the remainder takes what it lacks: where the modes are no sound basis, as at critical damping, J is a
 //! matrix next to the slopes whose modes are.
@@ -34,6 +34,7 @@ mod nodes;
 mod plan;
 mod propagator;
 mod remainder;
+mod slopes;
 mod stepper;
 mod sweeps;
 

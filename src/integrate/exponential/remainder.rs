@@ -30,14 +30,16 @@ use crate::numerics::registers::in_wide_registers;
 #[derive(Debug, Clone)]
 pub(super) struct FewForces {
     /// Positions of x among the states, and of w among the forces that the system writes.
-    seen: Vec<usize>,
-    acting: Vec<usize>,
+    pub seen: Vec<usize>,
+    pub acting: Vec<usize>,
+    /// K.
+    pub slopes: DMatrix<f64>,
     /// V_x.
-    shapes: ChunkMatrix,
+    pub shapes: ChunkMatrix,
     /// −K.
     against: ChunkMatrix,
     /// V⁻¹ D.
-    parts: ChunkMatrix,
+    pub parts: ChunkMatrix,
     /// V⁻¹ (c + A y₀).
     constant: Padded,
 }
@@ -55,6 +57,7 @@ impl FewForces {
             constant: Padded::from_slice((&basis.parts * rate).as_slice()),
             seen: separated.seen.clone(),
             acting: separated.acting.clone(),
+            slopes: separated.slopes.clone(),
         }
     }
 

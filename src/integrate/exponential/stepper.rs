@@ -7,6 +7,7 @@ use super::linear::{LinearPart, ModalState};
 use super::nodes::{NODES, POINTS, Points, combined, no_points, weights};
 use super::plan::Span;
 use super::propagator::Propagators;
+use super::slopes::StepSlopes;
 use super::sweeps::{self, Outcome, Sweeps, Trial};
 use crate::integrate::chunks::Padded;
 use crate::integrate::problem::{Control, GROW, Problem};
@@ -51,6 +52,8 @@ pub(in crate::integrate) struct ExponentialStepper {
     ahead: [[f64; POINTS]; POINTS],
     ahead_ratio: f64,
     sweeps: Sweeps,
+    /// Slopes by the start, where they are asked for.
+    slopes: Option<StepSlopes>,
     /// The latest sample within the step.
     cursor: Cursor,
     /// Room for a state, for `∂f/∂y` and for `∂f/∂t`.
@@ -89,11 +92,28 @@ impl ExponentialStepper {
             ahead: [[0.0; POINTS]; POINTS],
             ahead_ratio: 0.0,
             sweeps: Sweeps::new(problem),
+            slopes: None,
             cursor: Cursor::new(states),
             state: Padded::zeros(states),
             jacobian: DMatrix::zeros(states, states),
             by_time: vec![0.0; states],
         }
+    }
+
+    /// Before the first step, with the slopes of the state by that at the start found beside it and kept to the same
+    /// tolerance.
+    pub fn with_slopes(problem: &Problem<'_>, start: &Start) -> Self {
+        Self {
+            slopes: Some(StepSlopes::new(start.deviation.len())),
+            ..Self::new(problem, start)
+        }
+    }
+
+    /// These slopes at the end of the latest step, in units of the states; none where they were not asked for, or where the
+    /// remainder is not one of few forces.
+    pub fn slopes(&self) -> Option<&DMatrix<f64>> {
+        let slopes = self.slopes.as_ref()?;
+        self.linear.few_forces.as_ref().map(|_| &slopes.from)
     }
 
     /// Makes the end of the latest step the start of the next.
@@ -136,6 +156,9 @@ impl ExponentialStepper {
         self.linear.to_coordinates(&mut self.from);
         (self.fresh, self.excess) = (true, 0);
         self.propagators.clear();
+        if let Some(slopes) = &mut self.slopes {
+            slopes.clear();
+        }
         self.forget(problem);
     }
 
@@ -175,7 +198,13 @@ impl ExponentialStepper {
         self.sweeps.begin(&trial);
         let outcome = self.sweeps.run(&trial);
         self.counters.evaluations += u64::from(self.sweeps.count) * (POINTS as u64 - 1);
-        outcome
+        match (outcome, &mut self.slopes) {
+            (Outcome::Converged(error), Some(slopes)) if error <= 1.0 => {
+                self.counters.evaluations += POINTS as u64;
+                Outcome::Converged(error.max(slopes.step(&trial, &mut self.sweeps)))
+            }
+            _ => outcome,
+        }
     }
 
     /// Guesses the remainder at the points of the step to come by the polynomial of the latest one; where steps grow faster
@@ -200,6 +229,9 @@ impl ExponentialStepper {
     fn accept(&mut self, error: f64) {
         std::mem::swap(&mut self.to, &mut self.sweeps.to);
         std::mem::swap(&mut self.remainder, &mut self.sweeps.remainder);
+        if let Some(slopes) = &mut self.slopes {
+            std::mem::swap(&mut slopes.from, &mut slopes.to);
+        }
         self.remainder_size = self.span.size;
         // the error falls with the power of the number of points
         let growth = self.control.accepted(error, POINTS as i32);

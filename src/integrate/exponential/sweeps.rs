@@ -16,8 +16,10 @@ use crate::integrate::chunks::{Padded, add_scaled};
 use crate::integrate::problem::Problem;
 use crate::numerics::registers::in_wide_registers;
 
+/// The last point, the end of the step.
+const END: usize = POINTS - 1;
 /// Error allowed in one step, as a part of the error aimed at over the run; found by measuring.
-const LOCAL_PART: f64 = 0.05;
+pub(super) const LOCAL_PART: f64 = 0.05;
 /// Part of that error which the iteration may leave.
 const ITERATION_PART: f64 = 0.03;
 /// Fewest sweeps of a trial, which show how fast their changes fall, and most.
@@ -247,47 +249,58 @@ impl Sweeps {
                 .find_deviation(&shift.coordinates, &mut shift.deviation);
             *size = norm(&shift.deviation, &self.inverse);
         }
-        // of the degrees 4, 5 and 6
-        let [before, middle, highest] = sizes;
-        let square = middle * middle;
-        let fall = (square + highest * highest) / (before * before + square);
-        // coefficients fall unevenly: twice as much
-        let factor = 2.0 * fall.max(highest / before.max(middle));
         self.crossed = self.crosses(trial);
-        // a constant remainder gives 0/0, and so 1
-        if factor < 1.0 && !self.crossed {
-            factor
-        } else {
+        if self.crossed {
             1.0
+        } else {
+            error_factor(sizes)
         }
     }
 
     /// Whether a point of the step is on another side of an event surface than its start.
     fn crosses(&mut self, trial: &Trial<'_>) -> bool {
-        let [at_start, later] = &mut self.events;
-        if at_start.is_empty() {
+        if self.events[0].is_empty() {
             return false;
         }
-        let (problem, system) = (trial.problem, trial.problem.system);
-        let evaluation = &mut self.evaluation;
-        problem.write_state(&trial.from.deviation, &mut evaluation.state);
-        system.events(trial.start, &evaluation.state, at_start);
-        (1..POINTS).any(|point| {
-            match point + 1 {
-                // the end has moved since the latest sweep evaluated there
-                POINTS => problem.write_state(&self.to.deviation, &mut evaluation.state),
-                _ => evaluation.find_state(trial.linear, problem, &self.deviations[point]),
-            }
-            system.events(trial.time_of(point), &evaluation.state, later);
-            let mut sides = at_start.iter().zip(&*later);
+        let system = trial.problem.system;
+        let [mut at_start, mut later] = self.events.each_mut().map(std::mem::take);
+        system.events(trial.start, self.state_at(trial, 0), &mut at_start);
+        let crosses = (1..POINTS).any(|point| {
+            system.events(trial.time_of(point), self.state_at(trial, point), &mut later);
+            let mut sides = at_start.iter().zip(&later);
             sides.any(|(start, later)| start.is_sign_positive() != later.is_sign_positive())
-        })
+        });
+        self.events = [at_start, later];
+        crosses
     }
+
+    /// The state at a point after the sweeps, as far as forces and event functions depend on it.
+    pub fn state_at(&mut self, trial: &Trial<'_>, point: usize) -> &[f64] {
+        let (problem, evaluation) = (trial.problem, &mut self.evaluation);
+        match point {
+            0 => problem.write_state(&trial.from.deviation, &mut evaluation.state),
+            // the end has moved since the latest sweep evaluated there
+            END => problem.write_state(&self.to.deviation, &mut evaluation.state),
+            _ => evaluation.find_state(trial.linear, problem, &self.deviations[point]),
+        }
+        &evaluation.state
+    }
+}
+
+/// Factor from the error of the polynomial without its highest power to that of the polynomial itself, by the sizes of the
+/// Legendre coefficients of the degrees 4, 5 and 6.
+pub(super) fn error_factor([before, middle, highest]: [f64; 3]) -> f64 {
+    let square = middle * middle;
+    let fall = (square + highest * highest) / (before * before + square);
+    // coefficients fall unevenly: twice as much
+    let factor = 2.0 * fall.max(highest / before.max(middle));
+    // a constant remainder gives 0/0, and so 1
+    if factor < 1.0 { factor } else { 1.0 }
 }
 
 impl Trial<'_> {
     /// Time of a point, s.
-    fn time_of(&self, point: usize) -> f64 {
+    pub fn time_of(&self, point: usize) -> f64 {
         (self.start + NODES.part[point] * self.size).min(self.limit)
     }
 }

@@ -5,6 +5,7 @@ mod closed_form;
 mod doubling;
 mod hysteresis;
 mod refusal;
+mod slopes;
 
 use std::sync::atomic::{AtomicBool, AtomicU64};
 
