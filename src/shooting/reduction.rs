@@ -95,7 +95,9 @@ fn fourier(circle: &Circle, at_nodes: &[Complexes]) -> Vec<(f64, Complexes)> {
     let row = |row: usize| -> Complexes {
         let weights = circle.coefficients.row(row);
         let weighted = at_nodes.iter().zip(weights.iter());
-        weighted.map(|(own, weight)| own * Complex::from(*weight)).sum()
+        weighted
+            .map(|(own, weight)| own * Complex::from(*weight))
+            .sum()
     };
     let mut all = vec![(0.0, row(0))];
     for harmonic in 1..=circle.harmonics() {
@@ -110,9 +112,7 @@ fn fourier(circle: &Circle, at_nodes: &[Complexes]) -> Vec<(f64, Complexes)> {
 }
 
 /// Positions and entries of a matrix.
-fn entries(
-    matrix: &mut Complexes,
-) -> impl Iterator<Item = ((usize, usize), &mut Complex<f64>)> {
+fn entries(matrix: &mut Complexes) -> impl Iterator<Item = ((usize, usize), &mut Complex<f64>)> {
     let rows = matrix.nrows();
     let positions = (0..).map(move |index| (index % rows, index / rows));
     positions.zip(matrix.iter_mut())
@@ -127,9 +127,11 @@ mod tests {
     /// curve, and their product is, by Liouville's formula, the geometric mean of the determinants.
     #[test]
     fn magnitudes_are_those_of_the_whole_curve() {
-        let circle = Circle::around(1.0, 2.0 * 3f64.sqrt(), 8).expect("an irrational part of a turn");
+        let circle =
+            Circle::around(1.0, 2.0 * 3f64.sqrt(), 8).expect("an irrational part of a turn");
         let still = DMatrix::from_row_slice(3, 3, &[0.6, -0.5, 0.0, 0.5, 0.6, 0.1, 0.0, 0.2, 0.3]);
-        let moving = DMatrix::from_row_slice(3, 3, &[0.0, 1.0, 0.5, -0.3, 0.2, 0.0, 1.0, 0.0, -0.4]);
+        let moving =
+            DMatrix::from_row_slice(3, 3, &[0.0, 1.0, 0.5, -0.3, 0.2, 0.0, 1.0, 0.0, -0.4]);
         let at = |angle: f64| &still + &moving * (0.05 * angle.cos());
         let slopes: Vec<_> = circle.angles.iter().map(|angle| at(*angle)).collect();
         let mut found = magnitudes(&circle, &slopes).expect("multipliers");

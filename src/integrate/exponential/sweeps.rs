@@ -266,7 +266,11 @@ impl Sweeps {
         let [mut at_start, mut later] = self.events.each_mut().map(std::mem::take);
         system.events(trial.start, self.state_at(trial, 0), &mut at_start);
         let crosses = (1..POINTS).any(|point| {
-            system.events(trial.time_of(point), self.state_at(trial, point), &mut later);
+            system.events(
+                trial.time_of(point),
+                self.state_at(trial, point),
+                &mut later,
+            );
             let mut sides = at_start.iter().zip(&later);
             sides.any(|(start, later)| start.is_sign_positive() != later.is_sign_positive())
         });
