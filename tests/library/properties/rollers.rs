@@ -214,7 +214,7 @@ fn energy_closes_where_rollers_lift_off() {
         model.energy = true;
         model.integrator.tolerance = 1e-9;
         let found = samples(&model, 0.0);
-        let start = found[0].energy.clone().expect("energy");
+        let start = found[0].energy.expect("energy");
         let residual = |sample: &crate::rotor::Sample| {
             sample.energy.as_ref().expect("energy").residual(&start)
         };

@@ -114,8 +114,8 @@ const TRANSLATIONAL: [bool; 5] = [true, true, true, false, false];
 
 /// Equilibrium under a load, and the stiffness of the bearing with all freedoms there.
 fn loaded(bearing: &MountedBearing, load: Vector5, free: [bool; 5]) -> (Equilibrium, Matrix5) {
-    let found = equilibrium(&[bearing.clone()], load, free).expect("an equilibrium");
-    let support = &supports(&[bearing.clone()])[0];
+    let found = equilibrium(std::slice::from_ref(bearing), load, free).expect("an equilibrium");
+    let support = &supports(std::slice::from_ref(bearing))[0];
     let tangent = support.tangent(&found.displacement, &BearingRotation::at_start(0.0));
     (found, tangent.stiffness)
 }
