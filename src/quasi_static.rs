@@ -187,11 +187,13 @@ fn warnings(supports: &[Support], bearings: &[BearingState]) -> Vec<String> {
     let mut warnings = Vec::new();
     for (index, (support, bearing)) in supports.iter().zip(bearings).enumerate() {
         let number = index + 1;
-        let balls = support.definition().bearing.geometry.all_balls();
+        let geometry = &support.definition().bearing.geometry;
+        let balls = geometry.all_balls();
         if support.is_preloaded() && bearing.balls_loaded < balls {
             warnings.push(format!(
-                "bearing {number}: the preload is lost on {} of {balls} balls",
-                balls - bearing.balls_loaded
+                "bearing {number}: the preload is lost on {} of {balls} {}s",
+                balls - bearing.balls_loaded,
+                geometry.element()
             ));
         }
         let own = bearing.warnings.iter();

@@ -37,7 +37,7 @@ pub struct Arguments {
     #[arg(long, value_name = "NAME")]
     channel: Vec<String>,
     /// Samples a second, as "12 kHz", where the file does not say it
-    #[arg(long, value_name = "RATE")]
+    #[arg(long, value_name = "RATE", allow_hyphen_values = true)]
     rate: Option<String>,
     /// Unit of the channels, as "m/s^2", where the file does not say it; g is the standard gravity
     #[arg(long, value_name = "UNIT")]

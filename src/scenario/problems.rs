@@ -298,7 +298,7 @@ impl ScenarioError {
             Some(span) => {
                 let is_set = self.is_set(span);
                 let (source, name, start) = match is_set {
-                    true => (&self.options, "--set", self.text.len()),
+                    true => (&self.options, "command line", self.text.len()),
                     false => (&self.text, self.name.as_str(), 0),
                 };
                 let place = |span: &Range<usize>| span.start - start..span.end - start;

@@ -114,7 +114,7 @@ fn a_value_of_the_command_line_stands_for_that_of_the_file() {
         let told = crate::support::told(&refused);
         assert_eq!(refused.status.code(), Some(2), "{told}");
         assert!(
-            told.contains(words) && told.contains("--> --set:1:"),
+            told.contains(words) && told.contains("--> command line:1:"),
             "{told}"
         );
     }
