@@ -106,6 +106,13 @@ impl RollerInput {
         let ring_material = material(own.material.as_ref(), ROLLER_STEEL);
         let law = match own.contact(model) {
             ContactChoice::Linear => ContactChoice::Linear,
+            ContactChoice::Jones => {
+                problems.warn(format!(
+                    "`{}`: contact = \"jones\" holds for balls; rollers have no inertia here",
+                    problems.path(".roller")
+                ));
+                ContactChoice::Hertz
+            }
             _ => ContactChoice::Hertz,
         };
         Some(MountedBearing {
