@@ -39,7 +39,7 @@ fn content(svg: &str, timed: bool) -> (Vec<String>, BTreeMap<&str, usize>) {
     let words = svg.split("<text ").skip(1);
     let words = words.filter_map(|rest| rest.split_once('>')?.1.split_once('<'));
     let words = words.map(|(word, _)| word.to_owned());
-    let words = words.filter(|word| !timed || word.contains(char::is_alphabetic));
+    let words = words.filter(|word| !timed || word.parse::<f64>().is_err());
     let mut elements = BTreeMap::new();
     for element in svg.split('<').skip(1).filter(|_| !timed) {
         let kind = element.split([' ', '>']).next().unwrap_or_default();

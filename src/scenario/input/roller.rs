@@ -98,6 +98,10 @@ impl RollerInput {
         freedoms: Freedoms,
         problems: &mut Problems<'_>,
     ) -> Option<MountedBearing> {
+        // what the others must be depends on it
+        if problems.is_faulty(&problems.path(".roller.kind")) {
+            return None;
+        }
         self.check_keys(own, problems);
         let geometry = self.geometry(problems)?;
         let changed = geometry.with_clearance_change(own.clearance_change.si());

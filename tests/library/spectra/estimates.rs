@@ -174,7 +174,7 @@ fn what_is_too_short_says_by_how_much() {
     request.segment = Segment::Seconds(2.0);
     let error = estimated(&request, 1024, tone).unwrap_err().to_string();
     assert!(
-        error.contains("1024 samples, and a segment 2048"),
+        error.contains("1024 samples") && error.contains("a segment 2048"),
         "{error}"
     );
     request.segment = Segment::Revolutions(3);
