@@ -53,10 +53,15 @@ pub trait BallLaw: ForceLaw {
     /// Elastic approaches of a ball and both races under its loads, m, inner first.
     fn elastic_approaches<T: Number>(&self, response: &BallResponse<T>) -> [T; 2];
 
+    /// Angle, rad, of the line along which both races press without inertia.
+    fn contact_angle(&self, ball: &Ball) -> f64 {
+        ball.axial.atan2(ball.radial)
+    }
+
     /// Loads and angles of both contacts; without inertia both races press along one line.
     fn contact(&self, ball: &Ball, speed: f64) -> BallContact {
         let response = self.response(ball, speed);
-        let angle = ball.axial.atan2(ball.radial);
+        let angle = self.contact_angle(ball);
         BallContact {
             load_inner: response.load[0],
             load_outer: response.load[1],

@@ -6,7 +6,7 @@ use fearless_simd::{Level, Simd, SimdBase, SimdFloat};
 
 use super::line_contacts::LineContacts;
 use super::ninth_root::ninth_root;
-use super::{Ball, BallContact, BallForce, BallLaw, BallResponse, ContactSpring, ForceLaw, Lamina};
+use super::{Ball, BallForce, BallLaw, BallResponse, ContactSpring, ForceLaw, Lamina};
 use crate::bearing::Geometry;
 use crate::bearing::number::{Function, LANES, Lanes, Number, Plain};
 use crate::numerics::registers::in_wide_registers;
@@ -274,16 +274,9 @@ impl<const TILTS: bool> BallLaw for RollerLaw<TILTS> {
         [response.approach.positive() * 0.5; 2]
     }
 
-    fn contact(&self, ball: &Ball, speed: f64) -> BallContact {
-        let response = self.response(ball, speed);
-        let angle = self.sin.atan2(self.cos);
-        BallContact {
-            load_inner: response.load[0],
-            load_outer: response.load[1],
-            angle_inner: angle,
-            angle_outer: angle,
-            approach: response.approach,
-        }
+    /// That of the races, however the roller is pressed.
+    fn contact_angle(&self, _ball: &Ball) -> f64 {
+        self.sin.atan2(self.cos)
     }
 
     /// `Σ q_k δ_k/(1 + n)`, half of it at each race.

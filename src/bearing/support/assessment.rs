@@ -77,9 +77,7 @@ impl Support {
                 .collect(),
         }
     }
-}
 
-impl Support {
     /// Change of the distance of the groove centres d − A, m; of a roller, the approach of the slice that is pressed most.
     fn deformation(&self, ball: &Ball, contact: &BallContact) -> f64 {
         let geometry = &self.definition.bearing.geometry;
