@@ -156,6 +156,8 @@ pub struct Lubrication {
     pub grease: bool,
     /// How clean it is; the modified life needs it.
     pub contamination: Option<Contamination>,
+    /// The oil of its films.
+    pub oil: Oil,
 }
 
 /// Hunt–Crossley damping of the contacts with both races.

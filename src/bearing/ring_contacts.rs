@@ -17,6 +17,8 @@ pub struct BallLoads {
     pub angle: [Vec<f64>; 2],
     /// Approaches, m, as [`BallContact::approach`].
     pub approach: Vec<f64>,
+    /// Loads of the slices of every roller, N; empty of balls, and where nobody asks for them.
+    pub slices: Vec<f64>,
     /// Largest of the loads at the inner and the outer race, N.
     pub largest: [f64; 2],
 }
@@ -34,14 +36,23 @@ impl BallLoads {
         }
     }
 
+    /// With room for so many slices of each.
+    pub(super) fn with_slices(self, slices: usize) -> Self {
+        let slices = vec![0.0; slices * self.balls()];
+        Self { slices, ..self }
+    }
+
     /// Number of balls.
     pub fn balls(&self) -> usize {
         self.approach.len()
     }
 
-    /// Loads of each ball at the inner and the outer race, N.
-    pub(crate) fn loads(&self) -> impl Iterator<Item = [f64; 2]> {
-        let [inner, outer] = &self.load;
+    /// Loads that the life goes by, N: of each ball at the inner and the outer race, or of each slice of the rollers.
+    pub(crate) fn rated_loads(&self) -> impl Iterator<Item = [f64; 2]> {
+        let [inner, outer] = match self.slices.is_empty() {
+            true => self.load.each_ref(),
+            false => [&self.slices; 2],
+        };
         inner
             .iter()
             .zip(outer)
@@ -111,6 +122,9 @@ impl Ring {
                     if !loads.angle[0].is_empty() {
                         store_angles(law, at, rotation.speed, loads);
                     }
+                    if !loads.slices.is_empty() {
+                        store_slices(law, at, loads);
+                    }
                 },
             );
             loads.largest = largest.map(|lanes| {
@@ -167,5 +181,14 @@ fn store_angles<S: Simd>(law: &impl BallLaw, at: &Balls<S>, speed: f64, loads: &
         let contact = law.contact(&ball, speed);
         loads.angle[0][number] = contact.angle_inner;
         loads.angle[1][number] = contact.angle_outer;
+    }
+}
+
+/// Leaves the loads of the slices of rollers in `loads`.
+#[inline(never)]
+fn store_slices<S: Simd>(law: &impl BallLaw, at: &Balls<S>, loads: &mut BallLoads) {
+    let count = loads.slices.len() / loads.balls();
+    for (number, ball) in at.single(loads.balls()) {
+        law.slice_loads(&ball, &mut loads.slices[number * count..][..count]);
     }
 }

@@ -3,6 +3,9 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::Geometry;
+use crate::physics::roller_dynamic_rating;
+
 /// Kind of a radial roller bearing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -125,6 +128,22 @@ impl Rollers {
             RollerKind::Spherical => 2,
             _ => 1,
         }
+    }
+
+    /// C of ISO 281 of a bearing with these rollers, N.
+    pub(crate) fn dynamic_rating(&self, geometry: &Geometry) -> f64 {
+        let material_factor = match self.kind {
+            RollerKind::Spherical => 1.15,
+            _ => 1.1,
+        };
+        roller_dynamic_rating(
+            material_factor,
+            [self.rows(), geometry.balls()],
+            geometry.ball_diameter(),
+            self.length,
+            geometry.pitch_diameter(),
+            geometry.nominal_angle(),
+        )
     }
 
     /// The slices of a roller of a diameter in m, of equal width: `s_k = L ((k − 1/2)/n − 1/2)`.

@@ -108,6 +108,16 @@ pub struct BallLine {
     pub laminae: Vec<LaminaLine>,
 }
 
+impl BallLine {
+    /// Loads that the life goes by, N: of the ball at both races, or of each slice of a roller.
+    pub(super) fn rated_loads(&self) -> Vec<[f64; 2]> {
+        match self.laminae.as_slice() {
+            [] => vec![[self.inner.load, self.outer.load]],
+            slices => slices.iter().map(|slice| [slice.load; 2]).collect(),
+        }
+    }
+}
+
 /// One slice of a roller.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
@@ -177,6 +187,9 @@ pub struct RollerGeometry {
     pub contact_angle: f64,
     /// Number of slices of a roller.
     pub laminae: usize,
+    /// C of ISO 281, N, [`crate::physics::roller_dynamic_rating`].
+    #[serde(rename = "dynamic_rating_N")]
+    pub dynamic_rating: f64,
     /// C_0 of ISO 76, N, [`crate::physics::roller_static_rating`].
     #[serde(rename = "static_rating_N")]
     pub static_rating: f64,

@@ -187,10 +187,10 @@ fn thin_film(places: &[Place]) -> Option<String> {
     let lambda = |place: &Place| place.contact.film.and_then(|film| film.lambda);
     let thinness = |place: &Place| lambda(place).map_or(0.0, f64::recip);
     let (count, worst) = worst(places, thinness, 1.0)?;
-    let film = worst.contact.film?;
+    let (film, name) = (worst.contact.film?, worst.name);
     Some(format!(
-        "the oil film at the {} race is thinner than the surfaces are rough on {count} of {} balls: \
-         λ = {:.3} (h_min = {:.4} µm) on ball {} (at {:.1}°)",
+        "the oil film at the {} race is thinner than the surfaces are rough on {count} of {} {name}s: \
+         λ = {:.3} (h_min = {:.4} µm) on {name} {} (at {:.1}°)",
         worst.race,
         places.len(),
         film.lambda?,

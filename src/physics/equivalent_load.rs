@@ -65,6 +65,41 @@ pub fn equivalent_load(radial: f64, axial: f64, contact_angle: f64, relative_axi
     (x * radial + y * axial).max(radial)
 }
 
+/// Dynamic equivalent load P of a radial roller bearing with one row or two, N.
+///
+/// ```text
+/// e = 1.5 tan α        F_a/F_r ≤ e                   above
+/// one row              P = F_r                       P = 0.4 F_r + 0.4 cot α F_a
+/// two rows             P = F_r + 0.45 cot α F_a      P = 0.67 F_r + 0.67 cot α F_a
+/// ```
+///
+/// α is the nominal contact angle in rad; at α = 0 rollers bear no axial load, and P = F_r.
+///
+/// Source: ISO 281:2007, table 8.
+///
+/// ```
+/// use jeffcott::physics::roller_equivalent_load;
+/// // makers print e = 0.24, Y1 = 2.8, Y2 = 4.2 of a 22212: α = atan(0.24/1.5)
+/// let angle = (0.24f64 / 1.5).atan();
+/// let load = |axial| roller_equivalent_load(1000.0, axial, angle, 2);
+/// assert!((load(100.0) - 1281.0).abs() < 1.0 && (load(1000.0) - 4857.0).abs() < 1.0);
+/// ```
+pub fn roller_equivalent_load(radial: f64, axial: f64, contact_angle: f64, rows: usize) -> f64 {
+    let (radial, axial) = (radial.abs(), axial.abs());
+    if contact_angle == 0.0 {
+        return radial;
+    }
+    let slope = contact_angle.tan();
+    let within = axial <= 1.5 * slope * radial;
+    let [x, y] = match (within, rows) {
+        (true, 1) => [1.0, 0.0],
+        (true, _) => [1.0, 0.45],
+        (false, 1) => [0.4, 0.4],
+        (false, _) => [0.67, 0.67],
+    };
+    x * radial + y / slope * axial
+}
+
 fn factors(degrees: f64, relative: f64) -> [f64; 3] {
     let flat = FLAT.iter().map(|&(angle, x, rows)| {
         let [e, y] = between(rows, relative);

@@ -39,39 +39,70 @@ pub fn reference_viscosity(speed: f64, pitch_diameter: f64) -> f64 {
     1e-6 * growth / diameter.sqrt()
 }
 
-/// Life modification factor a_ISO of radial ball bearings by the viscosity ratio κ = ν/ν1 and e_C C_u/P.
+/// Life modification factor a_ISO of radial bearings by the viscosity ratio κ = ν/ν1 and e_C C_u/P.
 ///
 /// ```text
-/// a_ISO = 0.1 [1 − (2.5671 − b/κ^p)^0.83 (e_C C_u/P)^(1/3)]^(−9.3) ≤ 50
-/// b, p  = 2.2649, 0.054381 (0.1 ≤ κ < 0.4)   1.9987, 0.19087 (< 1)   1.9987, 0.071739 (≤ 4)
+/// a_ISO   = 0.1 [1 − (a − b/κ^p)^c (e_C C_u/P)^d]^(−m) ≤ 50
+/// balls     a 2.5671   b 2.2649, 1.9987, 1.9987   c 0.83   d 1/3   m 9.3
+/// rollers   a 1.5859   b 1.3993, 1.2348, 1.2348   c 1      d 0.4   m 9.185
+/// p         0.054381 (0.1 ≤ κ < 0.4)   0.19087 (< 1)   0.071739 (≤ 4)
 /// ```
 ///
 /// A κ above 4 counts as 4; below 0.1 the factor is that of severe wear, 0.1.
 ///
-/// Source: ISO 281:2007, eqs. 31–33.
+/// Source: ISO 281:2007, eqs. 31–36.
 ///
 /// ```
-/// use jeffcott::physics::life_modification_factor;
+/// use jeffcott::physics::LifeModification;
 /// // by hand from the equations, e_C C_u/P = 0.05 and 0.2
-/// assert!((life_modification_factor(1.0, 0.05) - 1.1437).abs() < 5e-5);
-/// assert!((life_modification_factor(2.0, 0.2) - 15.11).abs() < 5e-3);
-/// assert_eq!(life_modification_factor(4.0, 5.0), 50.0);
+/// let [balls, rollers] = [LifeModification::BALLS, LifeModification::ROLLERS];
+/// assert!((balls.factor(1.0, 0.05) - 1.1437).abs() < 5e-5);
+/// assert!((balls.factor(2.0, 0.2) - 15.11).abs() < 5e-3);
+/// assert_eq!(balls.factor(4.0, 5.0), 50.0);
+/// assert!((rollers.factor(1.0, 0.2) - 0.6962).abs() < 5e-5);
 /// ```
-pub fn life_modification_factor(viscosity_ratio: f64, contamination: f64) -> f64 {
-    let ratio = viscosity_ratio.min(HIGHEST_RATIO);
-    if ratio < 0.1 || contamination <= 0.0 {
-        return 0.1;
-    }
-    let (b, p) = match ratio {
-        low if low < 0.4 => (2.2649, 0.054381),
-        middle if middle < 1.0 => (1.9987, 0.19087),
-        _ => (1.9987, 0.071739),
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LifeModification {
+    /// a.
+    start: f64,
+    /// b below κ = 0.4 and above.
+    slopes: [f64; 2],
+    /// c, d and m.
+    exponents: [f64; 3],
+}
+
+impl LifeModification {
+    /// Of radial ball bearings.
+    pub const BALLS: Self = Self {
+        start: 2.5671,
+        slopes: [2.2649, 1.9987],
+        exponents: [0.83, 1.0 / 3.0, 9.3],
     };
-    let rest = 1.0 - (2.5671 - b / ratio.powf(p)).powf(0.83) * contamination.cbrt();
-    if rest <= 0.0 {
-        return HIGHEST_FACTOR;
+    /// Of radial roller bearings.
+    pub const ROLLERS: Self = Self {
+        start: 1.5859,
+        slopes: [1.3993, 1.2348],
+        exponents: [1.0, 0.4, 9.185],
+    };
+
+    /// a_ISO by κ and e_C C_u/P.
+    pub fn factor(&self, viscosity_ratio: f64, contamination: f64) -> f64 {
+        let ratio = viscosity_ratio.min(HIGHEST_RATIO);
+        if ratio < 0.1 || contamination <= 0.0 {
+            return 0.1;
+        }
+        let (b, p) = match ratio {
+            low if low < 0.4 => (self.slopes[0], 0.054381),
+            middle if middle < 1.0 => (self.slopes[1], 0.19087),
+            _ => (self.slopes[1], 0.071739),
+        };
+        let [c, d, m] = self.exponents;
+        let rest = 1.0 - (self.start - b / ratio.powf(p)).powf(c) * contamination.powf(d);
+        if rest <= 0.0 {
+            return HIGHEST_FACTOR;
+        }
+        (0.1 * rest.powf(-m)).min(HIGHEST_FACTOR)
     }
-    (0.1 * rest.powf(-9.3)).min(HIGHEST_FACTOR)
 }
 
 /// Life modification factor a_1 for a reliability in per cent: 1 at 90, straight lines between the values of the
@@ -146,8 +177,19 @@ mod tests {
         ];
         for (ratio, dirty, clean) in rows {
             for (contamination, expected) in [(0.05, dirty), (0.2, clean)] {
-                let factor = life_modification_factor(ratio, contamination);
+                let factor = LifeModification::BALLS.factor(ratio, contamination);
                 assert!((factor / expected - 1.0).abs() < 4e-4, "{ratio} {factor}");
+            }
+        }
+    }
+
+    /// The branches of the standard meet at κ = 0.4 and 1 to the rounding of its constants.
+    #[test]
+    fn branches_meet() {
+        for kind in [LifeModification::BALLS, LifeModification::ROLLERS] {
+            for ratio in [0.4, 1.0] {
+                let [below, above] = [-1e-12, 1e-12].map(|step| kind.factor(ratio + step, 0.2));
+                assert!((below / above - 1.0).abs() < 1e-3, "{ratio}");
             }
         }
     }

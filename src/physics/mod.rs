@@ -25,8 +25,8 @@ pub use ball_motion::{BallMotion, Race, RaceControl, controlling_race};
 pub use beam::{BeamElement, ElementMatrix};
 pub use curvature::{Curvature, inner_race_curvature, outer_race_curvature};
 pub use elliptic::{complete_elliptic_first, complete_elliptic_second};
-pub use equivalent_load::equivalent_load;
-pub use film::{FilmContact, FilmInputs, entrainment_speed};
+pub use equivalent_load::{equivalent_load, roller_equivalent_load};
+pub use film::{FilmContact, FilmInputs, FilmShape, entrainment_speed};
 pub use fits::{
     RingFit, STEEL_EXPANSION, inner_ring_fit, outer_ring_fit, thermal_clearance_change,
 };
@@ -35,11 +35,11 @@ pub use hertz::{ContactEllipse, HertzContact, HertzError, series_stiffness};
 pub use inertia::{ball_mass, centrifugal_force};
 pub use kinematics::{BallPass, ball_pass_frequencies, nominal_cage_speed};
 pub use life_modification::{
-    Contamination, life_modification_factor, reference_viscosity, reliability_factor,
+    Contamination, LifeModification, reference_viscosity, reliability_factor,
 };
 pub use line_contact::{LINE_EXPONENT, LineContact, line_stiffness, roller_static_rating};
 pub use material::{Material, contact_modulus};
-pub use rating::{dynamic_rating, rating_factor};
+pub use rating::{dynamic_rating, rating_factor, roller_dynamic_rating, roller_rating_factor};
 pub use skf_friction::{SkfFriction, SkfOperation};
 pub use vibration_zones::{
     MachineGroup, MachineSupport, VibrationZone, velocity_band, zone_boundaries,

@@ -7,12 +7,12 @@ use crate::bearing::{BallLoads, BearingRotation, LOADED_SHARE, Support, Vector5}
 impl Rotor {
     /// Room for what [`Rotor::sample`] observes of the balls.
     pub(crate) fn ball_contacts(&self) -> BallContacts {
-        self.room_for(|support| BallLoads::new(support.known_balls(), true))
+        self.room_for(|support| support.room_for_loads(true))
     }
 
     /// As [`Rotor::ball_contacts`] for samples that say nothing of contact angles.
     pub(crate) fn ball_loads(&self) -> BallContacts {
-        self.room_for(|support| BallLoads::new(support.known_balls(), false))
+        self.room_for(|support| support.room_for_loads(false))
     }
 
     /// As [`Rotor::ball_contacts`] for samples that say nothing of the balls, and of the forces of the bearings

@@ -81,6 +81,9 @@ pub trait BallLaw: ForceLaw {
         Vec::new()
     }
 
+    /// Leaves the loads of the laminae of a roller, N, in `loads`, which has room for them.
+    fn slice_loads(&self, _ball: &Ball, _loads: &mut [f64]) {}
+
     /// Energies, J, that the elastic contacts of a ball with both races store: `∫ Q dδ = Q δ/(1 + n)`.
     fn elastic_energies(&self, _ball: &Ball, response: &BallResponse) -> [f64; 2] {
         let approaches = self.elastic_approaches(response);

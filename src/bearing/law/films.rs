@@ -1,8 +1,8 @@
-//! The oil films between a ball and both races.
+//! The oil films between a ball or a roller and both races.
 
 use super::PointContacts;
 use crate::bearing::{Bearing, BearingError, Oil};
-use crate::physics::{FilmContact, FilmInputs, contact_modulus, entrainment_speed};
+use crate::physics::{FilmContact, FilmInputs, FilmShape, contact_modulus, entrainment_speed};
 
 /// Oil films of both races, inner first.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,6 +21,25 @@ impl RaceFilms {
         contacts: &PointContacts,
         oil: &Oil,
     ) -> Result<Self, BearingError> {
+        let point = |race: usize| FilmShape::Point {
+            ellipticity: contacts.hertz[race].ellipticity(),
+        };
+        Self::of_shapes(bearing, [0, 1].map(point), oil)
+    }
+
+    /// Films of the rollers of a bearing, of a length in m, pressed alike along it.
+    ///
+    /// # Errors
+    /// [`BearingError::Oil`] where the oil is none.
+    pub fn of_rollers(bearing: &Bearing, length: f64, oil: &Oil) -> Result<Self, BearingError> {
+        Self::of_shapes(bearing, [FilmShape::Line { length }; 2], oil)
+    }
+
+    fn of_shapes(
+        bearing: &Bearing,
+        shapes: [FilmShape; 2],
+        oil: &Oil,
+    ) -> Result<Self, BearingError> {
         oil.check()?;
         let geometry = &bearing.geometry;
         let gamma = geometry.gamma();
@@ -29,7 +48,7 @@ impl RaceFilms {
                 // R_x = D(1 ∓ γ)/2
                 radius: 0.5 * geometry.ball_diameter() * (1.0 + curvature),
                 modulus: 2.0 * contact_modulus(&bearing.ball_material, &bearing.ring_material),
-                ellipticity: contacts.hertz[race].ellipticity(),
+                shape: shapes[race],
                 viscosity: oil.viscosity,
                 pressure_viscosity: oil.pressure_viscosity,
             })
@@ -56,7 +75,7 @@ impl RaceFilms {
         })
     }
 
-    /// Stiffness Q/(0.067 h) in N/m of the films at the inner and the outer race, for their loads
+    /// Stiffness Q/(0.067 h), of rollers Q/(0.166 h), in N/m of the films at the inner and the outer race, for their loads
     /// in N at a shaft speed in rad/s; infinite at rest, zero without load.
     pub fn stiffness(&self, loads: [f64; 2], speed: f64) -> [f64; 2] {
         let entrainment = self.entrainment_ratio * speed.abs();
@@ -67,7 +86,7 @@ impl RaceFilms {
         })
     }
 
-    /// Energies, J, that the films of both races store under their loads in N: `∫ Q dh = (0.067/0.933) Q h`, for the
+    /// Energies, J, that the films of balls at both races store under their loads in N: `∫ Q dh = (0.067/0.933) Q h`, for the
     /// thickness falls with the load as Q^(−0.067).
     pub fn stored_energies(&self, loads: [f64; 2], speed: f64) -> [f64; 2] {
         const SHARE: f64 = FilmContact::LOAD_EXPONENT / (1.0 - FilmContact::LOAD_EXPONENT);

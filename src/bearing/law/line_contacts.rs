@@ -35,6 +35,11 @@ impl LineContacts {
         }
     }
 
+    /// Effective length of a roller, m.
+    pub(in crate::bearing) fn length(&self) -> f64 {
+        self.rollers.length
+    }
+
     /// Stiffness of both contacts in series at an approach in m, N/m.
     pub fn stiffness_at(&self, approach: f64) -> f64 {
         // dQ/dδ = 10/9 C δ^(1/9)

@@ -286,6 +286,20 @@ impl<const TILTS: bool> BallLaw for RollerLaw<TILTS> {
         [0.5 * energy; 2]
     }
 
+    fn slice_loads(&self, ball: &Ball, loads: &mut [f64]) {
+        let (middle, tilt) = (self.middle(ball), Self::tilt(ball));
+        in_wide_registers!(self.level, simd => {
+            for (four, loads) in self.groups.iter().zip(loads.chunks_mut(LANES)) {
+                let position = simd.load_array_ref_f64x4(&four.position);
+                let drop = simd.load_array_ref_f64x4(&four.drop);
+                let approach = (Lanes::splat(simd, middle) - position * tilt) - drop;
+                let pressed = approach.max(Lanes::splat(simd, 0.0));
+                let load = pressed * ninth_root(pressed) * self.stiffness;
+                loads.copy_from_slice(&(*load)[..loads.len()]);
+            }
+        });
+    }
+
     fn laminae(&self, ball: &Ball) -> Vec<Lamina> {
         let (middle, tilt) = (self.middle(ball), Self::tilt(ball));
         let lamina = |[position, drop]: [f64; 2]| {

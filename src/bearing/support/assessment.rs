@@ -94,10 +94,9 @@ impl Assessment<'_> {
         let contacts = &support.contacts;
         let (force, stiffness) = support.ring_tangent(&self.place, &self.rotation);
         let balls = self.balls();
-        let loads = || balls.iter().map(|ball| [ball.inner.load, ball.outer.load]);
-        let life = bearing
-            .rating_life()
-            .and_then(|rating| rating.life(loads()));
+        let loads = balls.iter().flat_map(BallLine::rated_loads);
+        let life = bearing.rating_life();
+        let life = life.and_then(|rating| rating.life(loads));
         let loaded: Vec<_> = loaded(&balls).collect();
         BearingState {
             rating_lives: life.and_then(|life| bearing.rating_lives(life, &force, speed)),
@@ -149,6 +148,7 @@ impl Assessment<'_> {
                     pitch_diameter: geometry.pitch_diameter(),
                     contact_angle: geometry.contact_angle(),
                     laminae: rollers.laminae,
+                    dynamic_rating: rollers.dynamic_rating(geometry),
                     static_rating: static_rating(geometry, contacts),
                 }),
                 None => Elements::Balls(internal_geometry(geometry, contacts)),

@@ -120,7 +120,8 @@ impl Support {
         if let Some(linear) = &self.frozen {
             return linear.energy(displacement);
         }
-        let (place, films) = (self.settled(displacement, rotation), self.films.as_ref());
+        let place = self.settled(displacement, rotation);
+        let films = self.films.as_ref().filter(|_| self.law.is_smooth());
         let contacts =
             with_law!(&self.law, law => self.ring.stored_energy(law, films, &place, rotation));
         contacts + self.seat.stored_energy(displacement, &place)

@@ -21,7 +21,7 @@ use super::cage::Cage;
 use super::law::{BallTable, Law};
 use super::seat::Seat;
 use super::{
-    BearingError, CageJitter, ContactLaw, FrictionMoment, Geometry, Matrix5, MountedBearing,
+    BallLoads, BearingError, CageJitter, ContactLaw, FrictionMoment, Geometry, Matrix5, MountedBearing,
     Preload, RaceContacts, RaceFilms, Ring, Vector5,
 };
 use linear_force::LinearForce;
@@ -35,7 +35,7 @@ use linear_force::LinearForce;
 pub struct Support {
     pub(super) ring: Ring,
     law: Law,
-    /// Oil films of both races, where there are any.
+    /// Oil films of both races, where there are any: those of rollers are known, and part nothing.
     films: Option<RaceFilms>,
     /// Answers in place of the law where a motion asks for forces, once compiled.
     table: Option<Box<BallTable>>,
@@ -67,12 +67,18 @@ impl Support {
         let (geometry, imperfections) = (&definition.bearing.geometry, &definition.imperfections);
         imperfections.check(geometry)?;
         let law = Law::new(definition, &contacts, speed)?;
-        let films = match (&contacts, definition.oil.as_ref()) {
-            (RaceContacts::Point(contacts), Some(oil)) => {
-                Some(RaceFilms::new(&definition.bearing, contacts, oil)?)
+        let bearing = &definition.bearing;
+        let films = match &contacts {
+            RaceContacts::Point(contacts) => {
+                let oil = definition.oil.as_ref();
+                oil.map(|oil| RaceFilms::new(bearing, contacts, oil))
             }
-            _ => None,
+            RaceContacts::Line(contacts) => {
+                let oil = bearing.lubrication.map(|lubrication| lubrication.oil);
+                oil.map(|oil| RaceFilms::of_rollers(bearing, contacts.length(), &oil))
+            }
         };
+        let films = films.transpose()?;
         let cage = Cage::new(
             &definition.bearing,
             geometry.gamma(),
@@ -166,6 +172,15 @@ impl Support {
             Some(_) => 0,
             None => self.ring.balls(),
         }
+    }
+
+    /// Room for the loads of its balls, with their angles, and of the slices of its rollers where it has a rating.
+    pub(crate) fn room_for_loads(&self, angles: bool) -> BallLoads {
+        let bearing = &self.definition.bearing;
+        let rollers = bearing.geometry.rollers();
+        let rollers = rollers.filter(|_| bearing.dynamic_rating.is_some());
+        let slices = rollers.map_or(0, |rollers| rollers.laminae);
+        BallLoads::new(self.known_balls(), angles).with_slices(slices)
     }
 
     /// Friction moment under a force of the shaft onto this bearing in N at a speed in rad/s.

@@ -15,7 +15,7 @@ use super::settings::{ContactChoice, ModelInput};
 use super::support::{HousingInput, LinearInput};
 use crate::bearing::catalogue::{CATALOGUE, CatalogueEntry};
 use crate::bearing::{
-    Bearing, BearingError, ClearanceClass, ContactDamping, Estimate, Facing, Geometry,
+    Bearing, BearingError, ClearanceClass, ContactDamping, ContactLaw, Estimate, Facing, Geometry,
     GeometryError, Imperfections, MountedBearing, Oil, Preload, catalogue,
 };
 use crate::physics::{Material, Race, RaceControl, SkfFriction};
@@ -188,10 +188,7 @@ impl BearingInput {
         catalogue: &[CatalogueEntry],
         problems: &mut Problems<'_>,
     ) -> Option<Vec<MountedBearing>> {
-        let mounted = match &self.roller {
-            Some(rollers) => rollers.build(self, model, freedoms, problems),
-            None => self.build_one(model, freedoms, catalogue, problems),
-        };
+        let mounted = self.build_one(model, freedoms, catalogue, problems);
         let places = self.places(problems);
         let mounted = mounted?;
         let is_symmetric = mounted.bearing.geometry.is_symmetric();
@@ -231,69 +228,36 @@ impl BearingInput {
         catalogue: &[CatalogueEntry],
         problems: &mut Problems<'_>,
     ) -> Option<MountedBearing> {
-        let printed = self.identity().printed(catalogue, problems)?;
-        let known = printed.as_ref();
-        let line = known.map(|printed| printed.line);
-        let skf_friction = known.and_then(|printed| SkfFriction::from_designation(&printed.name));
-        let class = known.and_then(|printed| printed.class);
-        let input = self.geometry.clone().unwrap_or_default();
-        let sources = Sources {
-            input: &input,
-            printed,
-            clearance_class: self.clearance_class.or(class),
+        let bearing = match &self.roller {
+            Some(rollers) => rollers.bearing(self, model, problems)?,
+            None => self.ball_bearing(freedoms, catalogue, problems)?,
         };
-        let ring_material = material(self.material.as_ref(), Material::BEARING_STEEL);
-        let change = self.clearance_change.si();
-        let (geometry, estimate) = sources.build(freedoms, change, problems)?;
+        let ring_material = material(self.material.as_ref(), bearing.ring_material);
         let bearing = Bearing {
-            geometry,
             ring_material,
             ball_material: material(self.ball_material.as_ref(), ring_material),
-            contact_stiffness: si(&input.contact_stiffness),
-            dynamic_rating: si(&self.dynamic_rating).or(line.map(|line| line.dynamic_rating)),
+            dynamic_rating: si(&self.dynamic_rating).or(bearing.dynamic_rating),
             roughness: si(&self.roughness),
             limiting_speed: si(&self.limiting_speed),
             shoulder_angle: si(&self.shoulder_angle),
-            clearance_class: sources.class_taken(),
-            boundary: line.map(|line| [line.bore, line.outside_diameter]),
-            estimated: estimate.as_ref().is_some_and(Estimate::is_estimated),
-            skf_friction,
             lubrication: self.oil.as_ref().map(OilInput::lubrication),
             rotating_ring: self.rotating_ring,
             reliability: self.reliability,
-            fit: None,
+            ..bearing
         };
         if let Some(oil) = &self.oil {
             oil.check(problems);
         }
-        if let Some(estimate) = estimate.filter(|estimate| !estimate.notes.is_empty()) {
-            problems.warn(format!(
-                "`{}`: {} balls of {:.3} mm are estimated from the ratings: {}",
-                problems.path("."),
-                estimate.internal.balls,
-                1e3 * estimate.internal.ball_diameter,
-                estimate.notes.join("; ")
-            ));
-        }
-        if let Err(error) = bearing.load_deflection_constant() {
-            let key = match error {
-                BearingError::Contact { race: "inner", .. } => ".geometry.groove_factor_inner",
-                _ => ".geometry.groove_factor_outer",
-            };
-            problems.refuse(Issue::new(key, error.to_string()));
-        }
-        self.check_law(model, problems);
         if self.housing.is_some() {
             self.check_alone(".housing", problems);
         }
-        let control = self.race_control.or(model.race_control);
+        let (law, oil) = match self.roller {
+            Some(_) => (self.contact(model).without_inertia(), None),
+            None => self.ball_law(&bearing, model, problems),
+        };
         Some(MountedBearing {
-            law: match (self.contact(model), bearing.contact_stiffness) {
-                // a stiffness of both races together knows no ball inertia
-                (ContactChoice::Auto, Some(_)) => ContactChoice::Hertz.law(control),
-                (contact, _) => contact.law(control),
-            },
-            oil: self.film_oil(model, problems),
+            law,
+            oil,
             position: self.position.si(),
             facing: Facing::PlusZ,
             preload: self.preload(),
@@ -307,8 +271,72 @@ impl BearingInput {
         })
     }
 
+    /// Balls and races of the bearing, and what is known with them.
+    fn ball_bearing(
+        &self,
+        freedoms: Freedoms,
+        catalogue: &[CatalogueEntry],
+        problems: &mut Problems<'_>,
+    ) -> Option<Bearing> {
+        let printed = self.identity().printed(catalogue, problems)?;
+        let known = printed.as_ref();
+        let line = known.map(|printed| printed.line);
+        let skf_friction = known.and_then(|printed| SkfFriction::from_designation(&printed.name));
+        let class = known.and_then(|printed| printed.class);
+        let input = self.geometry.clone().unwrap_or_default();
+        let sources = Sources {
+            input: &input,
+            printed,
+            clearance_class: self.clearance_class.or(class),
+        };
+        let change = self.clearance_change.si();
+        let (geometry, estimate) = sources.build(freedoms, change, problems)?;
+        if let Some(estimate) = estimate.as_ref().filter(|own| !own.notes.is_empty()) {
+            problems.warn(format!(
+                "`{}`: {} balls of {:.3} mm are estimated from the ratings: {}",
+                problems.path("."),
+                estimate.internal.balls,
+                1e3 * estimate.internal.ball_diameter,
+                estimate.notes.join("; ")
+            ));
+        }
+        Some(Bearing {
+            contact_stiffness: si(&input.contact_stiffness),
+            dynamic_rating: line.map(|line| line.dynamic_rating),
+            clearance_class: sources.class_taken(),
+            boundary: line.map(|line| [line.bore, line.outside_diameter]),
+            estimated: estimate.as_ref().is_some_and(Estimate::is_estimated),
+            skf_friction,
+            ..Bearing::of_steel(geometry)
+        })
+    }
+
+    /// The force law of a ball bearing and the oil that parts its surfaces, as far as nothing contradicts them.
+    fn ball_law(
+        &self,
+        bearing: &Bearing,
+        model: &ModelInput,
+        problems: &mut Problems<'_>,
+    ) -> (ContactLaw, Option<Oil>) {
+        if let Err(error) = bearing.load_deflection_constant() {
+            let key = match error {
+                BearingError::Contact { race: "inner", .. } => ".geometry.groove_factor_inner",
+                _ => ".geometry.groove_factor_outer",
+            };
+            problems.refuse(Issue::new(key, error.to_string()));
+        }
+        self.check_law(model, problems);
+        let control = self.race_control.or(model.race_control);
+        let law = match (self.contact(model), bearing.contact_stiffness) {
+            // a stiffness of both races together knows no ball inertia
+            (ContactChoice::Auto, Some(_)) => ContactChoice::Hertz.law(control),
+            (contact, _) => contact.law(control),
+        };
+        (law, self.film_oil(model, problems))
+    }
+
     /// What makes its surfaces differ from perfect ones, as far as it fits.
-    pub(super) fn imperfections(
+    fn imperfections(
         &self,
         geometry: &Geometry,
         model: &ModelInput,
@@ -409,7 +437,7 @@ impl BearingInput {
         self.oil.as_ref().map(OilInput::build)
     }
 
-    pub(super) fn preload(&self) -> Preload {
+    fn preload(&self) -> Preload {
         let offset = si(&self.axial_offset).unwrap_or(0.0);
         si(&self.spring_preload)
             .map(Preload::Spring)

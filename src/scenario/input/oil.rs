@@ -143,6 +143,7 @@ impl OilInput {
             viscosity: self.kinematic(),
             grease: self.grease,
             contamination: self.contamination,
+            oil: self.build(),
         }
     }
 }

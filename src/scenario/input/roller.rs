@@ -3,14 +3,12 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::bearing::{BearingInput, material};
+use super::bearing::BearingInput;
 use super::settings::{ContactChoice, ModelInput};
 use crate::bearing::{
-    Bearing, ContactDamping, Facing, Geometry, GeometryError, MountedBearing, Profile,
-    ProfilePoints, RollerKind, Rollers,
+    Bearing, Geometry, GeometryError, Profile, ProfilePoints, RollerKind, Rollers,
 };
 use crate::physics::Material;
-use crate::rotor::Freedoms;
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Angle, Length, Quantity, si, significant};
@@ -90,14 +88,13 @@ pub struct DropInput {
 }
 
 impl RollerInput {
-    /// The bearing of these rollers at its nominal position, as far as nothing in its table contradicts it.
-    pub fn build(
+    /// The bearing of these rollers, as far as nothing in its table contradicts it.
+    pub fn bearing(
         &self,
         own: &BearingInput,
         model: &ModelInput,
-        freedoms: Freedoms,
         problems: &mut Problems<'_>,
-    ) -> Option<MountedBearing> {
+    ) -> Option<Bearing> {
         // what the others must be depends on it
         if problems.is_faulty(&problems.path(".roller.kind")) {
             return None;
@@ -107,37 +104,26 @@ impl RollerInput {
         let changed = geometry.with_clearance_change(own.clearance_change.si());
         let wrong = |error: GeometryError| Issue::new(".clearance_change", error.to_string());
         let geometry = problems.take(changed.map_err(wrong))?;
-        let ring_material = material(own.material.as_ref(), ROLLER_STEEL);
-        let law = match own.contact(model) {
-            ContactChoice::Linear => ContactChoice::Linear,
-            ContactChoice::Jones => {
-                problems.warn(format!(
-                    "`{}`: contact = \"jones\" holds for balls; rollers have no inertia here",
-                    problems.path(".roller")
-                ));
-                ContactChoice::Hertz
+        for (given, message) in [
+            (
+                own.contact(model) == ContactChoice::Jones,
+                "contact = \"jones\" holds for balls; rollers have no inertia here",
+            ),
+            (
+                own.film.unwrap_or(model.film),
+                "film = true holds for balls; the films of rollers are told, and part nothing here",
+            ),
+        ] {
+            if given {
+                problems.warn(format!("`{}`: {message}", problems.path(".roller")));
             }
-            _ => ContactChoice::Hertz,
-        };
-        Some(MountedBearing {
-            law: law.law(None),
-            oil: None,
-            position: own.position.si(),
-            facing: Facing::PlusZ,
-            preload: own.preload(),
-            contact_damping: ContactDamping::default(),
-            first_ball: own.first_ball.si(),
-            imperfections: own.imperfections(&geometry, model, problems)?,
-            housing: problems.given("housing", &own.housing, |housing, problems| {
-                problems.take(housing.build(freedoms))
-            })?,
-            bearing: Bearing {
-                ring_material,
-                ball_material: material(own.ball_material.as_ref(), ring_material),
-                limiting_speed: si(&own.limiting_speed),
-                rotating_ring: own.rotating_ring,
-                ..Bearing::of_steel(geometry)
-            },
+        }
+        Some(Bearing {
+            ring_material: ROLLER_STEEL,
+            dynamic_rating: geometry
+                .rollers()
+                .map(|rollers| rollers.dynamic_rating(&geometry)),
+            ..Bearing::of_steel(geometry)
         })
     }
 
@@ -157,11 +143,6 @@ impl RollerInput {
             (".ball_sizes", own.ball_sizes.is_some(), ball),
             (".contact", own.contact == Some(ContactChoice::Jones), ball),
             (".clearance_class", own.clearance_class.is_some(), unknown),
-            (".film", own.film == Some(true), unknown),
-            (".oil", own.oil.is_some(), unknown),
-            (".roughness", own.roughness.is_some(), unknown),
-            (".dynamic_rating", own.dynamic_rating.is_some(), unknown),
-            (".reliability", own.reliability.is_some(), unknown),
             (".fit", own.fit.is_some(), unknown),
             (".defect", !own.defect.is_empty(), unknown),
             (".waviness", !own.waviness.is_empty(), unknown),

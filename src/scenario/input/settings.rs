@@ -60,6 +60,14 @@ impl ContactChoice {
         matches!(self, Self::Jones | Self::Auto)
     }
 
+    /// The force law of rollers, whose inertia none knows.
+    pub fn without_inertia(self) -> ContactLaw {
+        match self {
+            Self::Linear => ContactLaw::Linear,
+            _ => ContactLaw::Hertz,
+        }
+    }
+
     /// The force law; the race control plays a part in Jones's only.
     pub fn law(self, control: Option<RaceControl>) -> ContactLaw {
         match self {

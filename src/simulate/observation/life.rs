@@ -109,7 +109,7 @@ impl LifeSums {
         let now = Rate {
             time: sample.time,
             angle: sample.angle,
-            consumption: self.rating.consumption(balls.loads()),
+            consumption: self.rating.consumption(balls.rated_loads()),
         };
         let Some(before) = self.before.replace(now) else {
             return;

@@ -3,7 +3,7 @@
 
 use crate::physics::{
     Material, SkfFriction, SkfOperation, ViscosityLaw, equivalent_load, inner_ring_fit,
-    life_modification_factor, outer_ring_fit, rating_factor, reference_viscosity,
+    LifeModification, outer_ring_fit, rating_factor, reference_viscosity,
     reliability_factor, thermal_clearance_change,
 };
 use crate::scenario::Scenario;
@@ -102,12 +102,12 @@ fn reference_viscosities_and_life_factors() {
     ] {
         assert_near(
             "a_ISO",
-            life_modification_factor(ratio, 0.05),
+            LifeModification::BALLS.factor(ratio, 0.05),
             dirty,
             5.1e-5,
         );
         let digits = if clean > 10.0 { 5.1e-3 } else { 5.1e-5 };
-        assert_near("a_ISO", life_modification_factor(ratio, 0.2), clean, digits);
+        assert_near("a_ISO", LifeModification::BALLS.factor(ratio, 0.2), clean, digits);
     }
     let factors = [95.0, 96.0, 97.0, 98.0, 99.0].map(reliability_factor);
     assert_eq!(factors, [0.64, 0.55, 0.47, 0.37, 0.25]);
@@ -215,7 +215,7 @@ fn lives_with_oil_and_contamination() {
     let factor = modified.life_modification_factor.expect("a_ISO");
     let load = 36_500.0 / lives.reference.cbrt();
     let ratio = modified.viscosity_ratio.expect("κ");
-    let expected = life_modification_factor(ratio, 0.55 * modified.fatigue_load_limit / load);
+    let expected = LifeModification::BALLS.factor(ratio, 0.55 * modified.fatigue_load_limit / load);
     assert_near("a_ISO", factor, expected, 1e-9);
     assert_near(
         "L5",

@@ -2,8 +2,8 @@
 //! 0.3, 40 laminae, rigid rings), Sjövall's integrals, and Hamrock's line contacts.
 
 use crate::bearing::{
-    Bearing, BearingRotation, Geometry, Matrix5, MountedBearing, Profile, RollerKind, Rollers,
-    Support, Vector5,
+    Bearing, BearingRotation, Geometry, Matrix5, MountedBearing, Oil, Profile, RaceFilms, RollerKind,
+    Rollers, Support, Vector5,
 };
 use crate::integrate::Method;
 use crate::physics::Material;
@@ -230,6 +230,27 @@ fn sjovalls_integral_of_half_the_ring() {
     assert_near("Q_max Z/F", 180.0 * largest / 1000.0, 1.0 / 0.2447986, 2e-4);
 }
 
+/// L10r with C 31.5 kN under 1 kN on one roller, at rest and from the loads of a run, slice by slice.
+#[test]
+fn life_of_six_cylindrical_rollers() {
+    let mut bearing = six(Profile::Flat);
+    bearing.bearing.dynamic_rating = Some(31_500.0);
+    let load = [1000.0, 0.0, 0.0, 0.0, 0.0];
+    let (found, _) = loaded(&bearing, load, [true, false, false, false, false]);
+    let support = &supports(std::slice::from_ref(&bearing))[0];
+    let state = support.state(&found.displacement, 0.0, CageMotion::Frozen);
+    assert_printed("L10r", state.life.expect("a life"), "160603");
+    let lives = state.rating_lives.expect("lives");
+    // P = F_r
+    let basic = 31.5f64.powf(10.0 / 3.0);
+    assert_near("L10", lives.basic.expect("L10"), basic, 1e-9 * basic);
+    let mut loads = support.room_for_loads(false);
+    let rotation = BearingRotation::at_start(0.0);
+    support.force_and_loads(&found.displacement, &rotation, &mut loads);
+    let rating = bearing.bearing.rating_life().expect("a rating");
+    assert_printed("L10r", rating.life(loads.rated_loads()).expect("a life"), "160603");
+}
+
 /// A mass under unbalance and a load on rollers that go round, from 3 µm below the middle.
 fn falling(method: Method) -> Model {
     let mut shaft = shaft(Freedoms::Radial);
@@ -262,7 +283,7 @@ fn a_shaft_falls_onto_flat_rollers() {
 }
 
 #[test]
-fn hamrocks_pressures_of_a_line_contact() {
+fn hamrocks_pressures_and_films_of_a_line_contact() {
     let steel = Material {
         youngs_modulus: 210e9,
         ..Material::BEARING_STEEL
@@ -282,4 +303,14 @@ fn hamrocks_pressures_of_a_line_contact() {
         assert_near("b", strip.semi_minor, half_width, 5e-9);
         assert_near("p", strip.peak_pressure, pressure, 5e4);
     }
+    let oil = Oil {
+        viscosity: 0.01,
+        pressure_viscosity: 2e-8,
+    };
+    let films = RaceFilms::of_rollers(&bearing, 8e-3, &oil).expect("films");
+    let [inner, outer] = films.thickness([1600.0; 2], 837.0);
+    assert_near("h_min", inner.minimum, 0.3912e-6, 5e-11);
+    assert_near("h_min", outer.minimum, 0.4280e-6, 5e-11);
+    // 2.922 R_x U^0.692 G^0.470 W^−0.166 by hand
+    assert_near("h_c", inner.central, 0.4187e-6, 5e-11);
 }
