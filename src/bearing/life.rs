@@ -91,7 +91,9 @@ impl RatingLife {
         };
         Self {
             weights: [0, 1].map(|race| ratings[race].powf(-exponent) * means[race]),
-            edge_factors: (0..slices).map(|slice| edge_factor(slice, slices)).collect(),
+            edge_factors: (0..slices)
+                .map(|slice| edge_factor(slice, slices))
+                .collect(),
             rows: geometry.rows(),
             row: geometry.balls(),
             is_line,

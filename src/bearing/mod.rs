@@ -64,4 +64,4 @@ pub use state::{
 pub(crate) use support::{ContactBand, LOADED_SHARE, Support};
 pub use surface::Surface;
 pub(crate) use surface::{CageJitter, Defect, Imperfections, Passing, RaceSpall, SideView, Wave};
-pub(crate) use surface::{DefectProfile, ImperfectionError};
+pub(crate) use surface::{DefectProfile, ImperfectionError, check_ball};

@@ -39,15 +39,16 @@ fn side_view(number: usize, geometry: &Geometry, defect: &Defect) -> Panel {
         1.0 => "to scale".to_owned(),
         factor => format!("heights {factor:.1} times as large"),
     };
+    let element = geometry.element();
     let title = format!(
-        "bearing {}, {}: {:.4} mm long, {depth:.4} mm deep, the ball drops by {micro:.2} µm; {heights}",
+        "bearing {}, {}: {:.4} mm long, {depth:.4} mm deep, the {element} drops by {micro:.2} µm; {heights}",
         number + 1,
         defect.on,
         1e3 * defect.length,
     );
     let [surface, mate] = match defect.on {
-        Surface::Ball(_) => ["ball", "inner race"],
-        Surface::Inner | Surface::Outer => ["race", "ball"],
+        Surface::Ball(_) => [element, "inner race"],
+        Surface::Inner | Surface::Outer => ["race", element],
     };
     let half = 1e3 * drawing.half_width;
     let heights = [-BELOW * drawing.deep, ABOVE * drawing.deep].map(|height| 1e3 * height);

@@ -236,7 +236,9 @@ fn add_elements(out: &mut Lines, geometry: &GeometryState) -> &'static str {
             let kind = format!("{}, {all}{rows}, {} slices", own.kind.name(), own.laminae);
             out.line("rollers", kind);
             let [dynamic, statical] = [own.dynamic_rating, own.static_rating].map(digits);
-            out.more(format!("C {dynamic} N (ISO 281), C_0 {statical} N (ISO 76)"));
+            out.more(format!(
+                "C {dynamic} N (ISO 281), C_0 {statical} N (ISO 76)"
+            ));
             if own.contact_angle == 0.0 {
                 out.more("hold nothing along z: another bearing must locate the shaft");
             }

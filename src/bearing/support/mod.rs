@@ -21,8 +21,8 @@ use super::cage::Cage;
 use super::law::{BallTable, Law};
 use super::seat::Seat;
 use super::{
-    BallLoads, BearingError, CageJitter, ContactLaw, FrictionMoment, Geometry, Matrix5, MountedBearing,
-    Preload, RaceContacts, RaceFilms, Ring, Vector5,
+    BallLoads, BearingError, CageJitter, ContactLaw, FrictionMoment, Geometry, Matrix5,
+    MountedBearing, Preload, RaceContacts, RaceFilms, Ring, Vector5,
 };
 use linear_force::LinearForce;
 

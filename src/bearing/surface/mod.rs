@@ -79,9 +79,11 @@ pub enum ImperfectionError {
         /// Circumference, m.
         around: f64,
     },
-    /// The bearing has no such ball.
-    #[error("there is no ball {}: the balls count from 1 to {balls}", number + 1)]
+    /// The bearing has no such ball or roller.
+    #[error("there is no {element} {}: the {element}s count from 1 to {balls}", number + 1)]
     Ball {
+        /// `ball` or `roller`.
+        element: &'static str,
         /// Number as given, from 0.
         number: usize,
         /// Number of balls.
@@ -94,7 +96,7 @@ pub enum ImperfectionError {
         order: u32,
     },
     /// Not one deviation for each ball.
-    #[error("{given} deviations of diameters are given for {balls} balls")]
+    #[error("{given} deviations of diameters are given for {balls} balls or rollers")]
     Oversizes {
         /// Number as given.
         given: usize,
@@ -160,7 +162,7 @@ impl Imperfections {
                 return Err(ImperfectionError::CageStep { step, largest });
             }
         }
-        let (given, balls) = (self.oversizes.len(), geometry.balls());
+        let (given, balls) = (self.oversizes.len(), geometry.all_balls());
         if given != 0 && given != balls {
             return Err(ImperfectionError::Oversizes { given, balls });
         }
@@ -245,10 +247,14 @@ impl fmt::Display for Surface {
     }
 }
 
-fn check_ball(on: Surface, geometry: &Geometry) -> Result<(), ImperfectionError> {
-    let balls = geometry.balls();
+pub(crate) fn check_ball(on: Surface, geometry: &Geometry) -> Result<(), ImperfectionError> {
+    let (element, balls) = (geometry.element(), geometry.all_balls());
     match on {
-        Surface::Ball(number) if number >= balls => Err(ImperfectionError::Ball { number, balls }),
+        Surface::Ball(number) if number >= balls => Err(ImperfectionError::Ball {
+            element,
+            number,
+            balls,
+        }),
         _ => Ok(()),
     }
 }

@@ -28,6 +28,8 @@ pub(in crate::bearing) struct ImperfectSurfaces {
     races: [RaceSurface; 2],
     /// Surfaces of balls that are not perfect.
     balls: Vec<BallSurface>,
+    /// Number of balls of a row; slots of races are under the first.
+    row: usize,
     /// Angle that a ball turns by over that of the cage.
     rolling_ratio: f64,
     /// The ring that turns.
@@ -82,7 +84,7 @@ impl ImperfectSurfaces {
         let (geometry, turning) = (&bearing.geometry, bearing.rotating_ring);
         let races = [Surface::Inner, Surface::Outer]
             .map(|race| RaceSurface::new(race, imperfections, geometry));
-        let balls = (0..geometry.balls())
+        let balls = (0..geometry.all_balls())
             .map(|number| BallSurface::new(number, imperfections, geometry))
             .filter(|ball| !ball.is_perfect())
             .collect();
@@ -90,6 +92,7 @@ impl ImperfectSurfaces {
         Some(Self {
             races,
             balls,
+            row: geometry.balls(),
             rolling_ratio,
             turning,
             passings: defects
@@ -178,7 +181,9 @@ impl ImperfectSurfaces {
                     cos[lane] * back.cos + sin[lane] * back.sin,
                     sin[lane] * back.cos - cos[lane] * back.sin,
                 ];
-                surface.at(direction, |part| take(race, lane, part, turns));
+                // a ball without a number counts as one of the first row
+                let slots = first == usize::MAX || first + lane < self.row;
+                surface.at(direction, slots, |part| take(race, lane, part, turns));
             }
         }
         for ball in &self.balls {
@@ -240,11 +245,12 @@ impl RaceSurface {
         slots.fold(0.0, f64::max) + self.waves.bound()
     }
 
-    /// Hands on the parts of the drop in a direction from the mark of the race; there is none where no ball is, at (0, 0).
+    /// Hands on the parts of the drop in a direction from the mark of the race, without its slots where these are under
+    /// another row; there is none where no ball is, at (0, 0).
     #[inline(always)]
-    fn at(&self, direction: [f64; 2], mut take: impl FnMut([f64; 2])) {
+    fn at(&self, direction: [f64; 2], slots: bool, mut take: impl FnMut([f64; 2])) {
         let [cos, sin] = direction;
-        for on_race in &self.slots {
+        for on_race in self.slots.iter().filter(|_| slots) {
             let (middle, radius) = (on_race.middle, on_race.radius);
             // angle of the ball from the middle of the slot, worked out only where it is over it
             let along = cos * middle.cos + sin * middle.sin;

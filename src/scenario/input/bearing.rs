@@ -79,8 +79,8 @@ pub struct BearingInput {
     /// stands with the shaft; with contact "hertz" or "linear", and of all bearings alike. Default: "inner".
     #[serde(default, skip_serializing_if = "is_inner")]
     pub rotating_ring: Race,
-    /// Class of the clearance of a deep-groove bearing of the catalogue, "C2", "CN", "C3", "C4" or "C5": the
-    /// middle of its range for the bore (ISO 5753-1). Default: "CN", where no clearance is given.
+    /// Class of the clearance of a deep-groove bearing of the catalogue, or of rollers with a `bore`, "C2", "CN", "C3", "C4" or
+    /// "C5": the middle of its range for the bore (ISO 5753-1). Default: "CN", where no clearance is given.
     pub clearance_class: Option<ClearanceClass>,
     /// Change of the diametral clearance by fits and temperature, for instance "-5 um": negative
     /// tightens and makes the contact angle smaller. Default: "0 m".
@@ -119,6 +119,9 @@ pub struct BearingInput {
     /// Balls of unequal size.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ball_sizes: Option<BallSizesInput>,
+    /// Rollers of unequal size, those of a second row after the first.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub roller_sizes: Option<BallSizesInput>,
     /// How much slower the cage turns than it would roll, as a part: real cages slip by 1 or 2 %. Default: 0.
     #[serde(default, skip_serializing_if = "is_zero")]
     #[schemars(range(min = 0.0, max = 0.9))]
@@ -346,6 +349,7 @@ impl BearingInput {
             (".defect", !self.defect.is_empty()),
             (".waviness", !self.waviness.is_empty()),
             (".ball_sizes", self.ball_sizes.is_some()),
+            (".roller_sizes", self.roller_sizes.is_some()),
             (".cage_jitter", self.cage_jitter.is_some()),
         ] {
             if given {
@@ -358,7 +362,20 @@ impl BearingInput {
         let waves = problems.each("waviness", &self.waviness, |waviness, problems| {
             waviness.build(geometry, problems)
         });
-        let oversizes = problems.given("ball_sizes", &self.ball_sizes, |sizes, problems| {
+        let all = [
+            ("ball_sizes", &self.ball_sizes),
+            ("roller_sizes", &self.roller_sizes),
+        ];
+        let (own, other) = match geometry.rollers() {
+            Some(_) => (all[1], all[0]),
+            None => (all[0], all[1]),
+        };
+        if other.1.is_some() {
+            let message = format!("this bearing has {}s", geometry.element());
+            let issue = Issue::new(format!(".{}", other.0), message);
+            problems.refuse(issue.help(format!("call it `{}`", own.0)));
+        }
+        let oversizes = problems.given(own.0, own.1, |sizes, problems| {
             sizes.build(geometry, problems)
         });
         let cage_steps = problems.given("cage_jitter", &self.cage_jitter, |jitter, problems| {

@@ -1,5 +1,5 @@
-//! What makes a bearing differ from a perfect one: `[[bearing.defect]]`, `[[bearing.waviness]]`, `[bearing.ball_sizes]` and
-//! `[bearing.cage_jitter]`.
+//! What makes a bearing differ from a perfect one: `[[bearing.defect]]`, `[[bearing.waviness]]`, `[bearing.ball_sizes]`,
+//! `[bearing.roller_sizes]` and `[bearing.cage_jitter]`.
 
 use std::f64::consts::TAU;
 
@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::number;
 use crate::bearing::{
-    Defect, DefectProfile, Geometry, ImperfectionError, Imperfections, Surface, Wave,
+    Defect, DefectProfile, Geometry, ImperfectionError, Imperfections, Surface, Wave, check_ball,
 };
 use crate::rotor::load::SplitMix64;
 use crate::scenario::Issue;
@@ -25,17 +25,22 @@ pub enum SurfaceInput {
     Inner,
     /// A ball.
     Ball,
+    /// A roller.
+    Roller,
 }
 
-/// A slot across a race, or a dent of a ball. The ball sinks as deep as the edges let it, or to the floor.
+/// A slot across a race, or a dent of a ball or, along its whole length, of a roller. The ball or roller sinks as deep as the edges let it, or to the floor.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DefectInput {
-    /// Where it is: "outer", "inner" or "ball".
+    /// Where it is: "outer", "inner", "ball" or "roller"; on a race of two rows under the first.
     pub on: SurfaceInput,
     /// Number of the ball that it is on, from 1: ball 1 starts at `first_ball`.
     #[schemars(range(min = 1, max = 200))]
     pub ball: Option<u32>,
+    /// Number of the roller that it is on, from 1: roller 1 starts at `first_ball`; those of a second row come after the first.
+    #[schemars(range(min = 1, max = 400))]
+    pub roller: Option<u32>,
     /// Angle of its middle: on the outer race from +X towards +Y, on the inner race from the mark of the unbalance, which
     /// points along +X at the start; on a ball from where it meets the outer race at the start. Default: "0 rad".
     #[serde(default)]
@@ -57,12 +62,18 @@ impl DefectInput {
     /// The defect, if it fits the bearing.
     pub fn build(&self, geometry: &Geometry) -> Result<Defect, Issue> {
         let missing = || {
-            Issue::new(".ball", "a defect of a ball needs its number")
-                .help("for instance: ball = 1, the one that starts at `first_ball`")
-                .against(".on")
+            let element = geometry.element();
+            Issue::new(
+                key(geometry),
+                format!("a defect of a {element} needs its number"),
+            )
+            .help(format!(
+                "for instance: {element} = 1, the one that starts at `first_ball`"
+            ))
+            .against(".on")
         };
         let defect = Defect {
-            on: surface(self.on, self.ball)?.ok_or_else(missing)?,
+            on: surface(self.on, [self.ball, self.roller], geometry)?.ok_or_else(missing)?,
             angle: self.angle.si(),
             length: self.length.si(),
             depth: self.depth.si(),
@@ -70,7 +81,7 @@ impl DefectInput {
         };
         defect.check(geometry).map_err(|error| {
             let key = match error {
-                ImperfectionError::Ball { .. } => ".ball",
+                ImperfectionError::Ball { .. } => key(geometry),
                 _ => ".length",
             };
             Issue::new(key, error.to_string())
@@ -79,17 +90,44 @@ impl DefectInput {
     }
 }
 
-/// The surface that is meant, `None` where all balls are; a race has no number.
-pub fn surface(on: SurfaceInput, ball: Option<u32>) -> Result<Option<Surface>, Issue> {
+/// The key of the number of a ball or roller.
+fn key(geometry: &Geometry) -> &'static str {
+    match geometry.rollers() {
+        Some(_) => ".roller",
+        None => ".ball",
+    }
+}
+
+/// The surface that is meant by the numbers of a ball and of a roller, `None` where all of them are; a race has no number.
+fn surface(
+    on: SurfaceInput,
+    [ball, roller]: [Option<u32>; 2],
+    geometry: &Geometry,
+) -> Result<Option<Surface>, Issue> {
+    let element = geometry.element();
+    let (number, other, other_key, wrong) = match geometry.rollers() {
+        Some(_) => (roller, ball, ".ball", SurfaceInput::Ball),
+        None => (ball, roller, ".roller", SurfaceInput::Roller),
+    };
+    if on == wrong || other.is_some() {
+        let at = if on == wrong { ".on" } else { other_key };
+        let issue = Issue::new(at, format!("this bearing has {element}s"));
+        return Err(issue.help(format!(
+            "set on = \"{element}\" and {element} = 1, for instance"
+        )));
+    }
     let race = match on {
         SurfaceInput::Outer => Surface::Outer,
         SurfaceInput::Inner => Surface::Inner,
-        SurfaceInput::Ball => return Ok(ball.map(|ball| Surface::Ball(ball as usize - 1))),
+        SurfaceInput::Ball | SurfaceInput::Roller => {
+            return Ok(number.map(|number| Surface::Ball(number as usize - 1)));
+        }
     };
-    if ball.is_some() {
-        let message = "`ball` is the number of a ball, and this is on a race";
-        let issue = Issue::new(".ball", message).help("remove it, or set on = \"ball\"");
-        return Err(issue.against(".on"));
+    if number.is_some() {
+        let message = format!("`{element}` is the number of a {element}, and this is on a race");
+        let issue = Issue::new(key(geometry), message);
+        let help = format!("remove it, or set on = \"{element}\"");
+        return Err(issue.help(help).against(".on"));
     }
     Ok(Some(race))
 }
@@ -99,11 +137,14 @@ pub fn surface(on: SurfaceInput, ball: Option<u32>) -> Result<Option<Surface>, I
 #[serde(deny_unknown_fields)]
 #[schemars(extend("x-exactly-one" = ["order", "spectrum"]))]
 pub struct WavinessInput {
-    /// Where they are: "outer", "inner" or "ball".
+    /// Where they are: "outer", "inner", "ball" or "roller".
     pub on: SurfaceInput,
     /// Number of the ball that they are on, from 1. Default: all balls, a spectrum with phases of its own on each.
     #[schemars(range(min = 1, max = 200))]
     pub ball: Option<u32>,
+    /// Number of the roller that they are on, from 1. Default: all, as of balls.
+    #[schemars(range(min = 1, max = 400))]
+    pub roller: Option<u32>,
     /// Waves around the circumference.
     #[schemars(range(min = 1, max = 10_000))]
     pub order: Option<u32>,
@@ -152,15 +193,14 @@ impl WavinessInput {
         geometry: &Geometry,
         problems: &mut Problems<'_>,
     ) -> Option<Vec<(Surface, Wave)>> {
-        let surfaces = match problems.take(surface(self.on, self.ball))? {
-            Some(Surface::Ball(number)) if number >= geometry.balls() => {
-                let balls = geometry.balls();
-                let error = ImperfectionError::Ball { number, balls };
-                problems.refuse(Issue::new(".ball", error.to_string()));
-                return None;
+        let numbers = [self.ball, self.roller];
+        let surfaces = match problems.take(surface(self.on, numbers, geometry))? {
+            Some(surface) => {
+                let wrong = |error: ImperfectionError| Issue::new(key(geometry), error.to_string());
+                problems.take(check_ball(surface, geometry).map_err(wrong))?;
+                vec![surface]
             }
-            Some(surface) => vec![surface],
-            None => (0..geometry.balls()).map(Surface::Ball).collect(),
+            None => (0..geometry.all_balls()).map(Surface::Ball).collect(),
         };
         match (&self.spectrum, self.order) {
             (Some(spectrum), _) => {
@@ -213,7 +253,7 @@ impl WaveSpectrumInput {
     }
 }
 
-/// How the diameters of the balls differ.
+/// How the diameters of the balls or rollers differ.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("x-exactly-one" = ["oversizes", "grade", "variation"]))]
@@ -270,7 +310,11 @@ impl BallGrade {
 impl BallSizesInput {
     /// How much larger than nominal each ball is, m.
     pub fn build(&self, geometry: &Geometry, problems: &mut Problems<'_>) -> Option<Vec<f64>> {
-        let balls = geometry.balls();
+        let (balls, element) = (geometry.all_balls(), geometry.element());
+        if self.grade.is_some() && geometry.rollers().is_some() {
+            let issue = Issue::new(".grade", "the grades of ISO 3290-1 are those of balls");
+            problems.refuse(issue.help("give `variation`, for instance \"1 um\""));
+        }
         if let Some(oversizes) = &self.oversizes {
             if self.seed.is_some() {
                 let issue = Issue::new(".seed", "nothing here is left to chance");
@@ -278,7 +322,7 @@ impl BallSizesInput {
             }
             if oversizes.len() != balls {
                 let message = format!(
-                    "{} diameters are given for {balls} balls: give one for each",
+                    "{} diameters are given for {balls} {element}s: give one for each",
                     oversizes.len()
                 );
                 problems.refuse(Issue::new(".oversizes", message).against("geometry.balls"));

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::bearing::BearingInput;
 use super::settings::{ContactChoice, ModelInput};
 use crate::bearing::{
-    Bearing, Geometry, GeometryError, Profile, ProfilePoints, RollerKind, Rollers,
+    Bearing, ClearanceClass, Geometry, GeometryError, Profile, ProfilePoints, RollerKind, Rollers,
 };
 use crate::physics::Material;
 use crate::scenario::Issue;
@@ -42,7 +42,7 @@ pub struct RollerInput {
     #[schemars(extend("examples" = ["14 deg"], "x-minimum" = 0.0, "x-maximum" = Geometry::LARGEST_CONTACT_ANGLE))]
     pub contact_angle: Option<Quantity<Angle>>,
     /// Diametral clearance, for instance "20 um"; negative where the rollers are squeezed without load. Default: "0 um" of
-    /// tapered rollers; all others need it.
+    /// tapered rollers, of others the middle of `clearance_class` for the `bore`.
     #[schemars(extend("examples" = ["20 um"]))]
     pub diametral_clearance: Option<Quantity<Length>>,
     /// Profile of a roller: "logarithmic", that of ISO/TS 16281, or "flat". Default: "logarithmic", but of spherical rollers
@@ -63,6 +63,12 @@ pub struct RollerInput {
     /// Width of the bearing; the rollers are checked against it.
     #[schemars(extend("examples" = ["16 mm"], "x-above" = 0.0))]
     pub width: Option<Quantity<Length>>,
+    /// Bore of the bearing; classes of clearance and fits need it.
+    #[schemars(extend("examples" = ["30 mm"], "x-above" = 0.0))]
+    pub bore: Option<Quantity<Length>>,
+    /// Outside diameter of the bearing; fits need it.
+    #[schemars(extend("examples" = ["62 mm"], "x-above" = 0.0))]
+    pub outside_diameter: Option<Quantity<Length>>,
 }
 
 /// Profile of a roller by its name.
@@ -100,7 +106,8 @@ impl RollerInput {
             return None;
         }
         self.check_keys(own, problems);
-        let geometry = self.geometry(problems)?;
+        let (clearance, clearance_class) = self.clearance(own, problems)?;
+        let geometry = self.geometry(clearance, problems)?;
         let changed = geometry.with_clearance_change(own.clearance_change.si());
         let wrong = |error: GeometryError| Issue::new(".clearance_change", error.to_string());
         let geometry = problems.take(changed.map_err(wrong))?;
@@ -120,6 +127,10 @@ impl RollerInput {
         }
         Some(Bearing {
             ring_material: ROLLER_STEEL,
+            clearance_class,
+            boundary: si(&self.bore)
+                .zip(si(&self.outside_diameter))
+                .map(Into::into),
             dynamic_rating: geometry
                 .rollers()
                 .map(|rollers| rollers.dynamic_rating(&geometry)),
@@ -127,11 +138,10 @@ impl RollerInput {
         })
     }
 
-    /// Refuses what belongs to balls, and what is not known of rollers.
+    /// Refuses what belongs to balls.
     fn check_keys(&self, own: &BearingInput, problems: &mut Problems<'_>) {
         let known = "`[bearing.roller]` already says what the bearing is";
         let ball = "this belongs to balls";
-        let unknown = "this is not modelled of roller bearings";
         let one_way = "only tapered rollers are preloaded along the axis";
         let preloads = self.kind != RollerKind::Tapered;
         for (key, given, message) in [
@@ -140,12 +150,7 @@ impl RollerInput {
             (".geometry", own.geometry.is_some(), known),
             (".shoulder_angle", own.shoulder_angle.is_some(), ball),
             (".race_control", own.race_control.is_some(), ball),
-            (".ball_sizes", own.ball_sizes.is_some(), ball),
             (".contact", own.contact == Some(ContactChoice::Jones), ball),
-            (".clearance_class", own.clearance_class.is_some(), unknown),
-            (".fit", own.fit.is_some(), unknown),
-            (".defect", !own.defect.is_empty(), unknown),
-            (".waviness", !own.waviness.is_empty(), unknown),
             (
                 ".axial_offset",
                 preloads && own.axial_offset.is_some(),
@@ -165,9 +170,8 @@ impl RollerInput {
         }
     }
 
-    fn geometry(&self, problems: &mut Problems<'_>) -> Option<Geometry> {
+    fn geometry(&self, clearance: f64, problems: &mut Problems<'_>) -> Option<Geometry> {
         let profile = self.profile(problems);
-        let clearance = self.clearance(problems);
         self.check_room(problems);
         let laminae = self
             .laminae
@@ -184,7 +188,7 @@ impl RollerInput {
             length: self.length.si(),
             profile: profile?,
             laminae,
-            clearance: clearance?,
+            clearance,
         };
         let built = Geometry::of_rollers(
             self.rollers as usize,
@@ -268,14 +272,53 @@ impl RollerInput {
         })
     }
 
-    /// The clearance; of tapered rollers none where it is not given.
-    fn clearance(&self, problems: &mut Problems<'_>) -> Option<f64> {
+    /// The clearance, m, and the class whose middle it is; of tapered rollers none where it is not given.
+    fn clearance(
+        &self,
+        own: &BearingInput,
+        problems: &mut Problems<'_>,
+    ) -> Option<(f64, Option<ClearanceClass>)> {
+        let key = ".roller.diametral_clearance";
+        let (given, class, bore) = (
+            si(&self.diametral_clearance),
+            own.clearance_class,
+            si(&self.bore),
+        );
+        let surplus = match (given, self.kind) {
+            (Some(_), _) => "the rollers already have a clearance",
+            (None, RollerKind::Tapered) => "tapered rollers have no class of clearance",
+            _ => "",
+        };
+        if class.is_some() && !surplus.is_empty() {
+            let issue = Issue::new(".clearance_class", surplus).help("remove it");
+            problems.refuse(issue.against_all([key, ".roller.kind"]));
+        }
         let assumed = (self.kind == RollerKind::Tapered).then_some(0.0);
-        problems.take(si(&self.diametral_clearance).or(assumed).ok_or_else(|| {
-            let message = format!("{} rollers need `diametral_clearance`", self.kind.name());
-            Issue::new(".roller.diametral_clearance", message)
-                .help("for instance: diametral_clearance = \"20 um\"")
-        }))
+        if let Some(clearance) = given.or(assumed) {
+            return Some((clearance, None));
+        }
+        let taken = class.unwrap_or_default();
+        let name = self.kind.name();
+        problems.take(match bore {
+            None => {
+                let message = format!("{name} rollers need `diametral_clearance`");
+                Err(Issue::new(key, message).help(
+                    "for instance: diametral_clearance = \"20 um\"; or give `bore`, for that of a `clearance_class`",
+                ))
+            }
+            Some(bore) => taken
+                .roller_middle(self.kind, bore)
+                .map(|clearance| (clearance, Some(taken)))
+                .ok_or_else(|| {
+                    let message = format!(
+                        "class {} has no clearance for this bore of {name} rollers (ISO 5753-1, up to 250 mm)",
+                        taken.name()
+                    );
+                    Issue::new(key, message)
+                        .help("give diametral_clearance = \"200 um\", for instance")
+                        .against(".roller.bore")
+                }),
+        })
     }
 
     /// Refuses rollers that are longer than the bearing is wide, or that no bearing of this pitch circle has.

@@ -176,6 +176,7 @@ fn what_is_no_defect_is_refused_with_its_number() {
     assert!(matches!(
         refused(fault(Surface::Ball(9), 0.0, 7.0)),
         ImperfectionError::Ball {
+            element: "ball",
             number: 9,
             balls: 9
         }

@@ -1,8 +1,11 @@
 //! Rollers: the ring against a plain sum, slopes, energy, and hard cases of lift-off, edges and tilts.
 
-use crate::bearing::{BallLoads, BearingRotation, MountedBearing, Profile, Support, Vector5};
+use crate::bearing::{
+    BallLoads, BearingRotation, Defect, DefectProfile, MountedBearing, Profile, Support, Surface,
+    Vector5, Wave,
+};
 use crate::physics::{contact_modulus, line_stiffness};
-use crate::rotor::{Damping, Freedoms, InitialPosition, InitialState, RotorDefinition};
+use crate::rotor::{CageMotion, Damping, Freedoms, InitialPosition, InitialState, RotorDefinition};
 
 use crate::tests::published::rollers::{spherical, tapered, thirteen};
 use crate::tests::support::{assert_near, constant, model, rotor, samples, shaft, supports};
@@ -30,15 +33,16 @@ fn support(bearing: &MountedBearing) -> Support {
     supports(std::slice::from_ref(bearing)).remove(0)
 }
 
+fn modulus(bearing: &MountedBearing) -> f64 {
+    let own = &bearing.bearing;
+    contact_modulus(&own.ball_material, &own.ring_material)
+}
+
 /// The force by the formula, roller by roller and slice by slice, and the sum of the sizes of its terms.
 fn plain_sum(bearing: &MountedBearing, place: &Vector5, cage: f64) -> (Vector5, f64) {
     let geometry = &bearing.bearing.geometry;
     let rollers = geometry.rollers().expect("rollers");
-    let modulus = contact_modulus(
-        &bearing.bearing.ball_material,
-        &bearing.bearing.ring_material,
-    );
-    let stiffness = line_stiffness(rollers.length, modulus) / rollers.laminae as f64;
+    let stiffness = line_stiffness(rollers.length, modulus(bearing)) / rollers.laminae as f64;
     let [x, y, z, tilt_x, tilt_y] = *place;
     let (mut force, mut size) = ([0.0; 5], 0.0);
     let balls = geometry.balls();
@@ -182,14 +186,73 @@ fn a_tilt_lifts_the_middle_off_before_the_end() {
     assert_near("past", past[0], 4e-3 * end - 5e-6, 1e-18);
 }
 
+/// A spall drops a roller along its whole length, and on one row alone: it bears what a sound one bears whose ring is less
+/// far in by the drop.
+#[test]
+fn a_spalled_race_drops_its_roller() {
+    for (bearing, row) in [(thirteen(Profile::Logarithmic, 30), 13), (spherical(), 15)] {
+        let depth = 3e-6;
+        let spall = Defect {
+            on: Surface::Outer,
+            angle: 0.0,
+            length: 1e-3,
+            depth,
+            profile: DefectProfile::HalfSine,
+        };
+        let mut spalled = bearing.clone();
+        spalled.imperfections.defects = vec![spall];
+        let rotation = BearingRotation::at_start(0.0);
+        let loads = |bearing: &MountedBearing, x: f64| {
+            let support = support(bearing);
+            let mut loads = support.room_for_loads(false);
+            support.force_and_loads(&[x, 0.0, 0.0, 0.0, 0.0], &rotation, &mut loads);
+            loads.load[0].clone()
+        };
+        let x = 30e-6;
+        let cosine = bearing.bearing.geometry.contact_angle().cos();
+        let (own, sound) = (loads(&spalled, x), loads(&bearing, x));
+        let less = loads(&bearing, x - depth / cosine);
+        assert_near("over the spall", own[0], less[0], 1e-12 * less[0]);
+        assert!(own[0] < 0.95 * sound[0]);
+        assert_eq!(own[1..], sound[1..], "{row}");
+    }
+}
+
+#[test]
+fn a_roller_that_is_too_large_bears_more() {
+    let mut bearing = thirteen(Profile::Flat, 30);
+    bearing.imperfections.oversizes = vec![0.0; 13];
+    bearing.imperfections.oversizes[0] = 2e-6;
+    let state = support(&bearing).state(&[5e-6, 0.0, 0.0, 0.0, 0.0], 0.0, CageMotion::Frozen);
+    // its approach is larger by its excess
+    let stiffness = line_stiffness(8e-3, modulus(&bearing));
+    let expected = stiffness * 7e-6f64.powf(10.0 / 9.0);
+    assert_near("Q", state.balls[0].inner.load, expected, 1e-9 * expected);
+}
+
 #[test]
 fn energy_closes_where_rollers_lift_off() {
+    let mut damaged = thirteen(Profile::Logarithmic, 30);
+    damaged.imperfections.defects = vec![Defect {
+        on: Surface::Outer,
+        angle: -1.5,
+        length: 0.5e-3,
+        depth: 0.1e-3,
+        profile: DefectProfile::Edges,
+    }];
+    let wave = Wave {
+        order: 14,
+        amplitude: 0.3e-6,
+        phase: 0.4,
+    };
+    damaged.imperfections.waves = vec![(Surface::Inner, wave)];
     for (bearing, freedoms, load) in [
         (
             thirteen(Profile::Logarithmic, 30),
             Freedoms::Lateral,
             [0.0, -500.0, 0.0, 0.0, 0.1],
         ),
+        (damaged, Freedoms::Radial, [0.0, -500.0, 0.0, 0.0, 0.0]),
         (tapered(), Freedoms::All, [0.0, -300.0, 900.0, 0.0, 0.0]),
         (
             spherical(),

@@ -2,9 +2,9 @@
 //! calculation.
 
 use crate::physics::{
-    Material, SkfFriction, SkfOperation, ViscosityLaw, equivalent_load, inner_ring_fit,
-    LifeModification, outer_ring_fit, rating_factor, reference_viscosity,
-    reliability_factor, thermal_clearance_change,
+    LifeModification, Material, SkfFriction, SkfOperation, ViscosityLaw, equivalent_load,
+    inner_ring_fit, outer_ring_fit, rating_factor, reference_viscosity, reliability_factor,
+    thermal_clearance_change,
 };
 use crate::scenario::Scenario;
 use crate::tests::support::{assert_near, inside};
@@ -107,7 +107,12 @@ fn reference_viscosities_and_life_factors() {
             5.1e-5,
         );
         let digits = if clean > 10.0 { 5.1e-3 } else { 5.1e-5 };
-        assert_near("a_ISO", LifeModification::BALLS.factor(ratio, 0.2), clean, digits);
+        assert_near(
+            "a_ISO",
+            LifeModification::BALLS.factor(ratio, 0.2),
+            clean,
+            digits,
+        );
     }
     let factors = [95.0, 96.0, 97.0, 98.0, 99.0].map(reliability_factor);
     assert_eq!(factors, [0.64, 0.55, 0.47, 0.37, 0.25]);

@@ -2,8 +2,8 @@
 //! 0.3, 40 laminae, rigid rings), Sjövall's integrals, and Hamrock's line contacts.
 
 use crate::bearing::{
-    Bearing, BearingRotation, Geometry, Matrix5, MountedBearing, Oil, Profile, RaceFilms, RollerKind,
-    Rollers, Support, Vector5,
+    Bearing, BearingRotation, Geometry, Matrix5, MountedBearing, Oil, Profile, RaceFilms,
+    RollerKind, Rollers, Support, Vector5,
 };
 use crate::integrate::Method;
 use crate::physics::Material;
@@ -248,7 +248,11 @@ fn life_of_six_cylindrical_rollers() {
     let rotation = BearingRotation::at_start(0.0);
     support.force_and_loads(&found.displacement, &rotation, &mut loads);
     let rating = bearing.bearing.rating_life().expect("a rating");
-    assert_printed("L10r", rating.life(loads.rated_loads()).expect("a life"), "160603");
+    assert_printed(
+        "L10r",
+        rating.life(loads.rated_loads()).expect("a life"),
+        "160603",
+    );
 }
 
 /// A mass under unbalance and a load on rollers that go round, from 3 µm below the middle.
