@@ -402,11 +402,6 @@ impl Geometry {
         }
     }
 
-    /// Whether the bearing holds its rings along the axis: all but cylindrical rollers do.
-    pub fn holds_axially(&self) -> bool {
-        self.rollers.is_none() || self.contact_angle > 0.0
-    }
-
     /// Diametral clearance P_d = 2A(1 − cos α0) of a deep-groove bearing, or G_r of rollers, m; none of an angular contact
     /// or tapered bearing. Negative where the balls are squeezed.
     pub fn diametral_clearance(&self) -> Option<f64> {

@@ -1,12 +1,11 @@
 //! `jeffcott analyze`.
 
+use std::fmt::Display;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use serde_json::Value;
-
-use super::jobs::{Answer, Settings, document, failure, folder_of};
+use super::jobs::{Answer, Answers, Settings, failure, folder_of};
 use super::{Outcome, terminal};
 use crate::ask::{AnalyzeQuestion, record_setting};
 use crate::record::Record;
@@ -82,31 +81,28 @@ pub struct Arguments {
 
 /// Analyses all files in turn, or lists what they hold.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
-    let (mut outcome, mut documents) = (Outcome::Done, Vec::new());
+    let mut answers = Answers::new(arguments.json, arguments.files.len());
     for file in &arguments.files {
+        let name = file.display().to_string();
         let answered = match arguments.list {
-            true => arguments.list(file)?,
-            false => arguments.analyse(file)?,
+            true => arguments.list(file, &name)?,
+            false => arguments.analyse(file, &name),
         };
         match answered {
-            Ok(document) => documents.push(document),
-            Err((wrong, document)) => {
-                documents.push(document);
-                // a wrong file is worse than a result that cannot be written
-                if outcome != Outcome::WrongInput {
-                    outcome = wrong;
-                }
-            }
+            Ok(answer) => answers.take(answer)?,
+            Err((outcome, message)) => answers.fail(outcome, failure(&name, &message)),
         }
     }
-    if arguments.json {
-        terminal::print(&document(arguments.files.len(), documents))?;
-    }
-    Ok(outcome)
+    answers.end()
 }
 
-/// The document of a file, or how it failed and the document of that.
-type Answered = Result<Value, (Outcome, Value)>;
+/// The answer to a file, or how it failed and why, of which people are told.
+type Answered = Result<Answer, (Outcome, String)>;
+
+/// Tells people of an error.
+fn refused(error: impl Display) -> (Outcome, String) {
+    (terminal::refuse(&error), error.to_string())
+}
 
 impl Arguments {
     /// What the options say, as keys of a description.
@@ -132,73 +128,42 @@ impl Arguments {
     }
 
     /// Shows what a file holds.
-    fn list(&self, file: &Path) -> io::Result<Answered> {
-        let name = file.display().to_string();
+    fn list(&self, file: &Path, name: &str) -> io::Result<Answered> {
         let record = match Record::open(file) {
             Ok(record) => record,
-            Err(error) => {
-                return Ok(Err((
-                    terminal::refuse(&error),
-                    failure(&name, &error.to_string()),
-                )));
-            }
+            Err(error) => return Ok(Err(refused(error))),
         };
-        warn(&name, &record.warnings);
+        warn(name, &record.warnings);
         if !self.json {
-            terminal::print(&listed_record(&name, &record).text(false))?;
+            // also where people want quiet
+            terminal::print(&listed_record(name, &record).text(false))?;
         }
-        Ok(Ok(record_json(&name, &record)))
+        Ok(Ok(Answer::of_json(record_json(name, &record))))
     }
 
-    fn analyse(&self, file: &Path) -> io::Result<Answered> {
-        let (started, name) = (Instant::now(), file.display().to_string());
-        let wrong = |message: String| Ok(Err((Outcome::WrongInput, failure(&name, &message))));
-        let folder = match folder_of(file, &self.out) {
-            Ok(folder) => folder,
-            Err(message) => {
-                terminal::refuse(&message);
-                return wrong(message);
-            }
-        };
-        let is_description = file
-            .extension()
-            .is_some_and(|ending| ending == "toml" || ending == "json");
-        let question = match is_description {
+    fn analyse(&self, file: &Path, name: &str) -> Answered {
+        let started = Instant::now();
+        let folder = folder_of(file, &self.out).map_err(refused)?;
+        let ending = file.extension();
+        let question = match ending.is_some_and(|ending| ending == "toml" || ending == "json") {
             true => AnalyzeQuestion::load(file, &self.options()),
-            false => match Record::open(file) {
-                Ok(record) => AnalyzeQuestion::describe(record, &name, "{}", &self.options()),
-                Err(error) => {
-                    terminal::refuse(&error);
-                    return wrong(error.to_string());
-                }
-            },
-        };
-        let question = match question {
-            Ok(question) => question,
-            Err(error) => {
-                terminal::tell_problems(&error);
-                return wrong(error.to_string());
+            false => {
+                let record = Record::open(file).map_err(refused)?;
+                AnalyzeQuestion::describe(record, name, "{}", &self.options())
             }
         };
+        let question = question.map_err(|error| {
+            terminal::tell_problems(&error);
+            (Outcome::WrongInput, error.to_string())
+        })?;
         let findings = question.answer();
-        warn(&name, findings.warnings());
-        match findings.write(&folder) {
-            Ok(found) => {
-                if self.open {
-                    terminal::open_page(&found.files);
-                }
-                let answer = Answer::new(found).timed(started);
-                let document = answer.json.clone();
-                if !self.json {
-                    answer.show(false)?;
-                }
-                Ok(Ok(document))
-            }
-            Err(error) => {
-                terminal::refuse(&error);
-                Ok(Err((Outcome::Failed, failure(&name, &error.to_string()))))
-            }
+        warn(name, findings.warnings());
+        let found = findings.write(&folder);
+        let found = found.map_err(|error| (Outcome::Failed, refused(error).1))?;
+        if self.open {
+            terminal::open_page(&found.files);
         }
+        Ok(Answer::new(found).timed(started))
     }
 }
 

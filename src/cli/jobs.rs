@@ -71,20 +71,14 @@ impl Files {
     /// # Errors
     /// Whatever keeps stdout from taking what is wrong.
     pub fn read(&self, set: impl Fn(&mut Scenario)) -> io::Result<Option<Vec<Job>>> {
-        let (mut jobs, wrong) = self.jobs();
-        jobs.iter_mut().for_each(|job| set(&mut job.scenario));
-        Ok(self.refuse(wrong)?.is_none().then_some(jobs))
-    }
-
-    /// Tells programs what is wrong with the files, if anything is.
-    fn refuse(&self, wrong: Vec<Value>) -> io::Result<Option<Outcome>> {
-        if wrong.is_empty() {
+        let mut answers = Answers::new(self.json, self.files.len());
+        let mut jobs = self.jobs(&mut answers);
+        if answers.outcome != Outcome::Done {
+            answers.end()?;
             return Ok(None);
         }
-        if self.json {
-            terminal::print(&document(self.files.len(), wrong))?;
-        }
-        Ok(Some(Outcome::WrongInput))
+        jobs.iter_mut().for_each(|job| set(&mut job.scenario));
+        Ok(Some(jobs))
     }
 
     /// Asks a question about each file, and where all are right answers them in turn, as they come; JSON
@@ -98,71 +92,56 @@ impl Files {
         ask: impl Fn(&'j Job) -> Result<T, E>,
         answer: impl Fn(&'j Job, T) -> Result<Answer, Failure>,
     ) -> io::Result<Outcome> {
-        let (mut questions, mut wrong) = (Vec::new(), Vec::new());
+        let mut answers = Answers::new(self.json, jobs.len());
+        let mut questions = Vec::new();
         for job in jobs {
             match ask(job) {
                 Ok(question) => questions.push((job, question)),
-                Err(error) => wrong.push(job.failed(&error.to_string())),
+                Err(error) => answers.fail(Outcome::WrongInput, job.failed(&error)),
             }
         }
-        if let Some(refused) = self.refuse(wrong)? {
-            return Ok(refused);
-        }
-        let (mut outcome, mut documents) = (Outcome::Done, Vec::new());
-        for (job, question) in questions {
-            match answer(job, question) {
-                Ok(answer) => {
-                    if answer.incomplete {
-                        outcome = Outcome::Failed;
-                    }
-                    match self.json {
-                        true => documents.push(answer.json),
-                        false => answer.tell()?,
-                    }
-                }
-                Err(failure) => {
-                    outcome = Outcome::Failed;
-                    documents.push(job.failed(&failure.to_string()));
+        if answers.outcome == Outcome::Done {
+            for (job, question) in questions {
+                match answer(job, question) {
+                    Ok(answer) => answers.take(answer)?,
+                    Err(failure) => answers.fail(Outcome::Failed, job.failed(&failure)),
                 }
             }
         }
-        if self.json {
-            terminal::print(&document(jobs.len(), documents))?;
-        }
-        Ok(outcome)
+        answers.end()
     }
 
     /// One job a file, and what is wrong with the others, for programs, after telling people.
-    fn jobs(&self) -> (Vec<Job>, Vec<Value>) {
-        let (mut jobs, mut wrong) = (Vec::new(), Vec::new());
+    fn jobs(&self, answers: &mut Answers) -> Vec<Job> {
+        let mut jobs = Vec::new();
         let mut folders: HashMap<PathBuf, &Path> = HashMap::new();
         for file in &self.files {
             let name = name_of(file);
-            let refuse = |message: &str| {
-                terminal::refuse(message);
-                failure(&name, message)
+            let mut refuse = |message: &str| {
+                let outcome = terminal::refuse(message);
+                answers.fail(outcome, failure(&name, message));
             };
             let scenario = match scenario::load_with(file, &self.settings.all) {
                 Ok(scenario) => scenario,
                 Err(error) => {
                     terminal::tell_problems(&error);
-                    wrong.push(failure(&name, &error.to_string()));
+                    answers.fail(Outcome::WrongInput, failure(&name, &error.to_string()));
                     continue;
                 }
             };
             let folder = match folder_of(file, &self.out) {
                 Ok(folder) => folder,
                 Err(message) => {
-                    wrong.push(refuse(&message));
+                    refuse(&message);
                     continue;
                 }
             };
             if let Some(other) = folders.insert(folder.clone(), file) {
-                wrong.push(refuse(&format!(
+                refuse(&format!(
                     "{name} and {} would both write to {}; rename one or run them apart",
                     other.display(),
                     folder.display()
-                )));
+                ));
             }
             let job = Job {
                 file: file.clone(),
@@ -173,7 +152,67 @@ impl Files {
             job.warn(&job.scenario.warnings);
             jobs.push(job);
         }
-        (jobs, wrong)
+        jobs
+    }
+}
+
+/// The answers of a verb to its files: people are told each as it comes, programs all at the end.
+pub struct Answers {
+    as_json: bool,
+    /// Number of files.
+    files: usize,
+    documents: Vec<Value>,
+    /// The worst of how they ended.
+    outcome: Outcome,
+}
+
+impl Answers {
+    /// None yet, to so many files.
+    pub fn new(as_json: bool, files: usize) -> Self {
+        Self {
+            as_json,
+            files,
+            documents: Vec::new(),
+            outcome: Outcome::Done,
+        }
+    }
+
+    /// Takes an answer.
+    ///
+    /// # Errors
+    /// Whatever keeps stdout from taking it.
+    pub fn take(&mut self, answer: Answer) -> io::Result<()> {
+        if answer.incomplete {
+            self.outcome = self.outcome.max(Outcome::Failed);
+        }
+        if self.as_json {
+            self.documents.push(answer.json);
+            return Ok(());
+        }
+        terminal::summarise(&answer.text)?;
+        terminal::remark(&answer.remark);
+        Ok(())
+    }
+
+    /// Takes what programs are told of a file without an answer.
+    pub fn fail(&mut self, outcome: Outcome, failure: Value) {
+        self.outcome = self.outcome.max(outcome);
+        self.documents.push(failure);
+    }
+
+    /// Ends them: for programs with one document, an object for one file, an array for several.
+    ///
+    /// # Errors
+    /// Whatever keeps stdout from taking it.
+    pub fn end(mut self) -> io::Result<Outcome> {
+        if self.as_json {
+            let document = match (self.files, self.documents.pop()) {
+                (1, Some(result)) => result,
+                (_, last) => self.documents.into_iter().chain(last).collect(),
+            };
+            terminal::print(&format!("{document:#}\n"))?;
+        }
+        Ok(self.outcome)
     }
 }
 
@@ -226,9 +265,10 @@ impl Job {
     }
 
     /// Tells why there is no answer, and returns it for programs.
-    fn failed(&self, message: &str) -> Value {
-        self.tell("error", message);
-        let mut failure = failure(&self.name, message);
+    fn failed(&self, error: &impl Display) -> Value {
+        let message = error.to_string();
+        self.tell("error", &message);
+        let mut failure = failure(&self.name, &message);
         failure["warnings"] = json!(self.scenario.warnings);
         failure
     }
@@ -262,35 +302,19 @@ impl Answer {
         json["files"] = files.map(|file| file.display().to_string()).collect();
         Self {
             text,
+            incomplete: found.incomplete,
+            ..Self::of_json(json)
+        }
+    }
+
+    /// An answer for programs alone.
+    pub fn of_json(json: Value) -> Self {
+        Self {
+            text: String::new(),
             remark: String::new(),
             json,
-            incomplete: found.incomplete,
+            incomplete: false,
         }
-    }
-
-    /// Tells people.
-    ///
-    /// # Errors
-    /// Whatever keeps stdout from taking it.
-    fn tell(&self) -> io::Result<()> {
-        terminal::summarise(&self.text)?;
-        terminal::remark(&self.remark);
-        Ok(())
-    }
-
-    /// Shows the only answer of a verb, to people or to programs.
-    ///
-    /// # Errors
-    /// Whatever keeps stdout from taking it.
-    pub fn show(self, as_json: bool) -> io::Result<Outcome> {
-        match as_json {
-            true => terminal::print(&document(1, vec![self.json]))?,
-            false => self.tell()?,
-        }
-        Ok(match self.incomplete {
-            true => Outcome::Failed,
-            false => Outcome::Done,
-        })
     }
 
     /// Takes note of the time that it took.
@@ -300,13 +324,4 @@ impl Answer {
         self.remark = format!("done in {seconds:.3} s\n");
         self
     }
-}
-
-/// The JSON of `count` answers: an object for one, an array for several.
-pub fn document(count: usize, mut results: Vec<Value>) -> String {
-    let document = match (count, results.pop()) {
-        (1, Some(result)) => result,
-        (_, last) => results.into_iter().chain(last).collect(),
-    };
-    format!("{document:#}\n")
 }

@@ -66,8 +66,8 @@ enum Verb {
     Man(describe::Manual),
 }
 
-/// How a verb ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// How a verb ended, the worse the later: what is wrong with a file weighs more than a result that cannot be had.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Outcome {
     Done,
     /// A run failed, or results differ.

@@ -7,7 +7,7 @@ use std::thread;
 use std::time::Instant;
 
 use super::demand::check_memory;
-use super::jobs::{Answer, Failure, Job, Settings, failure, folder_of, name_of};
+use super::jobs::{Answer, Answers, Failure, Job, Settings, failure, folder_of, name_of};
 use super::run::run_motion;
 use super::terminal::Progress;
 use super::{Outcome, terminal};
@@ -15,7 +15,7 @@ use crate::ask::{
     AskError, Asked, BearingQuestion, Making, RunQuestion, StudyQuestion, StudyWatch,
     WrittenFindings, merge,
 };
-use crate::scenario::{self, Issue, StudyFile};
+use crate::scenario::{self, Issue, ScenarioError, StudyFile};
 use crate::simulate::RunSize;
 use crate::study::many::Shard;
 
@@ -109,14 +109,8 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     }
     let make = &arguments.make;
     let file = make.file.as_deref().unwrap_or(Path::new(""));
-    let answer = match scenario::load_study(file, &make.settings.all) {
-        Ok(study) => make.answer(&study, file),
-        Err(error) => {
-            terminal::tell_problems(&error);
-            print_failure(file, make.json, &error.to_string())?;
-            return Ok(Outcome::WrongInput);
-        }
-    };
+    let study = scenario::load_study(file, &make.settings.all).map_err(Failure::from);
+    let answer = study.and_then(|study| make.answer(&study, file));
     show(file, make.json, answer)
 }
 
@@ -131,25 +125,28 @@ fn answered(found: WrittenFindings) -> Answer {
 
 /// Shows the answer, or tells why there is none.
 fn show(path: &Path, json: bool, answer: Result<Answer, Failure>) -> io::Result<Outcome> {
-    let error = match answer {
-        Ok(answer) => return answer.show(json),
-        Err(error) => error,
-    };
-    terminal::tell(&format!("error: {}: {error}\n", name_of(path)));
-    print_failure(path, json, &error.to_string())?;
-    Ok(match error.downcast_ref() {
-        Some(AskError::Asked(_)) => Outcome::WrongInput,
-        _ => Outcome::Failed,
-    })
-}
-
-/// Tells programs why there is no answer.
-fn print_failure(path: &Path, json: bool, message: &str) -> io::Result<()> {
-    if json {
-        let failure = failure(&name_of(path), message);
-        terminal::print(&format!("{failure:#}\n"))?;
+    let (mut answers, name) = (Answers::new(json, 1), name_of(path));
+    match answer {
+        Ok(answer) => answers.take(answer)?,
+        Err(error) => {
+            let message = error.to_string();
+            let outcome = match error.downcast_ref::<ScenarioError>() {
+                Some(problems) => {
+                    terminal::tell_problems(problems);
+                    Outcome::WrongInput
+                }
+                None => {
+                    terminal::tell(&format!("error: {name}: {message}\n"));
+                    match error.downcast_ref() {
+                        Some(AskError::Asked(_)) => Outcome::WrongInput,
+                        _ => Outcome::Failed,
+                    }
+                }
+            };
+            answers.fail(outcome, failure(&name, &message));
+        }
     }
-    Ok(())
+    answers.end()
 }
 
 /// What keeps a study from being made as it is asked for.

@@ -192,22 +192,19 @@ impl Record {
     /// The channels as a table: name, number of samples, rate and duration where the file says when they were taken, quantity,
     /// unit, and place with direction.
     pub fn list(&self) -> Table<'static> {
-        let channels = || self.channels.iter();
-        let duration = |it: &RecordChannel| it.sampling.duration(it.samples.len());
         let word = |text: &Option<String>| text.clone().unwrap_or_default();
-        let place = |it: &RecordChannel| match it.node {
-            Some(node) => format!("{node} {}", word(&it.direction)),
-            None => word(&it.direction),
-        };
-        let mut table = Table::default();
-        table.words("channel", channels().map(|it| &it.name));
-        table.counts("samples", channels().map(|it| it.samples.len() as f64));
-        table.numbers("rate", "Hz", channels().map(|it| it.sampling.rate()));
-        table.numbers("duration", "s", channels().map(duration));
-        table.words("quantity", channels().map(|it| word(&it.quantity)));
-        table.words("unit", channels().map(|it| word(&it.unit)));
-        table.words("place", channels().map(place));
-        table
+        Table::of(&self.channels)
+            .word("channel", |it| &it.name)
+            .count("samples", |it| it.samples.len() as f64)
+            .number("rate", "Hz", |it| it.sampling.rate())
+            .number("duration", "s", |it| it.sampling.duration(it.samples.len()))
+            .word("quantity", |it| word(&it.quantity))
+            .word("unit", |it| word(&it.unit))
+            .word("place", |it| match it.node {
+                Some(node) => format!("{node} {}", word(&it.direction)),
+                None => word(&it.direction),
+            })
+            .end()
     }
 
     /// Adds a warning.

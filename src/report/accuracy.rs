@@ -3,11 +3,11 @@
 //! These files hold times, and so are the only ones that differ from one measurement to the next.
 
 use super::figure::{Axis, COLOURS, Curve, Figure, GREY, Mark, Name, Panel, distinct};
-use super::terminal::{Lines, MICRO, or_dash, shown_column, wrapped};
+use super::terminal::{Lines, MICRO, or_dash, shown_column, shown_quantity, wrapped};
 use super::{FileSet, Findings};
 use crate::scenario::Scenario;
-use crate::study::accuracy::{Accuracy, Agreement, Cost, Errors};
-use crate::table::{ColumnKind, Named, Table};
+use crate::study::accuracy::{Accuracy, Agreement, Cost, Errors, FidelityRow, Row};
+use crate::table::{ColumnKind, Named, Table, TableOf};
 
 /// Reference, methods and ladder of a measurement.
 pub fn accuracy_findings(scenario: &Scenario, accuracy: &Accuracy) -> Findings {
@@ -23,7 +23,7 @@ pub fn accuracy_findings(scenario: &Scenario, accuracy: &Accuracy) -> Findings {
             ladder_figure(title, agreement, &ladder),
         ],
         tables: vec![("accuracy", methods), ("ladder", ladder)],
-        ..Findings::new(FileSet::ACCURACY, scenario, accuracy, text)
+        ..Findings::new(FileSet::sealed("accuracy.json"), scenario, accuracy, text)
     }
 }
 
@@ -57,61 +57,47 @@ const ERRORS: [Named<Errors>; 11] = [
     }),
 ];
 
-/// Whole numbers of a cost.
-const COUNTS: [Named<Cost>; 4] = [
-    ("repeats", "", |cost| cost.repeats.into()),
-    ("steps", "", |cost| cost.counters.steps as f64),
-    ("rejected", "", |cost| cost.counters.rejected as f64),
-    ("evaluations", "", |cost| cost.counters.evaluations as f64),
-];
-
 /// Methods × tolerances.
 fn methods_table(accuracy: &Accuracy) -> Table<'static> {
-    let rows = || accuracy.rows.iter();
-    let measured = || rows().map(|row| row.result.as_ref().ok());
-    let errors = measured().map(|measured| Some(&measured?.errors));
-    let within = measured().map(|measured| Some(measured?.within_uncertainty));
-    let notes = rows().map(|row| row.result.as_ref().err());
-    let mut table = Table::default();
-    table.words("method", rows().map(|row| &row.method));
-    table.numbers("tolerance", "", rows().map(|row| row.tolerance));
-    add_costs(&mut table, measured().map(|measured| Some(&measured?.cost)));
-    table.named("error_", &ERRORS, errors);
-    table.words("within_uncertainty", within.map(or_blank));
-    table.words("note", notes.map(or_blank));
-    table
+    let measured = |row: &Row| row.result.as_ref().ok().map(|own| own.within_uncertainty);
+    let table = Table::of(&accuracy.rows)
+        .word("method", |row| &row.method)
+        .number("tolerance", "", |row| row.tolerance);
+    with_costs(table, |row| Some(&row.result.as_ref().ok()?.cost))
+        .named("error_", &ERRORS, |row| {
+            Some(&row.result.as_ref().ok()?.errors)
+        })
+        .word("within_uncertainty", |row| or_blank(measured(row)))
+        .word("note", |row| or_blank(row.result.as_ref().err()))
+        .end()
 }
 
 /// The fidelity levels.
 fn ladder_table(accuracy: &Accuracy) -> Table<'static> {
-    let rows = || accuracy.ladder.rows.iter();
-    let costs = rows().map(|row| Some(&row.result.as_ref().ok()?.0));
-    let errors = rows().map(|row| Some(&row.result.as_ref().ok()?.1));
-    let per_second = |cost: Option<&Cost>| Some(cost?.seconds / accuracy.duration);
-    let notes = rows().map(|row| row.result.as_ref().err());
-    let mut table = Table::default();
-    table.words("model", rows().map(|row| &row.configuration));
-    table.words("as_written", rows().map(|row| row.as_written));
-    table.numbers(
-        "wall_time_per_simulated_s",
-        "",
-        costs.clone().map(per_second),
-    );
-    add_costs(&mut table, costs);
-    table.named("difference_", &ERRORS, errors);
-    table.words("note", notes.map(or_blank));
-    table
+    let cost = |row: &'_ FidelityRow| row.result.as_ref().ok().map(|(cost, _)| cost.seconds);
+    let table = Table::of(&accuracy.ladder.rows)
+        .word("model", |row| row.configuration)
+        .word("as_written", |row| row.as_written)
+        .number("wall_time_per_simulated_s", "", |row| {
+            Some(cost(row)? / accuracy.duration)
+        });
+    with_costs(table, |row| Some(&row.result.as_ref().ok()?.0))
+        .named("difference_", &ERRORS, |row| {
+            Some(&row.result.as_ref().ok()?.1)
+        })
+        .word("note", |row| or_blank(row.result.as_ref().err()))
+        .end()
 }
 
-fn add_costs<'a>(table: &mut Table<'_>, costs: impl Iterator<Item = Option<&'a Cost>> + Clone) {
-    table.numbers(
-        "wall_time",
-        "s",
-        costs.clone().map(|cost| Some(cost?.seconds)),
-    );
-    for (name, _, count) in COUNTS {
-        table.counts(name, costs.clone().map(|cost| cost.map(count)));
-    }
+fn with_costs<'r, R>(table: TableOf<'r, R>, cost: fn(&'r R) -> Option<&'r Cost>) -> TableOf<'r, R> {
+    table
+        .number("wall_time", "s", |row| Some(cost(row)?.seconds))
+        .count("repeats", |row| Some(f64::from(cost(row)?.repeats)))
+        .count("steps", |row| Some(cost(row)?.counters.steps as f64))
+        .count("rejected", |row| Some(cost(row)?.counters.rejected as f64))
+        .count("evaluations", |row| {
+            Some(cost(row)?.counters.evaluations as f64)
+        })
 }
 
 fn or_blank(value: Option<impl ToString>) -> String {
@@ -293,6 +279,7 @@ fn methods_panel(table: &Table<'_>, x: &str, (y, uncertainty): Uncertain) -> Opt
         let (label, factor) = shown_column(column);
         Axis::logarithmic(label, values.iter().map(|value| factor * value))
     });
+    let title = [y, x].map(|column| shown_quantity(&column.quantity));
     let ends = [x_axis.least(), x_axis.most()];
     let limit = Curve::line(GREY, ends.map(|end| (end, uncertainty)).to_vec());
     let curves = (0..methods(table).len()).map(|index| {
@@ -307,6 +294,7 @@ fn methods_panel(table: &Table<'_>, x: &str, (y, uncertainty): Uncertain) -> Opt
         }
     });
     Some(Panel {
+        title: title.join(" over "),
         curves: std::iter::once(limit).chain(curves).collect(),
         ..Panel::new(x_axis, y_axis, HEIGHT)
     })

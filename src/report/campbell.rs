@@ -35,8 +35,7 @@ pub fn campbell_findings(
     let mut text = Lines::titled(title);
     let told = |(order, name): &(f64, String)| format!("{name} is order {order:.4}");
     let named_orders: Vec<_> = named.iter().map(told).collect();
-    let orders = named_orders.iter();
-    orders.for_each(|order| text.line("order", order));
+    text.each("order", &named_orders);
     add_branches(&mut text, campbell);
     if let (Some(highest), 1..) = (campbell.highest_frequency, campbell.left_out) {
         text.put(format!(
@@ -66,7 +65,7 @@ pub fn campbell_findings(
     Findings {
         tables: vec![("campbell", modes(campbell))],
         figures,
-        ..Findings::new(FileSet::CAMPBELL, scenario, found, text)
+        ..Findings::new(FileSet::sealed("campbell.json"), scenario, found, text)
     }
 }
 
@@ -78,33 +77,20 @@ pub(super) fn modes(campbell: &Campbell) -> Table<'static> {
         modes.filter_map(move |(speed, mode)| Some((index + 1, *speed, mode.as_ref()?)))
     });
     let modes: Vec<_> = modes.collect();
-    let shapes = || modes.iter().map(|(.., mode)| mode);
-    let orders = modes
-        .iter()
-        .map(|(_, speed, mode)| (*speed > 0.0).then(|| mode.damped_frequency() * TAU / speed));
-    let mut table = Table::default();
-    table.numbers("speed", "rad/s", modes.iter().map(|(_, speed, _)| *speed));
-    table.counts("branch", modes.iter().map(|(branch, ..)| *branch as f64));
-    table.numbers(
-        "frequency",
-        "Hz",
-        shapes().map(|mode| mode.damped_frequency()),
-    );
-    let undamped = shapes().map(|mode| mode.eigenvalue.norm() / TAU);
-    table.numbers("undamped_frequency", "Hz", undamped);
-    table.numbers(
-        "damping_ratio",
-        "",
-        shapes().map(|mode| mode.damping_ratio()),
-    );
-    table.numbers("order", "", orders);
-    table.words("whirl", shapes().map(|mode| mode.whirl()));
-    table.numbers(
-        "forward_share",
-        "",
-        shapes().map(|mode| mode.forward_share()),
-    );
-    table
+    Table::of(&modes)
+        .number("speed", "rad/s", |(_, speed, _)| *speed)
+        .count("branch", |(branch, ..)| *branch as f64)
+        .number("frequency", "Hz", |(.., mode)| mode.damped_frequency())
+        .number("undamped_frequency", "Hz", |(.., mode)| {
+            mode.eigenvalue.norm() / TAU
+        })
+        .number("damping_ratio", "", |(.., mode)| mode.damping_ratio())
+        .number("order", "", |(_, speed, mode)| {
+            (*speed > 0.0).then(|| mode.damped_frequency() * TAU / speed)
+        })
+        .word("whirl", |(.., mode)| mode.whirl())
+        .number("forward_share", "", |(.., mode)| mode.forward_share())
+        .end()
 }
 
 fn add_branches(out: &mut Lines, campbell: &Campbell) {
@@ -133,32 +119,19 @@ fn end_modes(branch: &Branch) -> [Option<&Mode>; 2] {
 
 /// The critical speeds, each of a branch.
 fn critical_table(campbell: &Campbell, named: &[(f64, String)]) -> Table<'static> {
-    let found = || campbell.critical_speeds.iter();
     let whirl = |critical: &CriticalSpeed| {
         let branch = campbell.branches.get(critical.branch);
         branch.map_or(critical.whirl, Branch::whirl)
     };
-    let branches = found().map(|critical| (critical.branch + 1) as f64);
-    let mut table = Table::default();
-    table.add(Column::order(), found().map(|critical| critical.order));
-    table.words(
-        "name",
-        found().map(|critical| order_name(critical.order, named)),
-    );
-    table.counts("branch", branches);
-    table.words("whirl", found().map(whirl));
-    table.numbers("speed", "rad/s", found().map(|critical| critical.speed));
-    table.numbers(
-        "frequency",
-        "Hz",
-        found().map(|critical| critical.frequency),
-    );
-    table.numbers(
-        "damping_ratio",
-        "",
-        found().map(|critical| critical.damping_ratio),
-    );
-    table
+    Table::of(&campbell.critical_speeds)
+        .column(Column::order(), |critical| critical.order)
+        .word("name", |critical| order_name(critical.order, named))
+        .count("branch", |critical| (critical.branch + 1) as f64)
+        .word("whirl", whirl)
+        .number("speed", "rad/s", |critical| critical.speed)
+        .number("frequency", "Hz", |critical| critical.frequency)
+        .number("damping_ratio", "", |critical| critical.damping_ratio)
+        .end()
 }
 
 /// What an order is called: `BPFO of bearing 1`, or `2×`.

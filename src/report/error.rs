@@ -48,14 +48,14 @@ pub enum ReportError {
         /// The answer of the system.
         source: io::Error,
     },
-    /// Another process writes to the folder.
+    /// Another process writes there.
     #[error(
         "another process is writing to {}; wait for its end, or write to another folder by --out",
-        folder.display()
+        path.display()
     )]
     Busy {
-        /// The folder.
-        folder: PathBuf,
+        /// The folder, or the file of rows.
+        path: PathBuf,
     },
 }
 

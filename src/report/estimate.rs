@@ -108,12 +108,8 @@ fn add_estimate(out: &mut Lines, line: &CatalogueLine, estimate: &Estimate) {
     );
     out.line("these have", ratings);
     out.line("filling angle", format!("{:.0}°", estimate.filling_angle));
-    if let Some(other) = &estimate.runner_up {
-        out.line("next best", other);
-    }
-    for note in &estimate.notes {
-        out.line("note", note);
-    }
+    out.each("next best", &estimate.runner_up);
+    out.each("note", &estimate.notes);
 }
 
 /// An entry of the catalogue as JSON.

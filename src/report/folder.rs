@@ -37,37 +37,13 @@ impl FileSet {
     };
     /// What a run leaves that cannot go on; an earlier whole run may be beside it.
     pub const FAILURE: Self = Self::sealed("failure.json");
-    /// What the answer to a static question leaves.
-    pub const BEARING: Self = Self::sealed("bearing.json");
-    /// What natural frequencies over the speed leave.
-    pub const CAMPBELL: Self = Self::sealed("campbell.json");
     /// What many runs of a scenario leave.
     pub const RUNS: Self = Self {
         spent: Some("runs.jsonl"),
         ..Self::sealed("runs.json")
     };
-    /// What a measurement of speed against error leaves.
-    pub const ACCURACY: Self = Self::sealed("accuracy.json");
-    /// What a steady motion leaves.
-    pub const STEADY: Self = Self::sealed("steady.json");
-    /// What steady motions along a parameter leave.
-    pub const RESPONSE: Self = Self::sealed("response.json");
-    /// What the analysis of a record leaves.
-    pub const RECORD: Self = Self::sealed("record.json");
-    /// All whose seals one folder may hold.
-    const ALL: [Self; 9] = [
-        Self::MOTION,
-        Self::FAILURE,
-        Self::BEARING,
-        Self::CAMPBELL,
-        Self::RUNS,
-        Self::ACCURACY,
-        Self::STEADY,
-        Self::RESPONSE,
-        Self::RECORD,
-    ];
-
-    const fn sealed(seal: &'static str) -> Self {
+    /// What a verb leaves whose files that seals.
+    pub const fn sealed(seal: &'static str) -> Self {
         Self { seal, spent: None }
     }
 
@@ -144,7 +120,7 @@ impl RunFolder {
     /// [`ReportError::File`] where it cannot be created, [`ReportError::Busy`] where another process writes there.
     pub fn open(path: &Path, set: FileSet) -> Result<Self, ReportError> {
         let mut folder = Self::of_any(path, set)?;
-        folder._lock = Some(locked(path, File::try_lock)?);
+        folder._lock = Some(locked(lockable(path)?, path, File::try_lock)?);
         folder.remove_temporary()?;
         Ok(folder)
     }
@@ -155,7 +131,7 @@ impl RunFolder {
     /// As [`RunFolder::open`].
     pub(super) fn open_for_part(path: &Path, set: FileSet) -> Result<Self, ReportError> {
         let mut folder = Self::of_any(path, set)?;
-        folder._lock = Some(locked(path, File::try_lock_shared)?);
+        folder._lock = Some(locked(lockable(path)?, path, File::try_lock_shared)?);
         Ok(folder)
     }
 
@@ -271,22 +247,17 @@ impl RunFolder {
         sync_files(files.iter().chain([&seal]))?;
         let earlier = self.earlier_files();
         self.unseal()?;
-        for other in FileSet::ALL.into_iter().filter(|set| *set != self.set) {
-            let sealed = sealed_files(&self.path.join(other.seal));
-            if sealed.iter().any(|name| names.contains(name)) {
-                self.remove([other.seal])?;
-            }
-        }
-        self.remove(earlier.iter().map(String::as_str))?;
+        self.remove(&self.seals_over(&names))?;
+        self.remove(&earlier)?;
         let paths: Result<Vec<_>, _> = files.into_iter().map(WholeFile::rename).collect();
         let mut paths = paths?;
         sync_folder(&self.path)?;
         paths.push(seal.rename()?);
         sync_folder(&self.path)?;
-        self.remove([&*self.set.set_aside()])?;
+        self.remove(&[self.set.set_aside()])?;
         if let Some(spent) = self.set.spent {
-            let sealed = sealed_files(&self.path.join(spent));
-            self.remove(sealed.iter().map(String::as_str).chain([spent]))?;
+            self.remove(&sealed_files(&self.path.join(spent)))?;
+            self.remove(&[spent.to_owned()])?;
         }
         Ok((paths, document))
     }
@@ -329,14 +300,27 @@ impl RunFolder {
 
     /// Removes what a killed run left under temporary names.
     fn remove_temporary(&self) -> Result<(), ReportError> {
-        let entries = fs::read_dir(&self.path).into_iter().flatten().flatten();
-        let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
         let temporary = |name: &String| name.starts_with('.') && name.ends_with(TEMPORARY);
-        let names: Vec<String> = names.filter(temporary).collect();
-        self.remove(names.iter().map(String::as_str))
+        self.remove(&self.names().filter(temporary).collect::<Vec<_>>())
     }
 
-    fn remove<'a>(&self, names: impl IntoIterator<Item = &'a str>) -> Result<(), ReportError> {
+    /// Names of the seals of other verbs that list one of some files.
+    fn seals_over(&self, files: &[String]) -> Vec<String> {
+        let other = |name: &String| name.ends_with(".json") && name != self.set.seal;
+        let lists = |seal: &String| {
+            let mut sealed = sealed_files(&self.path.join(seal)).into_iter();
+            sealed.any(|name| files.contains(&name))
+        };
+        self.names().filter(other).filter(lists).collect()
+    }
+
+    /// Names of all files of the folder.
+    fn names(&self) -> impl Iterator<Item = String> + use<> {
+        let entries = fs::read_dir(&self.path).into_iter().flatten().flatten();
+        entries.filter_map(|entry| entry.file_name().into_string().ok())
+    }
+
+    fn remove(&self, names: &[String]) -> Result<(), ReportError> {
         for name in names {
             let path = self.path.join(name);
             match fs::remove_file(&path) {
@@ -487,15 +471,18 @@ impl WholeFile {
     }
 }
 
-/// Locks a folder for this process, alone or with others that share it.
+/// Locks a file or folder for this process, alone or with others that share it.
 ///
 /// # Errors
 /// [`ReportError::Busy`] where another one has a lock that keeps this one out.
-fn locked(folder: &Path, lock: fn(&File) -> Result<(), TryLockError>) -> Result<File, ReportError> {
-    let file = lockable(folder).map_err(ReportError::file(FileAction::Create, folder))?;
+pub(super) fn locked(
+    file: File,
+    path: &Path,
+    lock: fn(&File) -> Result<(), TryLockError>,
+) -> Result<File, ReportError> {
     match lock(&file) {
         Err(TryLockError::WouldBlock) => Err(ReportError::Busy {
-            folder: folder.to_owned(),
+            path: path.to_owned(),
         }),
         // a file system that knows no locks has none to respect
         _ => Ok(file),
@@ -504,12 +491,12 @@ fn locked(folder: &Path, lock: fn(&File) -> Result<(), TryLockError>) -> Result<
 
 /// What is locked: the folder itself, which leaves nothing behind.
 #[cfg(unix)]
-fn lockable(folder: &Path) -> io::Result<File> {
-    File::open(folder)
+fn lockable(folder: &Path) -> Result<File, ReportError> {
+    File::open(folder).map_err(ReportError::file(FileAction::Create, folder))
 }
 
 /// What is locked: a file of its own, as folders cannot be.
 #[cfg(not(unix))]
-fn lockable(folder: &Path) -> io::Result<File> {
-    File::create(folder.join(".lock"))
+fn lockable(folder: &Path) -> Result<File, ReportError> {
+    File::create(folder.join(".lock")).map_err(ReportError::file(FileAction::Create, folder))
 }

@@ -32,7 +32,7 @@ pub fn measured_findings(file: &RecordDescription, found: &Measured) -> Findings
     let mut text = Lines::titled(&file.title);
     tell(&mut text, found);
     Findings {
-        set: FileSet::RECORD,
+        set: FileSet::sealed("record.json"),
         output: file.output.clone(),
         tables: peaks(found)
             .map(|table| ("peaks", table))

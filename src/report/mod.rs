@@ -3,7 +3,6 @@
 pub(crate) mod accuracy;
 pub(crate) mod campbell;
 mod catalogue;
-mod checksum;
 pub mod compare;
 mod defects;
 mod envelope;

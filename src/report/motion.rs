@@ -5,9 +5,7 @@ use serde_json::{Value, json};
 use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
 use super::findings::with_keys;
 use super::terminal::{Lines, MICRO, MILLI, listed, significant};
-use crate::analysis::{
-    Channel, ChannelLevel, Kind, LONGEST_PERIOD, Motion, Section, SectionKind, VelocityLevel,
-};
+use crate::analysis::{Channel, Kind, LONGEST_PERIOD, Motion, Section, SectionKind, VelocityLevel};
 use crate::physics::MachineSupport;
 use crate::rotor::FREEDOMS;
 use crate::simulate::VibrationSeverity;
@@ -62,9 +60,11 @@ pub(super) fn add_motion(out: &mut Lines, motion: &Motion) {
 
 /// The velocities of the housings, where machines are measured.
 pub(super) fn add_housings(out: &mut Lines, motion: &Motion) {
-    for ChannelLevel { channel, level } in &motion.housing_velocity {
-        out.line("vibration", level_text(*channel, level));
-    }
+    let levels = motion.housing_velocity.iter();
+    out.each(
+        "vibration",
+        levels.map(|of| level_text(of.channel, &of.level)),
+    );
 }
 
 /// In which zone of ISO 20816-3 the vibration lies, and how far that holds.
@@ -83,9 +83,7 @@ pub(super) fn add_severity(out: &mut Lines, severity: &VibrationSeverity) {
         level_text(severity.channel, &severity.level)
     );
     out.line("zone", zone);
-    for remark in &severity.remarks {
-        out.more(remark);
-    }
+    out.each("", &severity.remarks);
 }
 
 fn kind(kind: &Kind) -> String {
@@ -167,20 +165,19 @@ pub(super) fn poincare_table(motion: &Motion) -> Table<'static> {
     let points: Vec<_> = sections
         .flat_map(|section| section.points.iter().map(|point| (section.kind, point)))
         .collect();
-    let places = || points.iter().map(|(_, point)| point);
-    let mut table = Table::default();
-    table.words("section", points.iter().map(|(kind, _)| kind));
-    table.counts("number", places().map(|point| point.number as f64));
-    table.numbers("t", "s", places().map(|point| point.time));
-    for freedom in 0..FREEDOMS {
+    let table = Table::of(&points)
+        .word("section", |(kind, _)| kind)
+        .count("number", |(_, point)| point.number as f64)
+        .number("t", "s", |(_, point)| point.time);
+    let displaced = (0..FREEDOMS).fold(table, |table, freedom| {
         let column = Channel::Displacement(freedom).column();
-        table.add(column, places().map(|point| point.displacement[freedom]));
-    }
-    for freedom in 0..FREEDOMS {
+        table.column(column, |(_, point)| point.displacement[freedom])
+    });
+    let moving = (0..FREEDOMS).fold(displaced, |table, freedom| {
         let column = Channel::Velocity(freedom).column();
-        table.add(column, places().map(|point| point.velocity[freedom]));
-    }
-    table
+        table.column(column, |(_, point)| point.velocity[freedom])
+    });
+    moving.end()
 }
 
 /// Most points of a section that are drawn: the last ones.

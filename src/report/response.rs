@@ -94,7 +94,7 @@ pub fn response_findings(
         ],
         figures: vec![figure(title, variable, branches)],
         incomplete: branches.iter().any(|branch| branch.incomplete),
-        ..Findings::new(FileSet::RESPONSE, scenario, found, text)
+        ..Findings::new(FileSet::sealed("response.json"), scenario, found, text)
     }
 }
 
@@ -161,21 +161,20 @@ fn table(
         motions.map(move |(kind, point)| (number, branch.multiple, kind, point))
     });
     let rows: Vec<_> = rows.collect();
-    let points = || rows.iter().map(|(.., point)| *point);
-    let mut table = Table::default();
-    table.counts("branch", rows.iter().map(|(number, ..)| f64::from(*number)));
-    let multiples = rows.iter().map(|(_, multiple, ..)| f64::from(*multiple));
-    table.counts("multiple", multiples);
+    let mut table = Table::of(&rows)
+        .count("branch", |(number, ..)| f64::from(*number))
+        .count("multiple", |(_, multiple, ..)| f64::from(*multiple));
     if kinds {
-        let kinds = rows.iter().filter_map(|(_, _, kind, _)| *kind);
-        table.words("kind", kinds);
+        let kind = |kind: &Option<SpecialKind>| kind.map(|kind| kind.to_string());
+        table = table.word("kind", |(_, _, own, _)| kind(own).unwrap_or_default());
     }
-    table.add(variable_column(variable), points().map(|point| point.value));
-    table.numbers("period", "s", points().map(|point| point.period));
-    table.counts("stable", points().map(|point| f64::from(point.stable)));
+    table = table
+        .column(variable_column(variable), |(.., point)| point.value)
+        .number("period", "s", |(.., point)| point.period)
+        .count("stable", |(.., point)| f64::from(point.stable));
     // every motion has the columns of the first
     let Some(first) = branches.first().and_then(|branch| branch.points.first()) else {
-        return table;
+        return table.end();
     };
     let measures: [Measure; 3] = [
         ("mean", |swing| swing.mean),
@@ -184,22 +183,27 @@ fn table(
     ];
     for (index, swing) in first.ranges.iter().enumerate() {
         for (what, measure) in measures {
-            let values = points().map(|point| point.ranges.get(index).map(measure));
-            table.add(swing.channel.measure(what), values);
+            let column = swing.channel.measure(what);
+            table = table.column(column, |(.., point)| point.ranges.get(index).map(measure));
         }
     }
     for index in 0..first.multipliers.len() {
-        let values = || points().map(|point| point.multipliers.get(index));
-        let [re, im] = ["re", "im"].map(|part| format!("multiplier_{}_{part}", index + 1));
-        table.numbers(re, "", values().map(|value| Some(value?.re)));
-        table.numbers(im, "", values().map(|value| Some(value?.im)));
-        if points().any(|point| !point.multiplier_errors.is_empty()) {
-            let error = format!("multiplier_{}_error", index + 1);
-            let errors = points().map(|point| point.multiplier_errors.get(index).copied());
-            table.numbers(error, "", errors);
+        let name = |part: &str| format!("multiplier_{}_{part}", index + 1);
+        table = table
+            .number(name("re"), "", |(.., own)| {
+                Some(own.multipliers.get(index)?.re)
+            })
+            .number(name("im"), "", |(.., own)| {
+                Some(own.multipliers.get(index)?.im)
+            });
+        let mut points = rows.iter().map(|(.., point)| point);
+        if points.any(|point| !point.multiplier_errors.is_empty()) {
+            table = table.number(name("error"), "", |(.., own)| {
+                own.multiplier_errors.get(index).copied()
+            });
         }
     }
-    table
+    table.end()
 }
 
 /// Height of a plot, px.

@@ -377,20 +377,19 @@ const LEAST_OF_PHASE: f64 = 0.01;
 
 /// One row a window: time, speed, then amplitude and phase of every order of every channel.
 pub(super) fn tracks_table(tracks: &OrderTracks) -> Table<'static> {
-    let points = || tracks.points.iter();
-    let mut table = Table::default();
-    table.numbers("t", "s", points().map(|point| point.time));
-    table.numbers("speed", "rad/s", points().map(|point| point.speed));
+    let mut table = Table::of(&tracks.points)
+        .number("t", "s", |point| point.time)
+        .number("speed", "rad/s", |point| point.speed);
     for (row, channel) in tracks.channels.iter().enumerate() {
         for (index, order) in tracks.tracked.iter().enumerate() {
             let of = column(&order.name);
-            let track = || points().map(|point| &point.tracks[row][index]);
             let [amplitude, phase] = channel.lines().map(|column| column.of_part(&of));
-            table.add(amplitude, track().map(|track| track.amplitude));
-            table.add(phase, track().map(|track| track.phase));
+            table = table
+                .column(amplitude, |point| point.tracks[row][index].amplitude)
+                .column(phase, |point| point.tracks[row][index].phase);
         }
     }
-    table
+    table.end()
 }
 
 /// `1×` → `order_1`, `2×BPFO` → `BPFO_2x`, `BPFO of bearing 2` → `BPFO_of_bearing_2`, `3× + BPFO` → `order_3_and_BPFO`.

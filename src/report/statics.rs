@@ -41,7 +41,12 @@ pub fn answer_findings(
     Findings {
         tables,
         figures: figures.chain(deflection(title, question)).collect(),
-        ..Findings::new(FileSet::BEARING, scenario, answer, text(title, answer))
+        ..Findings::new(
+            FileSet::sealed("bearing.json"),
+            scenario,
+            answer,
+            text(title, answer),
+        )
     }
 }
 
@@ -124,18 +129,15 @@ fn add_stiffness(out: &mut Lines, stiffness: &Matrix5) {
 fn add_bearing(out: &mut Lines, number: usize, state: &BearingState) {
     out.put(format_args!("bearing {number}"));
     let name = add_elements(out, &state.geometry);
-    if let Some(clearance) = &state.clearance {
-        out.line("clearance", clearance_text(clearance));
-    }
+    out.each("clearance", state.clearance.as_ref().map(clearance_text));
     add_fit(out, state);
     out.line(&format!("{name} loaded"), state.balls_loaded);
-    if let Some(life) = state.life {
-        out.line("life L10r", format!("{life:.4e} million revolutions"));
-    }
+    let life = state.life;
+    let life = life.map(|life| format!("{life:.4e} million revolutions"));
+    out.each("life L10r", life);
     add_lives(out, state);
-    if let Some(safety) = state.static_safety {
-        out.line("static safety", format!("{safety:.3}"));
-    }
+    let safety = state.static_safety;
+    out.each("static safety", safety.map(|safety| format!("{safety:.3}")));
     let friction = &state.friction_moment;
     let [total, load, viscous] =
         [friction.total(), friction.load, friction.viscous].map(|moment| decimal(MILLI * moment));
@@ -203,17 +205,11 @@ fn laminae_table<'a>(
     slices: impl IntoIterator<Item = (usize, i32, &'a LaminaLine)>,
 ) -> Table<'static> {
     let slices: Vec<_> = slices.into_iter().collect();
-    let mut table = Table::default();
-    table.counts(
-        "bearing",
-        slices.iter().map(|(bearing, ..)| *bearing as f64),
-    );
-    table.counts(
-        "roller",
-        slices.iter().map(|(_, roller, _)| f64::from(*roller)),
-    );
-    table.named("", &LAMINA, slices.iter().map(|(.., lamina)| Some(*lamina)));
-    table
+    Table::of(&slices)
+        .count("bearing", |(bearing, ..)| *bearing as f64)
+        .count("roller", |(_, roller, _)| f64::from(*roller))
+        .named("", &LAMINA, |(.., lamina)| Some(lamina))
+        .end()
 }
 
 /// Adds what rolls in a bearing, and what it is called.
@@ -383,18 +379,18 @@ fn balls_table<'a>(
         balls.map(move |(ball, line)| (bearing, ball, line))
     });
     let balls: Vec<_> = balls.collect();
-    let lines = || balls.iter().map(|(.., line)| *line);
-    let mut table = Table::default();
-    table.counts("bearing", balls.iter().map(|(bearing, ..)| *bearing as f64));
-    table.counts("ball", balls.iter().map(|(_, ball, _)| f64::from(*ball)));
-    table.numbers("azimuth", "rad", lines().map(|line| line.azimuth));
-    table.numbers("deformation", "m", lines().map(|line| line.deformation));
-    table.named("inner_", &CONTACT, lines().map(|line| Some(&line.inner)));
-    table.named("outer_", &CONTACT, lines().map(|line| Some(&line.outer)));
-    table.named("", &INERTIAS, lines().map(Some));
-    let controlling = lines().map(|line| line.controlling_race.map(race_name).unwrap_or_default());
-    table.words("controlling_race", controlling);
-    table
+    Table::of(&balls)
+        .count("bearing", |(bearing, ..)| *bearing as f64)
+        .count("ball", |(_, ball, _)| f64::from(*ball))
+        .number("azimuth", "rad", |(.., line)| line.azimuth)
+        .number("deformation", "m", |(.., line)| line.deformation)
+        .named("inner_", &CONTACT, |(.., line)| Some(&line.inner))
+        .named("outer_", &CONTACT, |(.., line)| Some(&line.outer))
+        .named("", &INERTIAS, |(.., line)| Some(line))
+        .word("controlling_race", |(.., line)| {
+            line.controlling_race.map(race_name).unwrap_or_default()
+        })
+        .end()
 }
 
 /// `inner` or `outer`.

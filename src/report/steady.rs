@@ -56,7 +56,7 @@ pub fn steady_findings(scenario: &Scenario, model: &Model, steady: &Steady) -> F
             histories.displacements("steady_trace", title),
         ],
         ..Findings::new(
-            FileSet::STEADY,
+            FileSet::sealed("steady.json"),
             scenario,
             with_keys(steady, further),
             text(title, model, steady, &causes),
@@ -67,29 +67,22 @@ pub fn steady_findings(scenario: &Scenario, model: &Model, steady: &Steady) -> F
 /// Frequency, order of the shaft (where it turns), both multiples, then amplitude and phase of every
 /// channel.
 fn line_table(steady: &Steady, speed: f64, causes: &[Line]) -> Table<'static> {
-    let lines = || steady.lines.lines.iter();
-    let mut table = Table::default();
-    table.add(Column::frequency(), lines().map(|line| line.frequency));
+    let mut table =
+        Table::of(&steady.lines.lines).column(Column::frequency(), |line| line.frequency);
     if speed > 0.0 {
-        table.numbers(
-            "order",
-            "",
-            lines().map(|line| line.frequency * TAU / speed),
-        );
+        table = table.column(Column::order(), |line| line.frequency * TAU / speed);
     }
-    table.words("name", lines().map(|line| name_of(line, causes)));
-    for (index, name) in ["multiple_of_first", "multiple_of_second"]
-        .iter()
-        .enumerate()
-    {
-        table.counts(*name, lines().map(|line| f64::from(line.multiples[index])));
-    }
+    table = table
+        .word("name", |line| name_of(line, causes))
+        .count("multiple_of_first", |line| f64::from(line.multiples[0]))
+        .count("multiple_of_second", |line| f64::from(line.multiples[1]));
     for (index, channel) in steady.lines.channels.iter().enumerate() {
         let [amplitude, phase] = channel.lines();
-        table.add(amplitude, lines().map(|line| line.amplitude[index]));
-        table.add(phase, lines().map(|line| line.phase[index]));
+        table = table
+            .column(amplitude, |line| line.amplitude[index])
+            .column(phase, |line| line.phase[index]);
     }
-    table
+    table.end()
 }
 
 /// What can cause lines.
@@ -184,9 +177,7 @@ const MULTIPLIERS: usize = 4;
 /// Period, stability and the strongest lines of a steady motion.
 fn text(title: &str, model: &Model, steady: &Steady, causes: &[Line]) -> Lines {
     let mut out = Lines::titled(title);
-    for base in &steady.bases {
-        out.line("forcing", forcing(base));
-    }
+    out.each("forcing", steady.bases.iter().map(forcing));
     out.line("motion", motion(steady));
     out.line("multipliers", multipliers(steady));
     out.line("stability", stability(steady));
@@ -196,9 +187,7 @@ fn text(title: &str, model: &Model, steady: &Steady, causes: &[Line]) -> Lines {
         let tolerances = [model.integrator.tolerance, error.reference_tolerance];
         out.line("error", measured_text(sizes, tolerances));
     }
-    if let Some(reduction) = &steady.reduction {
-        out.line("shaft", reduction_text(reduction));
-    }
+    out.each("shaft", steady.reduction.as_ref().map(reduction_text));
     add_swings(&mut out, steady);
     add_lines(&mut out, steady, model.rotor.speed, causes);
     out

@@ -102,6 +102,11 @@ impl Lines {
         }
     }
 
+    /// A line for each of some texts behind the same name, none where there are none.
+    pub fn each(&mut self, name: &str, texts: impl IntoIterator<Item = impl Display>) {
+        texts.into_iter().for_each(|text| self.line(name, text));
+    }
+
     /// More of the line before.
     pub fn more(&mut self, text: impl Display) {
         self.line("", text);

@@ -37,9 +37,7 @@ pub fn text(title: &str, model: &Model, run: &Run, campbell: Option<&Campbell>) 
     if let Some(run_up) = &run.run_up {
         add_run_up(&mut out, run_up, campbell);
     }
-    for spall in &run.spalls {
-        out.line("spall", spall_text(spall));
-    }
+    out.each("spall", run.spalls.iter().map(spall_text));
     add_envelope_lines(&mut out, &run.spectra);
     let moving = model.rotor.shaft.freedoms.axes();
     let place = displacement_text(moving, &run.equilibrium.displacement);
@@ -66,21 +64,25 @@ pub fn text(title: &str, model: &Model, run: &Run, campbell: Option<&Campbell>) 
         out.detail("method", method_use_text(used, parted(&run.bearings)));
     }
     add_table_use(&mut out, &run.tables);
-    if let Some(error) = &run.measured_error {
-        let sizes = [error.displacement, error.relative];
-        let tolerances = [model.integrator.tolerance, error.reference_tolerance];
-        out.line("error", measured_text(sizes, tolerances));
-    }
-    if let Some(reduction) = &run.reduction {
-        out.line("shaft", reduction_text(reduction));
-        let tolerance = model.integrator.tolerance;
-        if let Some(sufficient) = reduction.sufficient_tolerance(tolerance) {
-            let text = format!(
+    let tolerance = model.integrator.tolerance;
+    out.each(
+        "error",
+        run.measured_error.as_ref().map(|error| {
+            let sizes = [error.displacement, error.relative];
+            measured_text(sizes, [tolerance, error.reference_tolerance])
+        }),
+    );
+    let reduction = run.reduction.as_ref();
+    out.each("shaft", reduction.map(reduction_text));
+    let sufficient = reduction.and_then(|reduction| reduction.sufficient_tolerance(tolerance));
+    out.each(
+        "",
+        sufficient.map(|sufficient| {
+            format!(
                 "the tolerance of {tolerance:.0e} is finer than that: {sufficient:.0e} would do"
-            );
-            out.line("", text);
-        }
-    }
+            )
+        }),
+    );
     if let Some(share) = run.share_of_verification() {
         let text = "of all evaluations measure errors; --no-verify saves them";
         out.detail("verification", format!("{:.0} % {text}", 100.0 * share));
@@ -186,13 +188,12 @@ pub(super) fn add_peaks(out: &mut Lines, peaks: &[Peak], spectrum: Option<&Spect
 pub(super) fn add_histories(out: &mut Lines, bearings: &[BearingHistory]) {
     for (index, bearing) in bearings.iter().enumerate() {
         let name = of_bearing(index, bearings.len());
-        if let Some(clearance) = &bearing.clearance {
-            out.line("clearance", format!("{name}{}", clearance_text(clearance)));
-        }
-        if let Some(zone) = &bearing.load_zone {
-            let loaded = balls_loaded(&zone.balls, bearing.balls);
-            out.line("load zone", format!("{name}{loaded}{}", losses(bearing)));
-        }
+        let clearance = bearing.clearance.as_ref().map(clearance_text);
+        out.each("clearance", clearance.map(|text| format!("{name}{text}")));
+        let zone = bearing.load_zone.as_ref();
+        let loaded = zone.map(|zone| balls_loaded(&zone.balls, bearing.balls));
+        let zone = loaded.map(|loaded| format!("{name}{loaded}{}", losses(bearing)));
+        out.each("load zone", zone);
         if bearing.estimated {
             let text = "balls and grooves follow from a catalogue's ratings, and with them all numbers here";
             out.line("estimated", format!("{name}{text}"));

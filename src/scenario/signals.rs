@@ -232,22 +232,17 @@ impl Signals {
 
     /// What is analysed, and what each channel is in the file.
     pub fn table(&self) -> Table<'static> {
-        let mut table = Table::default();
-        table.words(
-            "channel",
-            self.values.iter().map(|(channel, _)| channel.name()),
-        );
-        table.words(
-            "unit",
-            self.values.iter().map(|(channel, _)| channel.unit()),
-        );
-        for (place, word) in ["column", "unit_in_file", "measured", "direction"]
-            .into_iter()
-            .enumerate()
-        {
-            table.words(word, self.sources.iter().map(|source| &source[place]));
-        }
-        table
+        let signals: Vec<_> = self.values.iter().zip(&self.sources).collect();
+        let table = Table::of(&signals)
+            .word("channel", |((channel, _), _)| channel.name())
+            .word("unit", |((channel, _), _)| channel.unit());
+        let words = ["column", "unit_in_file", "measured", "direction"].into_iter();
+        let words = words.enumerate();
+        words
+            .fold(table, |table, (place, word)| {
+                table.word(word, |(_, source)| &source[place])
+            })
+            .end()
     }
 }
 

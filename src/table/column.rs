@@ -40,23 +40,18 @@ const STIFFNESS: &str = "stiffness";
 /// What densities are divided by.
 const PER: [&str; 2] = ["Hz", "order"];
 
-/// What is measured of a motion, as names say it: how the lines of a spectrum are scaled, then other statistics.
-const MEASURES: [&str; 11] = [
+/// How spectra scale their lines, as names say it: peak, RMS, peak to peak, power and density.
+pub const SCALINGS: [&str; 5] = ["peak", "rms", "peak_to_peak", "power", "density"];
+
+/// What else is measured of a motion, as names say it.
+const MEASURES: [&str; 6] = [
     "amplitude",
-    "peak_to_peak",
-    "peak",
-    "rms",
-    "power",
-    "density",
     "mean",
     "equilibrium",
     "order_1",
     "order_2",
     "order_3",
 ];
-
-/// Number of those that spectra have.
-const SCALINGS: usize = 6;
 
 /// What the numbers of a column stand for.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -168,7 +163,7 @@ impl Column {
 
     /// Whether its values are heights of the lines of a spectrum, if they stand over frequency.
     pub fn has_lines(&self) -> bool {
-        matches!(self.kind, ColumnKind::Measure(what) if MEASURES[..SCALINGS].contains(&what))
+        matches!(self.kind, ColumnKind::Measure(what) if what == MEASURES[0] || SCALINGS.contains(&what))
     }
 
     /// The column of a part of what it is of, which its name begins with: `order_1_x` of `x`.
@@ -211,7 +206,8 @@ impl Column {
         if let Some(quantity) = before(&quantity, "phase").filter(|_| unit == "rad") {
             return Self::phase(quantity.to_owned());
         }
-        let measured = MEASURES.into_iter().find_map(|what| {
+        let measures = SCALINGS.into_iter().chain(MEASURES);
+        let measured = measures.rev().find_map(|what| {
             let quantity = before(&quantity, what)?;
             Some(Self::measure(quantity.to_owned(), what, unit.clone()))
         });

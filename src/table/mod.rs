@@ -4,12 +4,14 @@
 //! slice of numbers; the kind of a column says what a number stands for.
 
 mod column;
+mod table_of;
 
 use std::borrow::Cow;
 
 use serde_json::{Map, Value};
 
-pub use column::{Column, ColumnKind};
+pub use column::{Column, ColumnKind, SCALINGS};
+pub use table_of::TableOf;
 
 /// A column of numbers of things: its quantity, its unit, and its value of one, NaN where there is none.
 pub type Named<T> = (&'static str, &'static str, fn(&T) -> f64);
@@ -46,57 +48,6 @@ impl<'a> Table<'a> {
     /// A column by its quantity, with its values.
     pub fn column(&self, quantity: &str) -> Option<(&Column, &[f64])> {
         self.iter().find(|(column, _)| column.quantity == quantity)
-    }
-
-    /// Adds a column of numbers, some of which may be missing.
-    pub fn numbers<T: Into<Option<f64>>>(
-        &mut self,
-        quantity: impl Into<Cow<'static, str>>,
-        unit: &'static str,
-        values: impl IntoIterator<Item = T>,
-    ) {
-        self.add(Column::number(quantity, unit), values);
-    }
-
-    /// Adds a column of whole numbers, some of which may be missing.
-    pub fn counts<T: Into<Option<f64>>>(
-        &mut self,
-        quantity: impl Into<Cow<'static, str>>,
-        values: impl IntoIterator<Item = T>,
-    ) {
-        self.add(Column::count(quantity), values);
-    }
-
-    /// Adds columns of numbers whose quantities begin with `before`; a row that is missing has none of them.
-    pub fn named<'row, T: 'row>(
-        &mut self,
-        before: &str,
-        columns: &[Named<T>],
-        rows: impl Iterator<Item = Option<&'row T>> + Clone,
-    ) {
-        for (quantity, unit, value) in columns {
-            let values = rows.clone().map(|row| row.map(value));
-            self.numbers(format!("{before}{quantity}"), unit, values);
-        }
-    }
-
-    /// Adds a column of words.
-    pub fn words<T: ToString>(
-        &mut self,
-        quantity: impl Into<Cow<'static, str>>,
-        values: impl IntoIterator<Item = T>,
-    ) {
-        let mut words: Vec<String> = Vec::new();
-        let mut index = |word: String| {
-            let known = words.iter().position(|known| *known == word);
-            known.unwrap_or_else(|| {
-                words.push(word);
-                words.len() - 1
-            })
-        };
-        let values = values.into_iter();
-        let indices: Vec<f64> = values.map(|word| index(word.to_string()) as f64).collect();
-        self.add(Column::words(quantity, words), indices);
     }
 
     /// Adds a column whose numbers stand elsewhere.

@@ -466,7 +466,7 @@ fn a_figure_shows_the_columns_that_are_furthest_apart() {
     let options = ["--figure", figure.to_str().unwrap()];
     assert_eq!(result(&command(&[&a, &b], &options)).0, 1);
     let svg = fs::read_to_string(&figure).unwrap();
-    assert!(svg.contains("x_m / 1e-6") && svg.contains("b − a / 1e-6"));
+    assert!(svg.contains("x in µm") && svg.contains("b − a in µm"));
     let (code, text) = result(&command(&[&a, &b], &["--figure", "/proc/none/figure.svg"]));
     assert_eq!(code, 2);
     assert!(

@@ -28,7 +28,7 @@ const FLOORS: [&str; 19] = [
 ];
 
 /// Libraries and the only floors that may name them.
-const LIBRARIES: [(&str, &[&str]); 18] = [
+const LIBRARIES: [(&str, &[&str]); 19] = [
     ("ode_solvers", &["integrate"]),
     ("rustfft", &["analysis"]),
     ("realfft", &["analysis"]),
@@ -38,6 +38,7 @@ const LIBRARIES: [(&str, &[&str]); 18] = [
     ("parquet", &["record", "report"]),
     ("ryu", &["report"]),
     ("png", &["report"]),
+    ("crc32fast", &["report"]),
     ("comfy_table", &["report"]),
     ("clap", &["cli"]),
     ("clap_complete", &["cli"]),

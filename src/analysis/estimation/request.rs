@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Detrend;
 use crate::analysis::{Channel, ChannelCheck, Line, Window};
+use crate::table::SCALINGS;
 
 /// What is made of the channels.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -182,13 +183,7 @@ impl Scaling {
 
     /// Name as in the files: `peak`, `rms`, `peak_to_peak`, `power`, `density`.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Peak => "peak",
-            Self::Rms => "rms",
-            Self::PeakToPeak => "peak_to_peak",
-            Self::Power => "power",
-            Self::Density => "density",
-        }
+        SCALINGS[self as usize]
     }
 }
 

@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use super::table::Source;
 use super::{ColumnComparison, CompareError, Comparison, TableComparison, Worst};
-use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct, ends};
+use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
+use crate::report::terminal::shown_column;
 use crate::report::write_whole;
 use crate::table::{Column, ColumnKind};
 
@@ -84,10 +85,9 @@ fn furthest(comparison: &Comparison) -> Vec<(&TableComparison, &ColumnComparison
 fn both_panels(tables: &[Source<'_>; 2], column: &ColumnComparison) -> [Panel; 2] {
     let of = &column.column;
     let curves = tables.each_ref().map(|table| points(table, of));
-    let axis = Axis::spanning(
-        tables[0].axis().0.name(),
-        curves.iter().flatten().map(|(at, _)| *at),
-    );
+    let (over, across) = shown_column(tables[0].axis().0);
+    let places = curves.iter().flatten().map(|(at, _)| across * at);
+    let axis = Axis::spanning(over, places);
     let marks = column.places.iter();
     let marks = marks.map(|worst| (worst.at, apart(worst.first, worst.second, of)));
     let marks: Vec<Point> = marks.collect();
@@ -95,25 +95,28 @@ fn both_panels(tables: &[Source<'_>; 2], column: &ColumnComparison) -> [Panel; 2
     if difference.len() < 2 {
         difference.clone_from(&marks);
     }
-    let (unit, size) = power(difference.iter().map(|point| point.1));
-    let scaled = |points: Vec<Point>| {
-        points
-            .into_iter()
-            .map(move |(at, value)| (at, value / size))
-    };
+    let ((name, unit), factor) = shown_column(of);
+    let shown = |(at, value): Point| (across * at, factor * value);
     let change = Curve {
-        marks: scaled(marks).collect(),
-        ..Curve::envelope(distinct(2), scaled(difference))
+        marks: marks.into_iter().map(shown).collect(),
+        ..Curve::envelope(distinct(2), difference.into_iter().map(shown))
     };
     let scale = tables[0].largest(of).max(tables[1].largest(of));
-    let (values, shown) = shown_values(of, scale);
+    let in_decibels = of.kind == ColumnKind::Measure("amplitude") && scale > 0.0;
     let curves = curves.iter().enumerate().map(|(index, curve)| {
-        let points = curve.iter().map(|(at, value)| (*at, shown(*value)));
+        let points = curve.iter().map(|&(at, value)| match in_decibels {
+            true => (across * at, 20.0 * (value / scale).max(SMALLEST).log10()),
+            false => shown((at, value)),
+        });
         Curve::envelope(distinct(index), points)
     });
+    let values = match in_decibels {
+        true => (name, "dB of the largest".to_owned()),
+        false => (name, unit.clone()),
+    };
     [
         Panel::holding(axis.clone(), values, HEIGHT, curves.collect()),
-        Panel::holding(axis, format!("b − a{unit}"), HEIGHT, vec![change]),
+        Panel::holding(axis, ("b − a", unit), HEIGHT, vec![change]),
     ]
 }
 
@@ -134,34 +137,11 @@ fn differences([first, second]: &[Vec<Point>; 2], column: &Column) -> Vec<Point>
     pairs.collect()
 }
 
-/// What the axis of both curves shows: its name, and the number that it shows for a value.
-fn shown_values(column: &Column, scale: f64) -> (String, Box<dyn Fn(f64) -> f64>) {
-    let name = column.name();
-    if column.kind == ColumnKind::Measure("amplitude") && scale > 0.0 {
-        let decibel = move |value: f64| 20.0 * (value / scale).max(SMALLEST).log10();
-        return (format!("{name}, dB"), Box::new(decibel));
-    }
-    let (unit, size) = power([scale].into_iter());
-    (format!("{name}{unit}"), Box::new(move |value| value / size))
-}
-
 /// b − a, of phases the shorter way round.
 fn apart(a: f64, b: f64, column: &Column) -> f64 {
     if column.kind == ColumnKind::Phase {
         (b - a + PI).rem_euclid(TAU) - PI
     } else {
         b - a
-    }
-}
-
-/// The power of a thousand that makes values readable, in words and as a number.
-fn power(values: impl Iterator<Item = f64>) -> (String, f64) {
-    let largest = ends(values.map(f64::abs)).map_or(0.0, |[_, largest]| largest);
-    if largest == 0.0 {
-        return (String::new(), 1.0);
-    }
-    match 3 * (largest.log10() / 3.0).floor() as i32 {
-        0 => (String::new(), 1.0),
-        exponent => (format!(" / 1e{exponent}"), 10f64.powi(exponent)),
     }
 }

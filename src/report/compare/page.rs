@@ -12,6 +12,7 @@ use crate::analysis::{Channel, Rate, velocity_rate};
 use crate::report::envelope::Decimator;
 use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct, ends};
 use crate::report::page::Page;
+use crate::report::spectra::content_limit;
 use crate::report::terminal::{Lines, MICRO, MILLI, digits, or_dash, shown_column, shown_quantity};
 use crate::table::{Column, ColumnKind};
 
@@ -41,6 +42,20 @@ struct Folder {
 }
 
 impl Folder {
+    /// Up to which place of an axis its own figures show spectra.
+    fn content_limit(&self, over: &Column) -> f64 {
+        let peaks = self.summary["peaks"].as_array().into_iter().flatten();
+        let peaks = peaks.filter_map(|peak| Some((peak["unit"].as_str()?, peak["f_Hz"].as_f64()?)));
+        let shaft = self.summary.pointer("/spectrum/shaft_frequency_Hz");
+        let shaft = shaft.and_then(Value::as_f64).unwrap_or(0.0);
+        let limit = content_limit(peaks, shaft);
+        match *over == Column::frequency() {
+            true => limit,
+            false if shaft > 0.0 => limit / shaft,
+            false => f64::INFINITY,
+        }
+    }
+
     fn open(path: &Path) -> Result<Self, CompareError> {
         let table = |name: &str| {
             let file = path.join(name);
@@ -251,14 +266,24 @@ fn figure(
 ) -> Option<Figure> {
     let is_spectrum = file != "traces";
     let tables: Vec<Option<&Source<'_>>> = runs.iter().map(table).collect();
-    let shown = columns.iter().filter(|column| {
+    let columns = columns.iter().filter(|column| {
         let mut tables = tables.iter().flatten();
         tables.any(|table| table.largest(column) > 0.0)
     });
     let axes = tables.iter().flatten().flat_map(|table| table.axis().1);
-    let [first, last] = ends(axes.copied())?;
-    let (over, _) = shown_column(tables.iter().flatten().next()?.axis().0);
-    let panels = shown.map(|column| {
+    let reach = ends(axes.copied())?;
+    let over = tables.iter().flatten().next()?.axis().0;
+    let limit = runs.iter().map(|run| run.content_limit(over));
+    let limit = limit.fold(0.0, f64::max);
+    let shown = match is_spectrum {
+        true => reach[0].max(-limit)..reach[1].min(limit),
+        false => reach[0]..reach[1],
+    };
+    let over = Axis {
+        reach: Some(reach),
+        ..Axis::over(shown_column(over).0, shown)
+    };
+    let panels = columns.map(|column| {
         let (label, factor) = match rate(column) {
             Some(_) => {
                 let of = shown_quantity(&column.quantity).replace(" acceleration", "");
@@ -278,15 +303,14 @@ fn figure(
             Some(Curve::line(distinct(index), points))
         });
         let curves: Vec<Curve> = curves.collect();
-        let over = Axis::over(over.clone(), first..last);
         if !is_spectrum {
-            return Panel::holding(over, label, HEIGHT, curves);
+            return Panel::holding(over.clone(), label, HEIGHT, curves);
         }
         let points = curves.iter().flat_map(|curve| &curve.points);
         let strongest = points.fold(0.0, |most: f64, point| most.max(point.1));
         Panel {
             curves,
-            ..Panel::new(over, Axis::below(label, strongest), HEIGHT)
+            ..Panel::new(over.clone(), Axis::below(label, strongest), HEIGHT)
         }
     });
     let panels: Vec<Panel> = panels.collect();

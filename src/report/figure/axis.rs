@@ -7,6 +7,10 @@ use serde::Serialize;
 
 /// Most steps between round ends of an axis.
 const STEPS: f64 = 6.0;
+/// What spans less than this part of its size is constant.
+const ROUND_OFF: f64 = 1e-9;
+/// Room on either side of a constant, in parts of it.
+const CONSTANT: f64 = 0.06;
 /// Decades that are shown below the strongest line of a spectrum.
 const DECADES_BELOW: i32 = 6;
 
@@ -177,8 +181,11 @@ pub(in crate::report) fn padded(values: impl IntoIterator<Item = f64>) -> Range<
         return -1.0..1.0;
     };
     let scale = low.abs().max(high.abs());
-    let smallest = if scale > 0.0 { 1e-6 * scale } else { 1.0 };
-    let margin = 0.06 * (high - low).max(smallest);
+    let margin = match high - low {
+        span if span > ROUND_OFF * scale => 0.06 * span,
+        _ if scale > 0.0 => CONSTANT * scale,
+        _ => 0.06,
+    };
     low - margin..high + margin
 }
 
@@ -223,6 +230,21 @@ mod tests {
             let range = round(low, high);
             assert!(range.start <= low && range.end >= high && range.start < range.end);
         }
+    }
+
+    #[test]
+    fn a_constant_stands_amid_a_visible_neighbourhood() {
+        for constant in [14.0, -3e-7, 14.0 * (1.0 + 1e-13)] {
+            let range = padded([constant, constant]);
+            let part = (range.end - range.start) / f64::abs(constant);
+            assert!(
+                range.contains(&constant) && (0.05..0.5).contains(&part),
+                "{range:?}"
+            );
+        }
+        // a small change is shown as large as any
+        let range = padded([14.0, 14.0 + 1e-7]);
+        assert!(range.end - range.start < 2e-7);
     }
 
     #[test]

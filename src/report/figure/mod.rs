@@ -15,6 +15,7 @@ use super::envelope::{BUCKETS, Decimator};
 pub(super) use axis::{Axis, Label, ends, padded};
 pub(super) use colour::{COLOURS, Colour, GREY, WHITE, distinct, graded};
 pub(super) use packed::narrow;
+pub(super) use text::escaped;
 
 /// A place in the units of the axes.
 pub(crate) type Point = (f64, f64);

@@ -7,7 +7,7 @@ use base64::engine::general_purpose::STANDARD;
 
 use super::colour::shade;
 use super::layout::{Place, StripName, inside, layout, strip, strip_height};
-use super::text::{LINE, SIZE, shortened, width, wrapped};
+use super::text::{LINE, SIZE, escaped, shortened, width, wrapped};
 use super::{Axis, Colour, Curve, Figure, Map, Mark, Point};
 
 /// Width of a figure: 180 mm, in CSS pixels of 1/96 inch.
@@ -295,22 +295,6 @@ fn path(points: impl IntoIterator<Item = Point>) -> String {
 fn short(length: f64) -> f64 {
     // no minus sign before zero
     (10.0 * length).round() / 10.0 + 0.0
-}
-
-/// Text as XML has it, without the control characters that XML 1.0 forbids.
-fn escaped(text: &str) -> String {
-    let mut written = String::with_capacity(text.len());
-    for letter in text.chars() {
-        match letter {
-            '&' => written += "&amp;",
-            '<' => written += "&lt;",
-            '>' => written += "&gt;",
-            '"' => written += "&quot;",
-            letter if letter.is_control() => written.push(' '),
-            letter => written.push(letter),
-        }
-    }
-    written
 }
 
 impl Map {

@@ -1,5 +1,7 @@
 //! How wide a text is, and what to do with one that is too wide. The font is the viewer's: widths are those of Helvetica.
 
+use crate::scenario::visible;
+
 /// Size of most texts, px.
 pub(super) const SIZE: f64 = 12.0;
 /// From one line of text to the next, px.
@@ -41,4 +43,16 @@ pub(super) fn shortened(text: &str, size: f64, most: f64) -> String {
     let mut kept: String = text.to_owned();
     while kept.pop().is_some() && width(&kept, size) + size > most {}
     kept.trim_end().to_owned() + "…"
+}
+
+/// Text as XML and HTML have it, control characters seen.
+pub(in crate::report) fn escaped(text: &str) -> String {
+    let reserved = [
+        ('&', "&amp;"),
+        ('<', "&lt;"),
+        ('>', "&gt;"),
+        ('"', "&quot;"),
+    ];
+    let replaced = |text: String, (letter, entity): (char, &str)| text.replace(letter, entity);
+    reserved.into_iter().fold(visible(text), replaced)
 }

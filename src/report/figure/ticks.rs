@@ -80,13 +80,16 @@ fn even(low: f64, high: f64, step: f64) -> Vec<Tick> {
     texts.collect()
 }
 
+/// Values from here on are written without powers of ten, however close they are.
+const PLAIN: f64 = 0.1;
+
 /// A multiple of a step with as many digits as tell it from the next one.
 fn decimal(value: f64, step: f64, largest: f64) -> String {
     let digits = |value: f64| (value.log10() + 1e-9).floor() as i32;
     if value == 0.0 {
         return "0".to_owned();
     }
-    if largest < 1e6 && step >= 1e-4 * 0.999 {
+    if largest < 1e6 && (step >= 1e-4 * 0.999 || largest >= PLAIN) {
         let decimals = (-digits(step)).max(0) as usize;
         return format!("{value:.decimals$}");
     }
@@ -134,6 +137,14 @@ mod tests {
         assert_eq!(
             texts(&Axis::over("", 1.94e8..2.06e8), 4),
             ["1.95e8", "2.00e8", "2.05e8"]
+        );
+        assert_eq!(
+            texts(&Axis::around("", [14.0, 14.0]), 4),
+            ["13.5", "14.0", "14.5"]
+        );
+        assert_eq!(
+            texts(&Axis::over("", 14.0..14.000_002), 2),
+            ["14.000000", "14.000001", "14.000002"]
         );
         assert_eq!(
             texts(&Axis::azimuth(), 9),

@@ -27,13 +27,6 @@ pub enum StudyError {
     /// The file holds no rows of a study.
     #[error("{} holds no rows of a study; remove it, or begin anew with --restart", _0.display())]
     NoRows(PathBuf),
-    /// Another process is at it.
-    #[error(
-        "another process is making these runs: it holds {}; wait for its end, or write to another folder by \
-         --out",
-        _0.display()
-    )]
-    Busy(PathBuf),
     /// It was to stop, or the trace of a run cannot be kept.
     #[error(transparent)]
     Unmade(#[from] Unmade),
@@ -101,7 +94,7 @@ pub enum StudyError {
 impl StudyError {
     /// Whether what was asked for is wrong, and not something on the way.
     pub fn is_wrong_input(&self) -> bool {
-        !matches!(self, Self::Busy(_) | Self::Unmade(_) | Self::Report(_))
+        !matches!(self, Self::Unmade(_) | Self::Report(_))
     }
 }
 

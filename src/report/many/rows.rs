@@ -1,6 +1,6 @@
 //! The rows of a study: a file to whose end they are added as they come, so that a killed study goes on behind them.
 
-use std::fs::{self, File, OpenOptions, TryLockError};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufRead, BufReader, Seek, SeekFrom, Write};
 use std::num::NonZeroU64;
 use std::ops::Range;
@@ -13,6 +13,7 @@ use super::StudyError;
 use super::identity::first_difference;
 use crate::analysis::Channel;
 use crate::record::open_regular;
+use crate::report::folder::locked;
 use crate::report::{FileAction, ReportError};
 use crate::study::Variable;
 use crate::study::many::{Ask, Keep, Outcome, RunRecord, Shard};
@@ -276,11 +277,7 @@ fn alone(path: &Path) -> Result<File, StudyError> {
         .truncate(false)
         .open(path)
         .map_err(ReportError::file(FileAction::Create, path))?;
-    match file.try_lock() {
-        Err(TryLockError::WouldBlock) => Err(StudyError::Busy(path.to_owned())),
-        // a file system that knows no locks has none to respect
-        _ => Ok(file),
-    }
+    Ok(locked(file, path, File::try_lock)?)
 }
 
 /// All rows of a study: those of its parts, one after the other.

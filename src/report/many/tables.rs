@@ -153,7 +153,7 @@ impl Table {
                 .collect(),
             Self::Traces => (outcome.trace.iter())
                 .map(|TraceSeal { bytes, checksum }| {
-                    vec![bytes.to_string(), format!("{checksum:016x}")]
+                    vec![bytes.to_string(), format!("{checksum:08x}")]
                 })
                 .collect(),
         }

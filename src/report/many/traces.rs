@@ -5,11 +5,12 @@ use std::io::{self, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use crc32fast::Hasher;
+
 use super::StudyError;
 use super::rows::Rows;
 use crate::analysis::Channel;
 use crate::record::open_regular;
-use crate::report::checksum::Checksum;
 use crate::report::folder::sync_folder;
 use crate::report::run_tables::TraceCsv;
 use crate::report::{FileAction, FileSet, PartialFile, ReportError, RunFolder};
@@ -45,8 +46,7 @@ impl Traces {
     pub fn begin(&self, run: u64) -> io::Result<Box<dyn KeptTrace>> {
         let file = self.folder.create(&file_name(run)).map_err(other)?;
         let path = file.path().to_owned();
-        let sum = Checksum::START;
-        let csv = TraceCsv::new(Summed { file, sum }, self.channels.clone());
+        let csv = TraceCsv::new(Summed::new(file), self.channels.clone());
         let csv = csv.map_err(|error| refused(&path, error))?;
         Ok(Box::new(TraceFile { csv, path }))
     }
@@ -152,7 +152,7 @@ fn sync_trace(path: &Path, bytes: u64) -> io::Result<()> {
 /// The trace of one run.
 #[derive(Debug)]
 struct TraceFile {
-    csv: TraceCsv<Summed>,
+    csv: TraceCsv<Summed<PartialFile>>,
     path: PathBuf,
 }
 
@@ -171,35 +171,48 @@ impl TraceSink for TraceFile {
 impl KeptTrace for TraceFile {
     fn finish(self: Box<Self>) -> io::Result<TraceSeal> {
         let summed = self.csv.finish();
-        let Summed { file, sum } = summed.map_err(|error| refused(&self.path, error))?;
-        file.close().and_then(|file| file.rename()).map_err(other)?;
-        Ok(seal(sum))
+        let summed = summed.map_err(|error| refused(&self.path, error))?;
+        let seal = summed.seal();
+        let file = summed.to.close().and_then(|file| file.rename());
+        file.map(|_| seal).map_err(other)
     }
 }
 
-/// A file and the sum of what was written to it.
+/// What takes bytes, and the sum of those that it took.
 #[derive(Debug)]
-struct Summed {
-    file: PartialFile,
-    sum: Checksum,
+struct Summed<W> {
+    to: W,
+    sum: Hasher,
+    bytes: u64,
 }
 
-impl Write for Summed {
+impl<W> Summed<W> {
+    fn new(to: W) -> Self {
+        Self {
+            to,
+            sum: Hasher::new(),
+            bytes: 0,
+        }
+    }
+
+    fn seal(&self) -> TraceSeal {
+        TraceSeal {
+            bytes: self.bytes,
+            checksum: self.sum.clone().finalize(),
+        }
+    }
+}
+
+impl<W: Write> Write for Summed<W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        let written = self.file.write(bytes)?;
-        self.sum.add(&bytes[..written]);
+        let written = self.to.write(bytes)?;
+        self.sum.update(&bytes[..written]);
+        self.bytes += written as u64;
         Ok(written)
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.file.flush()
-    }
-}
-
-fn seal(sum: Checksum) -> TraceSeal {
-    TraceSeal {
-        bytes: sum.bytes(),
-        checksum: sum.value(),
+        self.to.flush()
     }
 }
 
@@ -231,7 +244,7 @@ pub(super) fn check(study: &Path, rows: &Rows) -> Result<(), StudyError> {
 
 /// What the file there is known by.
 fn sealed(path: &Path) -> io::Result<TraceSeal> {
-    let mut sum = Checksum::START;
-    io::copy(&mut open_regular(path, u64::MAX)?, &mut sum)?;
-    Ok(seal(sum))
+    let mut summed = Summed::new(io::sink());
+    io::copy(&mut open_regular(path, u64::MAX)?, &mut summed)?;
+    Ok(summed.seal())
 }

@@ -124,7 +124,8 @@ const drawing = (() => {
     const largest = Math.max(Math.abs(low), Math.abs(high));
     const text = (value) => {
       if (value === 0) return "0";
-      if (largest < 1e6 && step >= 0.999e-4) return value.toFixed(Math.max(0, -digitsOf(step)));
+      // values from a tenth on without powers of ten, however close they are
+      if (largest < 1e6 && (step >= 0.999e-4 || largest >= 0.1)) return value.toFixed(Math.max(0, -digitsOf(step)));
       const digits = Math.min(Math.max(digitsOf(Math.abs(value)) - digitsOf(step), 0), 12);
       return value.toExponential(digits).replace("e+", "e");
     };

@@ -7,10 +7,9 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use super::figure::{Figure, Label};
+use super::figure::{Figure, Label, escaped};
 use super::terminal::{Lines, shown_column};
 use super::{FileAction, ReportError, write_whole};
-use crate::scenario::visible;
 use crate::table::{ColumnKind, Table};
 
 const FRAME: &str = include_str!("page.html");
@@ -114,19 +113,4 @@ fn fill(frame: &str, parts: &[(&str, String)], out: &mut impl Write) -> io::Resu
         out.write_all(rest.as_bytes())?;
     }
     Ok(())
-}
-
-/// Text with the characters that HTML reserves escaped.
-fn escaped(text: &str) -> String {
-    let mut html = String::with_capacity(text.len());
-    for c in visible(text).chars() {
-        match c {
-            '&' => html += "&amp;",
-            '<' => html += "&lt;",
-            '>' => html += "&gt;",
-            '"' => html += "&quot;",
-            c => html.push(c),
-        }
-    }
-    html
 }

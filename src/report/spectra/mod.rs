@@ -8,6 +8,6 @@ pub(super) use estimated::{estimated_figure, estimated_json, estimated_table, ta
 pub(crate) use run::spectrum_figure;
 pub use run::write_spectrum;
 pub(super) use run::{
-    frequency_limit, frequency_limit_of, measured_figures, peak_table, spectra_figures,
-    spectrum_table,
+    content_limit, frequency_limit, frequency_limit_of, measured_figures, peak_table,
+    spectra_figures, spectrum_table,
 };

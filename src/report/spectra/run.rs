@@ -5,7 +5,7 @@ use std::io;
 use std::io::Write;
 
 use super::shown::{NamedLine, ShownPeak, ShownSpectrum};
-use crate::analysis::{Line, Peak, Rate, Spectrum, velocity_rate};
+use crate::analysis::{Peak, Rate, Spectrum, velocity_rate};
 use crate::report::figure::Figure;
 use crate::report::table::CsvTable;
 use crate::report::terminal::MILLI;
@@ -45,42 +45,31 @@ pub(in crate::report) fn spectrum_table(spectrum: &Spectrum) -> Table<'_> {
 /// `distance` is that of the peak from its name's frequency, `nominal_f_Hz` where the same line
 /// is by the nominal contact angle.
 pub(in crate::report) fn peak_table(peaks: &[Peak], spectrum: &Spectrum) -> Table<'static> {
-    let all = || peaks.iter();
-    let lines = || all().map(|peak| peak.line);
-    let name = |line: Line| line.kind.to_string();
-    let distances = || {
-        all().map(|peak| {
-            peak.line
-                .map_or(f64::NAN, |line| peak.frequency - line.frequency)
-        })
+    let name = |peak: &Peak| peak.line.map(|line| line.kind.to_string());
+    let order = |peak: &Peak| {
+        (spectrum.shaft_frequency > 0.0).then(|| peak.frequency / spectrum.shaft_frequency)
     };
-    let order = |peak: &Peak| peak.frequency / spectrum.shaft_frequency;
-    let order = |peak| (spectrum.shaft_frequency > 0.0).then(|| order(peak));
-    let others = all().map(|peak| peak.others.iter().map(|line| line.kind.to_string()));
-    let mut table = Table::default();
-    table.words("channel", all().map(|peak| peak.channel.name()));
-    table.words("unit", all().map(|peak| peak.channel.unit()));
-    table.add(Column::frequency(), all().map(|peak| peak.frequency));
-    table.add(Column::order(), all().map(order));
-    table.numbers("amplitude", "", all().map(|peak| peak.amplitude));
-    table.numbers("phase", "rad", all().map(|peak| peak.phase));
-    table.words(
-        "name",
-        lines().map(|line| line.map_or_else(String::new, name)),
-    );
-    table.numbers("name_f", "Hz", lines().map(|line| Some(line?.frequency)));
-    table.numbers("distance", "Hz", distances());
-    table.numbers(
-        "distance_bins",
-        "",
-        distances().map(|distance| distance / spectrum.resolution),
-    );
-    table.numbers("nominal_f", "Hz", lines().map(|line| line?.nominal));
-    table.words(
-        "other_names",
-        others.map(|names| names.collect::<Vec<_>>().join("; ")),
-    );
-    table
+    let distance = |peak: &Peak| Some(peak.frequency - peak.line?.frequency);
+    let others = |peak: &Peak| {
+        let names = peak.others.iter().map(|line| line.kind.to_string());
+        names.collect::<Vec<_>>().join("; ")
+    };
+    Table::of(peaks)
+        .word("channel", |peak| peak.channel.name())
+        .word("unit", |peak| peak.channel.unit())
+        .column(Column::frequency(), |peak| peak.frequency)
+        .column(Column::order(), order)
+        .number("amplitude", "", |peak| peak.amplitude)
+        .number("phase", "rad", |peak| peak.phase)
+        .word("name", |peak| name(peak).unwrap_or_default())
+        .number("name_f", "Hz", |peak| Some(peak.line?.frequency))
+        .number("distance", "Hz", distance)
+        .number("distance_bins", "", |peak| {
+            Some(distance(peak)? / spectrum.resolution)
+        })
+        .number("nominal_f", "Hz", |peak| peak.line?.nominal)
+        .word("other_names", others)
+        .end()
 }
 
 /// What a group of channels is called, and their unit.
@@ -195,15 +184,25 @@ fn velocity_of(group: ShownSpectrum<'_>, rate: Rate, lowest: f64) -> ShownSpectr
 
 /// Largest frequency shown, Hz: a little above the highest peak, at least ten shaft orders.
 pub(in crate::report) fn frequency_limit(spectrum: &Spectrum, peaks: &[Peak]) -> f64 {
-    let has_lengths = peaks.iter().any(|peak| peak.channel.unit() == "m");
-    let highest = peaks
-        .iter()
-        .filter(|peak| !has_lengths || peak.channel.unit() == "m")
-        .map(|peak| peak.frequency)
-        .fold(0.0, f64::max);
     let end = spectrum.frequency(spectrum.bins().saturating_sub(1).max(1));
-    let wanted = (1.25 * highest).max(10.0 * spectrum.shaft_frequency);
-    if wanted > 0.0 { wanted.min(end) } else { end }
+    let peaks = peaks.iter();
+    let peaks = peaks.map(|peak| (peak.channel.unit(), peak.frequency));
+    content_limit(peaks, spectrum.shaft_frequency).min(end)
+}
+
+/// The frequency, Hz, up to which a spectrum has content, by the units and frequencies of its peaks, those of lengths alone
+/// where there are any; no limit where it has no peaks and the shaft stands.
+pub(in crate::report) fn content_limit<'a>(
+    peaks: impl Iterator<Item = (&'a str, f64)> + Clone,
+    shaft_frequency: f64,
+) -> f64 {
+    let has_lengths = peaks.clone().any(|(unit, _)| unit == "m");
+    let counted = peaks.filter(|(unit, _)| !has_lengths || *unit == "m");
+    let highest = counted.map(|(_, frequency)| frequency).fold(0.0, f64::max);
+    match (1.25 * highest).max(10.0 * shaft_frequency) {
+        0.0 => f64::INFINITY,
+        wanted => wanted,
+    }
 }
 
 /// Largest frequency shown of a run, Hz; no limit where it has no spectrum.

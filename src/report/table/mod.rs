@@ -228,10 +228,12 @@ mod tests {
 
     #[test]
     fn what_is_missing_is_an_empty_cell_and_words_may_hold_commas() {
-        let mut table = Table::default();
-        table.counts("n", [1.0, 2.0]);
-        table.numbers("x", "m", [Some(0.1), None]);
-        table.words("note", ["a, \"b\"", ""]);
+        let rows = [(1.0, Some(0.1), "a, \"b\""), (2.0, None, "")];
+        let table = Table::of(&rows)
+            .count("n", |row| row.0)
+            .number("x", "m", |row| row.1)
+            .word("note", |row| row.2)
+            .end();
         let mut csv = CsvTable::new(Vec::new(), &table.columns()).expect("memory takes everything");
         for row in table.rows() {
             csv.row(&row).expect("memory takes everything");

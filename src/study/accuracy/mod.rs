@@ -20,7 +20,7 @@ use crate::rotor::Rotor;
 use crate::simulate::{Model, Monitor, SimulateError, assembled_warnings};
 use reference::Reference;
 
-pub use levels::FidelityLevels;
+pub use levels::{FidelityLevels, FidelityRow};
 pub use reference::Agreement;
 pub use rows::Row;
 pub use trial::Cost;

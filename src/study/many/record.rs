@@ -105,8 +105,8 @@ pub struct Place {
 pub struct TraceSeal {
     /// Number of bytes.
     pub bytes: u64,
-    /// Sum over them.
-    pub checksum: u64,
+    /// CRC-32 over them.
+    pub checksum: u32,
 }
 
 /// Amplitudes at one frequency.
