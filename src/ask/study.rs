@@ -150,7 +150,6 @@ impl<'a> StudyQuestion<'a> {
             displacements: displacements.collect(),
             keep: study.keep,
             drawn: study.plan.is_drawn(),
-            swept: study.sweep.is_some(),
         }
     }
 

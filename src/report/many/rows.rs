@@ -48,8 +48,6 @@ pub struct StudyHead {
     pub named: Option<Vec<String>>,
     /// Whether the values were drawn instead of lying on a grid.
     pub drawn: bool,
-    /// Whether runs go on from their neighbours.
-    pub swept: bool,
 }
 
 impl StudyHead {
@@ -402,7 +400,6 @@ impl StudyHead {
             keep: Keep::default(),
             named: None,
             drawn: false,
-            swept: false,
         }
     }
 }
