@@ -29,7 +29,7 @@ pub(crate) mod surface;
 mod warnings;
 
 pub(crate) use cage::CageMotion;
-pub use catalogue::{CATALOGUE, CatalogueEntry, UnknownBearing};
+pub use catalogue::{CATALOGUE, CatalogueEntry, RollerEntry, UnknownBearing};
 pub use clearance::{Clearance, ClearanceClass};
 pub use definition::{Bearing, Oil};
 pub(crate) use definition::{
@@ -37,7 +37,9 @@ pub(crate) use definition::{
 };
 pub use error::BearingError;
 pub(crate) use estimate::REFERENCE_GROOVES;
-pub use estimate::{Candidate, CatalogueLine, Estimate, EstimateError};
+pub use estimate::{
+    Candidate, CatalogueLine, Estimate, EstimateError, RollerCandidate, RollerEstimate, RollerLine,
+};
 pub use fit::Fit;
 pub use geometry::{FreePosition, Geometry, GeometryError};
 pub(crate) use law::{

@@ -30,6 +30,22 @@ impl RollerKind {
             Self::Spherical => "spherical",
         }
     }
+
+    /// Rows of rollers.
+    pub fn rows(self) -> usize {
+        match self {
+            Self::Spherical => 2,
+            _ => 1,
+        }
+    }
+
+    /// Rating factor b_m of ISO 281.
+    pub(crate) fn material_factor(self) -> f64 {
+        match self {
+            Self::Spherical => 1.15,
+            _ => 1.1,
+        }
+    }
 }
 
 /// How much thinner a roller is away from its middle.
@@ -124,20 +140,13 @@ impl Rollers {
 
     /// Rows of rollers.
     pub fn rows(&self) -> usize {
-        match self.kind {
-            RollerKind::Spherical => 2,
-            _ => 1,
-        }
+        self.kind.rows()
     }
 
     /// C of ISO 281 of a bearing with these rollers, N.
     pub(crate) fn dynamic_rating(&self, geometry: &Geometry) -> f64 {
-        let material_factor = match self.kind {
-            RollerKind::Spherical => 1.15,
-            _ => 1.1,
-        };
         roller_dynamic_rating(
-            material_factor,
+            self.kind.material_factor(),
             [self.rows(), geometry.balls()],
             geometry.ball_diameter(),
             self.length,

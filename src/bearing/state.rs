@@ -205,6 +205,16 @@ pub enum Elements {
     Rollers(RollerGeometry),
 }
 
+impl Elements {
+    /// What one of them is called.
+    pub(crate) fn name(&self) -> &'static str {
+        match self {
+            Self::Balls(_) => "ball",
+            Self::Rollers(_) => "roller",
+        }
+    }
+}
+
 /// Internal geometry of a bearing as it is mounted, and whether it is known.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]

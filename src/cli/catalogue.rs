@@ -7,8 +7,11 @@ use serde_json::{Value, json};
 
 use super::{Outcome, terminal};
 use crate::bearing::catalogue::{self, CatalogueEntry};
-use crate::bearing::{Bearing, Estimate};
-use crate::report::{catalogue_text, entry_json, entry_text, versioned};
+use crate::bearing::{Bearing, Estimate, RollerEntry, RollerEstimate};
+use crate::report::{
+    add_roller_table, catalogue_text, entry_json, entry_text, roller_entry_json, roller_entry_text,
+    versioned,
+};
 use crate::scenario::catalogue_file;
 
 /// Lists the bearings that a scenario can name, or shows one of them, with the source of every number.
@@ -67,7 +70,14 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
 }
 
 fn one(designation: &str, json: bool) -> Result<String, String> {
-    let found = catalogue::look_up(&[], designation).map_err(|error| error.to_string())?;
+    let found = match (
+        catalogue::look_up(&[], designation),
+        catalogue::look_up_rollers(designation),
+    ) {
+        (Ok(found), _) => found,
+        (Err(_), Some((entry, _))) => return one_of_rollers(entry, json),
+        (Err(error), None) => return Err(error.to_string()),
+    };
     let entry = found.entry;
     let estimate = entry.line.estimate();
     let estimate = estimate.map_err(|error| format!("{}: {error}", entry.designation))?;
@@ -76,6 +86,21 @@ fn one(designation: &str, json: bool) -> Result<String, String> {
         true => format!("{:#}\n", versioned(entry_json(entry, &bearing, &estimate))),
         false => entry_text(entry, &bearing, &estimate).text(terminal::details()),
     })
+}
+
+fn one_of_rollers(entry: &RollerEntry, json: bool) -> Result<String, String> {
+    let estimate = entry.line.estimate();
+    let estimate = estimate.map_err(|error| format!("{}: {error}", entry.designation))?;
+    Ok(match json {
+        true => format!("{:#}\n", versioned(roller_entry_json(entry, &estimate))),
+        false => roller_entry_text(entry, &estimate).text(terminal::details()),
+    })
+}
+
+/// Every roller bearing with its estimate.
+fn rollers() -> impl Iterator<Item = (&'static RollerEntry, RollerEstimate)> {
+    let entries = catalogue::ROLLER_CATALOGUE.iter();
+    entries.filter_map(|entry| Some((entry, entry.line.estimate().ok()?)))
 }
 
 /// Every bearing that its designation finds, with its estimate.
@@ -97,9 +122,15 @@ fn all(json: bool) -> String {
         let entries = found.iter();
         let entries =
             entries.map(|(entry, bearing, estimate)| entry_json(entry, bearing, estimate));
-        let all = json!({ "bearings": entries.collect::<Value>() });
+        let rollers = rollers().map(|(entry, estimate)| roller_entry_json(entry, &estimate));
+        let all = json!({
+            "bearings": entries.collect::<Value>(),
+            "roller_bearings": rollers.collect::<Value>(),
+        });
         return format!("{:#}\n", versioned(all));
     }
     let bearings = found.iter().map(|(entry, _, estimate)| (*entry, estimate));
-    catalogue_text(bearings).text(terminal::details())
+    let mut out = catalogue_text(bearings);
+    add_roller_table(&mut out, rollers());
+    out.text(terminal::details())
 }

@@ -59,7 +59,7 @@ pub fn reference_viscosity(speed: f64, pitch_diameter: f64) -> f64 {
 /// assert!((balls.factor(1.0, 0.05) - 1.1437).abs() < 5e-5);
 /// assert!((balls.factor(2.0, 0.2) - 15.11).abs() < 5e-3);
 /// assert_eq!(balls.factor(4.0, 5.0), 50.0);
-/// assert!((rollers.factor(1.0, 0.2) - 0.6962).abs() < 5e-5);
+/// assert!((rollers.factor(1.0, 0.2) - 0.6505).abs() < 5e-5);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LifeModification {

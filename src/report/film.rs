@@ -53,8 +53,7 @@ impl Film {
             let geometry = &bearing.bearing.geometry;
             let known = frames[0].1.len() >= first + geometry.all_balls();
             let balls = if known { geometry.all_balls() } else { 0 };
-            // of two rows the first is drawn
-            let range = first..first + balls / geometry.rows();
+            let range = first..first + balls;
             let loads = frames.iter().flat_map(|(_, loads)| &loads[range.clone()]);
             let bearing = json!({
                 // from the point that the displacements are of
@@ -62,6 +61,9 @@ impl Film {
                 "pitch": MILLI * geometry.pitch_diameter(),
                 "ball": MILLI * geometry.ball_diameter(),
                 "balls": geometry.balls(),
+                "rows": geometry.rows(),
+                // length of a roller; a ball has none
+                "length": geometry.rollers().map_or(0.0, |own| MILLI * own.length),
                 "firstBall": bearing.first_ball,
                 "cage": cage,
                 "loads": (balls > 0).then(|| narrow(loads.map(|load| f64::from(*load)))),

@@ -130,7 +130,7 @@ fn tell(out: &mut Lines, found: &Measured) {
             let bearing = of_bearing(index, names.len());
             out.line(
                 "ball pass",
-                format!("{bearing}{name}: {}", ball_pass_text(pass)),
+                format!("{bearing}{name}: {}", ball_pass_text(pass, "ball")),
             );
         }
     }

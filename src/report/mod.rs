@@ -19,6 +19,7 @@ mod motion;
 mod page;
 pub(crate) mod recorded;
 pub(crate) mod response;
+mod roller_catalogue;
 mod run_answer;
 mod run_report;
 pub(crate) mod run_tables;
@@ -46,6 +47,7 @@ pub(crate) use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole}
 #[cfg(test)]
 pub(crate) use histories::Histories;
 pub(crate) use response::{ResponseError, response_findings};
+pub(crate) use roller_catalogue::{add_roller_table, roller_entry_json, roller_entry_text};
 
 pub(crate) use measured::{listed_record, measured_findings, record_json};
 

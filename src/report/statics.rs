@@ -150,7 +150,9 @@ fn add_bearing(out: &mut Lines, number: usize, state: &BearingState) {
             "{total} N mm: rolling {rolling}, sliding {sliding} (SKF)"
         ));
     }
-    let [pass, nominal] = [&state.ball_pass, &state.nominal_ball_pass].map(ball_pass_text);
+    let element = state.geometry.elements.name();
+    let [pass, nominal] =
+        [&state.ball_pass, &state.nominal_ball_pass].map(|pass| ball_pass_text(pass, element));
     let differs = pass != nominal;
     out.line("ball pass", pass);
     if differs {
@@ -243,10 +245,10 @@ fn add_elements(out: &mut Lines, geometry: &GeometryState) -> &'static str {
     }
 }
 
-/// `outer race 107.364 Hz, inner race 162.186 Hz, ball spin 70.594 Hz, cage 11.929 Hz`.
-pub(super) fn ball_pass_text(pass: &BallPass) -> String {
+/// `outer race 107.364 Hz, inner race 162.186 Hz, ball spin 70.594 Hz, cage 11.929 Hz`, or of what rolls instead.
+pub(super) fn ball_pass_text(pass: &BallPass, element: &str) -> String {
     format!(
-        "outer race {:.3} Hz, inner race {:.3} Hz, ball spin {:.3} Hz, cage {:.3} Hz",
+        "outer race {:.3} Hz, inner race {:.3} Hz, {element} spin {:.3} Hz, cage {:.3} Hz",
         pass.outer, pass.inner, pass.spin, pass.cage
     )
 }

@@ -43,9 +43,12 @@ pub fn text(title: &str, model: &Model, run: &Run, campbell: Option<&Campbell>) 
     let place = displacement_text(moving, &run.equilibrium.displacement);
     out.line("equilibrium", place);
     out.line("natural", natural(&run.equilibrium));
-    for (index, pass) in run.ball_pass.iter().enumerate() {
+    let rolling = model.rotor.bearings.iter();
+    let elements = rolling.map(|mounted| mounted.bearing.geometry.element());
+    for (index, (pass, element)) in run.ball_pass.iter().zip(elements).enumerate() {
         let bearing = of_bearing(index, run.ball_pass.len());
-        out.detail("ball pass", format!("{bearing}{}", ball_pass_text(pass)));
+        let text = ball_pass_text(pass, element);
+        out.detail("ball pass", format!("{bearing}{text}"));
     }
     let counters = &run.counters;
     let work = format!(
@@ -191,12 +194,16 @@ pub(super) fn add_histories(out: &mut Lines, bearings: &[BearingHistory]) {
         let clearance = bearing.clearance.as_ref().map(clearance_text);
         out.each("clearance", clearance.map(|text| format!("{name}{text}")));
         let zone = bearing.load_zone.as_ref();
-        let loaded = zone.map(|zone| balls_loaded(&zone.balls, bearing.balls));
+        let loaded = zone.map(|zone| balls_loaded(&zone.balls, bearing));
         let zone = loaded.map(|loaded| format!("{name}{loaded}{}", losses(bearing)));
         out.each("load zone", zone);
         if bearing.estimated {
-            let text = "balls and grooves follow from a catalogue's ratings, and with them all numbers here";
-            out.line("estimated", format!("{name}{text}"));
+            let what = match bearing.element {
+                "ball" => "balls and grooves",
+                _ => "rollers",
+            };
+            let text = "follow from a catalogue's ratings, and with them all numbers here";
+            out.line("estimated", format!("{name}{what} {text}"));
         }
         // the start is left out where enough remains
         let life = bearing
@@ -222,12 +229,13 @@ pub(super) fn add_histories(out: &mut Lines, bearings: &[BearingHistory]) {
 }
 
 /// `all 12 balls loaded` or `3 to 5 of 12 balls loaded, mean 4.21`.
-fn balls_loaded(loaded: &Spread, balls: usize) -> String {
+fn balls_loaded(loaded: &Spread, bearing: &BearingHistory) -> String {
+    let (balls, element) = (bearing.balls, bearing.element);
     if loaded.smallest == balls as f64 {
-        return format!("all {balls} balls loaded");
+        return format!("all {balls} {element}s loaded");
     }
     format!(
-        "{} to {} of {balls} balls loaded, mean {:.2}",
+        "{} to {} of {balls} {element}s loaded, mean {:.2}",
         loaded.smallest, loaded.largest, loaded.mean
     )
 }

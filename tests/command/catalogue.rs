@@ -41,6 +41,20 @@ fn a_page_of_one_bearing() {
 }
 
 #[test]
+fn a_page_of_one_roller_bearing() {
+    let output = jeffcott_in(root(), &["catalogue", "NU 206 ECP/C3"]);
+    let page = text(&output.stdout);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    for part in ["cylindrical", "7.5 × ", "46 mm", "Koyo", "next best"] {
+        assert!(page.contains(part), "{part}: {page}");
+    }
+    let output = jeffcott_in(root(), &["catalogue", "22212", "--json"]);
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(found["kind"], "spherical");
+    assert_eq!(found["width_mm"], 28.0);
+}
+
+#[test]
 fn an_unknown_designation_suggests_no_other_number() {
     let output = jeffcott_in(root(), &["catalogue", "62089"]);
     assert_eq!(output.status.code(), Some(2));

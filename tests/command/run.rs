@@ -38,7 +38,12 @@ fn check_against_readme(file: &Path, error: f64) {
 }
 
 /// Scenarios of roller bearings.
-const ROLLERS: [&str; 2] = ["motor-6206-nu206", "tapered-pair"];
+const ROLLERS: [&str; 4] = [
+    "conveyor-head-22212",
+    "motor-6206-nu206",
+    "spall-outer-nu206",
+    "tapered-pair",
+];
 
 #[test]
 fn every_shipped_scenario_runs_and_states_its_error() {

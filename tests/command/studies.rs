@@ -97,7 +97,7 @@ fn every_shipped_study_runs() {
     let long = shipped("bifurcation-6306");
     done(study(&long, out.path(), &["--shard", "50/100"]));
     let known = toml_files(&scenarios().join("studies"));
-    assert_eq!(known.len(), 9, "{known:?}");
+    assert_eq!(known.len(), 10, "{known:?}");
 }
 
 #[test]

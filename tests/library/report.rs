@@ -102,6 +102,7 @@ fn history() -> BearingHistory {
     };
     let count = |count, span| EventCount { count, span };
     BearingHistory {
+        element: "ball",
         clearance: None,
         balls: 12,
         events: vec![

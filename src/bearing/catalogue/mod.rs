@@ -2,8 +2,11 @@
 
 mod file;
 mod kind;
+mod rollers;
 
 pub(crate) use file::read;
+pub use rollers::RollerEntry;
+pub(crate) use rollers::{ROLLER_CATALOGUE, look_up_rollers};
 
 use std::collections::BTreeMap;
 use std::sync::{LazyLock, OnceLock};
@@ -71,12 +74,16 @@ fn normal(designation: &str) -> String {
     let mut makers = MAKERS.split_whitespace();
     let named = makers.find_map(|maker| normal.strip_prefix(maker));
     let number = named.map(|rest| rest.trim_start_matches(['-', '_']));
-    let number = number.filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
+    let is_name = |rest: &&str| {
+        let digits = rest.strip_prefix("NU").unwrap_or(rest);
+        digits.starts_with(|c: char| c.is_ascii_digit())
+    };
+    let number = number.filter(is_name);
     number.map(str::to_owned).unwrap_or(normal)
 }
 
-/// The class that suffixes name, or the part of them that is not known.
-fn suffixes(mut rest: &str) -> Result<Option<ClearanceClass>, &str> {
+/// The class that suffixes name, or the part of them that is neither known nor `more`.
+fn suffixes<'a>(mut rest: &'a str, more: &str) -> Result<Option<ClearanceClass>, &'a str> {
     let mut class = None;
     loop {
         rest = rest.trim_start_matches(['-', '/', '.', ',', '_', '(', ')']);
@@ -86,7 +93,8 @@ fn suffixes(mut rest: &str) -> Result<Option<ClearanceClass>, &str> {
         let named = ClearanceClass::ALL
             .into_iter()
             .find(|class| rest.starts_with(class.name()));
-        let known = SUFFIXES.split_whitespace().chain(MAKERS.split_whitespace());
+        let known = [SUFFIXES, MAKERS, more].into_iter();
+        let known = known.flat_map(str::split_whitespace);
         let known = known.filter(|known| rest.starts_with(known));
         let longest = known.max_by_key(|known| known.len());
         let suffix = named.map(ClearanceClass::name).or(longest).ok_or(rest)?;
@@ -105,27 +113,40 @@ pub(crate) fn look_up<'a>(
     designation: &str,
 ) -> Result<Found<'a>, UnknownBearing> {
     let wanted = normal(designation);
-    let mut found: Option<Found> = None;
-    let mut odd: Option<(&CatalogueEntry, &str)> = None;
-    for entry in all(file) {
-        let base = normal(&entry.designation);
+    matching(all(file), |entry| &entry.designation, &wanted, "")
+        .map(|(entry, class)| Found { entry, class })
+        .map_err(|odd| UnknownBearing::new(file, designation, odd))
+}
+
+/// The entry with the longest name that a designation in capital letters without blanks is, but for suffixes, and the class
+/// that these name; or else an entry with the suffix that is not known.
+fn matching<'a, 'w, T>(
+    entries: impl Iterator<Item = &'a T>,
+    name: impl Fn(&T) -> &str,
+    wanted: &'w str,
+    more: &str,
+) -> Result<(&'a T, Option<ClearanceClass>), Option<(&'a T, &'w str)>> {
+    let mut found: Option<(&T, Option<ClearanceClass>)> = None;
+    let mut odd: Option<(&T, &str)> = None;
+    for entry in entries {
+        let base = normal(name(entry));
         let Some(rest) = wanted.strip_prefix(&base) else {
             continue;
         };
         let is_number = rest.starts_with(|c: char| c.is_ascii_digit());
-        if base.is_empty() || is_number && suffixes(rest).is_err() {
+        if base.is_empty() || is_number && suffixes(rest, more).is_err() {
             continue;
         }
-        let longer = |entry: &CatalogueEntry| base.len() > normal(&entry.designation).len();
-        match suffixes(rest) {
-            Ok(class) if found.as_ref().is_none_or(|found| longer(found.entry)) => {
-                found = Some(Found { entry, class });
+        let longer = |entry: &T| base.len() > normal(name(entry)).len();
+        match suffixes(rest, more) {
+            Ok(class) if found.as_ref().is_none_or(|found| longer(found.0)) => {
+                found = Some((entry, class));
             }
             Ok(_) => {}
             Err(part) => odd = odd.or(Some((entry, part))),
         }
     }
-    found.ok_or_else(|| UnknownBearing::new(file, designation, odd))
+    found.ok_or(odd)
 }
 
 /// The entry of a designation that is shipped or the user's own.
@@ -167,8 +188,8 @@ impl UnknownBearing {
         let angles = angles.filter(|(angle, own)| (angle - own).abs() > 0.5);
         let help = match (kind, angles, odd, same) {
             (Some(kind), ..) if kind::has_rollers(kind) => format!(
-                "it is {kind}: give its rollers in [bearing.roller], for instance with kind, rollers, diameter, length and \
-                 pitch_diameter"
+                "it is {kind}: give its rollers in [bearing.roller], or the line of its maker's catalogue in [bearing.ratings] \
+                 with `kind` and `width`"
             ),
             (Some(kind), ..) => format!(
                 "it is {kind}; jeffcott models ball bearings with one row, deep groove and angular contact, and radial roller bearings only so far"

@@ -1,7 +1,7 @@
 //! Why no internal geometry follows from a catalogue line.
 
-use super::Candidate;
 use super::rating::GROOVES;
+use super::{Candidate, RollerCandidate};
 use crate::bearing::GeometryError;
 
 /// Why no internal geometry follows from a catalogue line.
@@ -52,6 +52,20 @@ pub enum EstimateError {
         found: f64,
         /// f0 as printed.
         printed: f64,
+    },
+    /// No rollers have these ratings.
+    #[error(
+        "no rollers of a bearing of this size have the ratings C0 = {statical} N and, 3 % below to 20 % above ISO 281, \
+         C = {dynamic} N{}; check the line, or give `rollers`, `diameter` and `length` in [bearing.roller]",
+        closest.map_or(String::new(), |closest| format!(": closest are {closest}"))
+    )]
+    Rollers {
+        /// C as printed, N.
+        dynamic: f64,
+        /// C_0 as printed, N.
+        statical: f64,
+        /// The rollers that come closest.
+        closest: Option<RollerCandidate>,
     },
     /// No groove gives the static rating.
     #[error(

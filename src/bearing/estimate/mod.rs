@@ -3,6 +3,7 @@
 mod checks;
 mod error;
 mod rating;
+mod rollers;
 mod search;
 
 pub use error::EstimateError;
@@ -12,6 +13,7 @@ use serde::Serialize;
 use super::{FreePosition, Geometry, GeometryError, InternalGeometry};
 use checks::filling_angle;
 pub(crate) use rating::REFERENCE_GROOVES;
+pub use rollers::{RollerCandidate, RollerEstimate, RollerLine};
 
 /// What a catalogue prints of a bearing; the internal dimensions where they are known.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

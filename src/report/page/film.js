@@ -1,5 +1,5 @@
 
-/** The end of the run in motion: every bearing seen along −Z, the shaft's displacement magnified, balls coloured by load. */
+/** The end of the run in motion: every bearing seen along −Z, the shaft's displacement magnified, balls and rollers coloured by load. */
 const film = (() => {
   const { element, number, floats } = page;
   const still = matchMedia("(prefers-reduced-motion: reduce)");
@@ -39,11 +39,23 @@ const film = (() => {
     pen.circle(centreX, centreY, pitch + ball, null, colour("--ink"));
     pen.circle(centreX, centreY, pitch + 1.7 * ball, null, colour("--line"));
     pen.circle(shaftX, shaftY, pitch - ball, colour("--panel"), colour("--ink"));
-    for (let k = 0; k < bearing.balls; k += 1) {
-      const angle = bearing.firstBall + (2 * Math.PI * k) / bearing.balls + bearing.cage * angles[frame];
-      const load = bearing.loads?.[frame * bearing.balls + k] ?? 0;
-      const fill = load > 0 ? drawing.shade(load / bearing.largest) : null;
-      pen.circle(centreX + pitch * Math.cos(angle), centreY - pitch * Math.sin(angle), 0.93 * ball, fill, colour("--ink"));
+    // rollers are seen from a little way off: what lies behind is smaller and nearer to the axis
+    const away = (row) => 1 - 0.12 * row * Math.min(1, bearing.length / bearing.ball);
+    for (let row = bearing.rows - 1; row >= 0; row -= 1) {
+      for (let k = 0; k < bearing.balls; k += 1) {
+        const angle = bearing.firstBall + (2 * Math.PI * k) / bearing.balls + bearing.cage * angles[frame];
+        const load = bearing.loads?.[(frame * bearing.rows + row) * bearing.balls + k] ?? 0;
+        const fill = load > 0 ? drawing.shade(load / bearing.largest) : null;
+        const face = (back) => pen.circle(centreX + back * pitch * Math.cos(angle), centreY - back * pitch * Math.sin(angle), 0.93 * back * ball, fill, colour("--ink"));
+        if (bearing.length > 0) {
+          face(away(row + 1));
+          for (const side of [-1, 1]) {
+            const edge = (back) => [centreX + back * (pitch * Math.cos(angle) - side * 0.93 * ball * Math.sin(angle)), centreY - back * (pitch * Math.sin(angle) + side * 0.93 * ball * Math.cos(angle))];
+            pen.line([...edge(away(row)), ...edge(away(row + 1))], colour("--ink"), 1);
+          }
+        }
+        face(away(row));
+      }
     }
     pen.line(bearing.orbit.slice(0, frame + 1).flatMap((_, k) => shift(k)), colour("--c0"), 1.2);
     // where the shaft's mark, on the side of the unbalance, points to
@@ -74,8 +86,8 @@ const film = (() => {
     const csv = () => [["t_s", "angle_rad", ...bearings.flatMap((_, k) => [`bearing${k + 1}_x_um`, `bearing${k + 1}_y_um`])],
       ...times.map((t, k) => [t, shown.angles[k], ...bearings.flatMap((bearing) => bearing.orbit[k])])].map((row) => `${row.join(",")}\n`).join("");
     const drawing = figures.sketch({ name: "motion", width: 300 * Math.min(bearings.length, 3), paint, csv,
-      label: `Shaft and balls in motion, the displacement of the shaft magnified ${number(factor)} times`,
-      caption: `The end of the run, seen along −Z: displacements about their mean are magnified ${number(factor)} times, balls and rings are to scale. Balls are coloured by their load from blue to yellow, the largest; empty ones bear none. The orange line turns with the shaft.` });
+      label: `Shaft, balls and rollers in motion, the displacement of the shaft magnified ${number(factor)} times`,
+      caption: `The end of the run, seen along −Z: displacements about their mean are magnified ${number(factor)} times, balls, rollers and rings are to scale. Balls and rollers are coloured by their load from blue to yellow, the largest; empty ones bear none; of two rows the second lies behind. The orange line turns with the shaft.` });
 
     const place = element("output", { class: "reading screen" });
     const slider = element("input", { type: "range", min: "0", max: String(last), value: "0", "aria-label": "time", class: "time" });

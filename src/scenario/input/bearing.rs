@@ -10,7 +10,7 @@ use super::geometry::{GeometryInput, Printed, Sources};
 use super::imperfections::{BallSizesInput, CageJitterInput, DefectInput, WavinessInput};
 use super::oil::OilInput;
 use super::ratings::RatingsInput;
-use super::roller::RollerInput;
+use super::roller::{PrintedRollers, RollerInput};
 use super::settings::{ContactChoice, ModelInput};
 use super::support::{HousingInput, LinearInput};
 use crate::bearing::catalogue::{CATALOGUE, CatalogueEntry};
@@ -40,7 +40,7 @@ pub struct BearingInput {
     #[serde(default)]
     #[schemars(extend("examples" = ["-30 mm"]))]
     pub position: Quantity<Length>,
-    /// Rollers in place of balls: what their bearing is, instead of `catalogue`, `ratings` and `geometry`.
+    /// Rollers in place of balls: what their bearing is, or what differs from that of `catalogue` or `ratings`.
     pub roller: Option<RollerInput>,
     /// Constant stiffness and damping in place of balls; of the other keys only `position` and `housing` belong to it.
     pub linear: Option<LinearInput>,
@@ -199,7 +199,7 @@ impl BearingInput {
             problems.warn(format!(
                 "`{}` says nothing here: {} without preload is alike in both directions",
                 problems.path(".facing"),
-                match &self.roller {
+                match mounted.bearing.geometry.rollers() {
                     Some(rollers) => format!("a {} roller bearing", rollers.kind.name()),
                     None => "a deep-groove bearing".to_owned(),
                 }
@@ -231,9 +231,13 @@ impl BearingInput {
         catalogue: &[CatalogueEntry],
         problems: &mut Problems<'_>,
     ) -> Option<MountedBearing> {
-        let bearing = match &self.roller {
-            Some(rollers) => rollers.bearing(self, model, problems)?,
-            None => self.ball_bearing(freedoms, catalogue, problems)?,
+        let printed = self.printed_rollers(catalogue, problems)?;
+        let bearing = match (&self.roller, printed.as_ref()) {
+            (None, None) => self.ball_bearing(freedoms, catalogue, problems)?,
+            (own, printed) => {
+                let own = own.clone().unwrap_or_default();
+                own.bearing(self, printed, model, problems)?
+            }
         };
         let ring_material = material(self.material.as_ref(), bearing.ring_material);
         let bearing = Bearing {
@@ -254,7 +258,7 @@ impl BearingInput {
         if self.housing.is_some() {
             self.check_alone(".housing", problems);
         }
-        let (law, oil) = match self.roller {
+        let (law, oil) = match bearing.geometry.rollers() {
             Some(_) => (self.contact(model).without_inertia(), None),
             None => self.ball_law(&bearing, model, problems),
         };
@@ -272,6 +276,35 @@ impl BearingInput {
             })?,
             bearing,
         })
+    }
+
+    /// What a catalogue prints of the bearing, `Some(None)` where that is no roller bearing.
+    fn printed_rollers(
+        &self,
+        catalogue: &[CatalogueEntry],
+        problems: &mut Problems<'_>,
+    ) -> Option<Option<PrintedRollers>> {
+        let rated = self.ratings.as_ref().filter(|own| own.kind.is_some());
+        if let Some(ratings) = rated {
+            return ratings.roller_line(problems).map(|line| {
+                Some(PrintedRollers {
+                    line,
+                    name: "the bearing of these ratings".to_owned(),
+                    key: ".ratings",
+                    class: None,
+                })
+            });
+        }
+        // a bearing of the user's own comes first
+        let named = self.catalogue.as_deref();
+        let named = named.filter(|name| catalogue::look_up(catalogue, name).is_err());
+        let found = named.and_then(catalogue::look_up_rollers);
+        Some(found.map(|(entry, class)| PrintedRollers {
+            line: entry.line,
+            name: entry.designation.clone(),
+            key: ".catalogue",
+            class,
+        }))
     }
 
     /// Balls and races of the bearing, and what is known with them.

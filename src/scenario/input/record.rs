@@ -10,7 +10,7 @@ use super::ratings::RatingsInput;
 use super::settings::MachineInput;
 use super::spectrum::SpectrumInput;
 use crate::analysis::Window;
-use crate::bearing::{Bearing, REFERENCE_GROOVES};
+use crate::bearing::{Bearing, Geometry, REFERENCE_GROOVES, catalogue};
 use crate::measurement::MeasuredBearing;
 use crate::physics::Race;
 use crate::rotor::Freedoms;
@@ -202,6 +202,17 @@ impl AsRef<str> for SignalName {
 impl RecordBearingInput {
     /// The bearing, as far as it rolls.
     pub fn build(&self, problems: &mut Problems<'_>) -> Option<MeasuredBearing> {
+        let rollers = self.catalogue.as_deref();
+        let rollers = rollers.filter(|_| self.ratings.is_none() && self.geometry.is_none());
+        let rollers = rollers.filter(|name| catalogue::look_up(&[], name).is_err());
+        if let Some((entry, _)) = rollers.and_then(catalogue::look_up_rollers) {
+            let estimate = entry.line.estimate().ok()?;
+            let geometry = estimate.geometry(entry.line.contact_angle).ok()?;
+            for note in &estimate.notes {
+                problems.warn(format!("`{}`: {note}", problems.path(".")));
+            }
+            return Some(self.measured(entry.designation.clone(), geometry));
+        }
         let identity = Identity {
             catalogue: self.catalogue.as_deref(),
             ratings: self.ratings.as_ref(),
@@ -230,13 +241,18 @@ impl RecordBearingInput {
         for note in estimate.iter().flat_map(|estimate| &estimate.notes) {
             problems.warn(format!("`{}`: {note}", problems.path(".")));
         }
-        Some(MeasuredBearing {
-            name: name.unwrap_or_else(|| format!("{} balls", geometry.balls())),
+        let name = name.unwrap_or_else(|| format!("{} balls", geometry.balls()));
+        Some(self.measured(name, geometry))
+    }
+
+    fn measured(&self, name: String, geometry: Geometry) -> MeasuredBearing {
+        MeasuredBearing {
+            name,
             bearing: Bearing {
                 rotating_ring: self.rotating_ring,
                 ..Bearing::of_steel(geometry)
             },
             slip: self.cage_slip,
-        })
+        }
     }
 }

@@ -425,7 +425,8 @@ impl ScenarioInput {
             },
         );
         let contact_damping = damping::contact(self.damping.as_ref());
-        if !contact_damping.is_none() && self.bearing.iter().any(|own| own.roller.is_some()) {
+        let has_rollers = |own: &MountedBearing| own.bearing.geometry.rollers().is_some();
+        if !contact_damping.is_none() && sets.iter().flatten().flatten().any(has_rollers) {
             let message = "the damping of contacts is not known of roller bearings";
             let issue = Issue::new("damping.contact", message);
             problems.refuse(issue.help("give `ratio` or `coefficients` instead"));

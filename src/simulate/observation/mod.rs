@@ -33,6 +33,9 @@ pub(crate) use peak_loads::PeakWatch;
 pub struct BearingHistory {
     /// Clearance of a deep-groove bearing; none of an angular contact bearing.
     pub clearance: Option<Clearance>,
+    /// What rolls in it: `ball` or `roller`.
+    #[serde(skip)]
+    pub(crate) element: &'static str,
     /// Number of its balls; zero for a linear bearing, which knows none and of which nothing is
     /// observed.
     pub balls: usize,
@@ -154,6 +157,7 @@ impl<'a> Observation<'a> {
     pub fn finish(self) -> Vec<BearingHistory> {
         let history = |bearing: BearingObserver<'_>| BearingHistory {
             clearance: bearing.support.definition().bearing.clearance(),
+            element: bearing.support.definition().bearing.geometry.element(),
             balls: bearing.support.known_balls(),
             events: bearing.counts,
             load_zone: bearing.zone.and_then(LoadZoneSums::finish),

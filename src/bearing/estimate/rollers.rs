@@ -1,0 +1,351 @@
+//! Rollers whose ratings come closest to those that a catalogue prints.
+
+use serde::Serialize;
+
+use super::EstimateError;
+use super::search::BY_ISO;
+use crate::bearing::{Geometry, GeometryError, Profile, RollerKind, Rollers};
+use crate::physics::{roller_dynamic_rating, roller_static_rating};
+
+/// What a catalogue prints of a roller bearing; the rollers where they are known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RollerLine {
+    /// Kind of the bearing.
+    pub kind: RollerKind,
+    /// Bore, outside diameter and width of the inner ring, m.
+    pub boundary: [f64; 3],
+    /// Nominal contact angle, rad.
+    pub contact_angle: f64,
+    /// Basic dynamic load rating C, N.
+    pub dynamic_rating: f64,
+    /// Basic static load rating C_0, N.
+    pub static_rating: f64,
+    /// Number of rollers of a row.
+    pub rollers: Option<usize>,
+    /// Diameter of a roller, m.
+    pub diameter: Option<f64>,
+    /// Effective length of a roller, m.
+    pub length: Option<f64>,
+    /// Pitch diameter, m.
+    pub pitch_diameter: Option<f64>,
+}
+
+/// Rollers that may be those of a bearing, and the ratings that they have.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct RollerCandidate {
+    /// Number of rollers of a row.
+    pub rollers: usize,
+    /// Diameter, m.
+    #[serde(rename = "roller_diameter_m")]
+    pub diameter: f64,
+    /// Effective length, m.
+    #[serde(rename = "roller_length_m")]
+    pub length: f64,
+    /// C by ISO 281, N.
+    #[serde(rename = "dynamic_rating_N")]
+    pub dynamic_rating: f64,
+    /// C_0 by ISO 76, N.
+    #[serde(rename = "static_rating_N")]
+    pub static_rating: f64,
+    /// How far they are from the print, by the rules of [`RollerLine::estimate`].
+    pub deviation: f64,
+}
+
+impl std::fmt::Display for RollerCandidate {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let [diameter, length] =
+            [self.diameter, self.length].map(|size| (1e6 * size).round() / 1e3);
+        write!(
+            f,
+            "{} rollers of {diameter} × {length} mm (C {:.0} N, C0 {:.0} N, {:.1} % off)",
+            self.rollers,
+            self.dynamic_rating,
+            self.static_rating,
+            1e2 * self.deviation
+        )
+    }
+}
+
+/// Rollers that belong to a catalogue line.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct RollerEstimate {
+    /// Kind of the bearing.
+    pub kind: RollerKind,
+    /// The rollers that are taken.
+    #[serde(flatten)]
+    pub best: RollerCandidate,
+    /// Pitch diameter, m.
+    #[serde(rename = "pitch_diameter_m")]
+    pub pitch_diameter: f64,
+    /// Whether the rollers were searched for.
+    pub estimated: bool,
+    /// The next best rollers, where they were searched for.
+    pub runner_up: Option<RollerCandidate>,
+    /// What the reader should know, each with its numbers.
+    pub notes: Vec<String>,
+}
+
+/// Steps of diameters and lengths, m.
+const STEP: f64 = 0.5e-3;
+/// Diameters that are looked at, of the height of the section.
+const DIAMETERS: [f64; 2] = [0.3, 0.65];
+/// C as makers print it over C by ISO 281: many rate their newer roller bearings higher.
+const DYNAMIC_RATIO: [f64; 2] = [0.97, 1.20];
+/// Largest deviation of C_0 of rollers that are taken for those of the bearing.
+const LARGEST_STATIC: f64 = 0.04;
+/// What rollers unlike those of bearings as they are made have on top of their deviation, for each of: part of the pitch
+/// circle that they fill, length over the width of a row, length over diameter.
+const UNUSUAL: f64 = 0.05;
+const FILLING: [f64; 2] = [0.62, 0.96];
+const LENGTHS: [f64; 2] = [0.3, 0.85];
+const SLENDERNESS: [f64; 2] = [0.7, 2.0];
+/// Other rollers whose deviation is larger by less than this are named.
+const CLOSE: f64 = 0.01;
+/// Most other rollers that are named.
+const MOST_NAMED: usize = 3;
+
+impl RollerLine {
+    /// Finds number, diameter and length of the rollers as far as the line does not give them.
+    ///
+    /// The pitch diameter is (d + D_o)/2; diameters and lengths are whole or half millimetres. C_0 decides, by
+    /// [`roller_static_rating`], which lies within 4 %; C counts where it is that of [`roller_dynamic_rating`] to 1 %: makers
+    /// print 0.97 to 1.2 times that, and within these limits any other C is 1 % off. The least |C_0/C_0,printed − 1| + |C/C_printed − 1|
+    /// is taken; rollers that fill less than 0.62 or more than 0.96 of the pitch circle, are shorter than 0.3 or longer than 0.85 of
+    /// their row, or than 0.7 and 2 diameters, have 5 % on top each. Others that deviate by at most 1 % more are named in the notes:
+    /// number and length enter both ratings by nearly the same product, so that there are often some.
+    ///
+    /// ```
+    /// use jeffcott::bearing::{RollerKind, RollerLine};
+    /// let line = RollerLine {
+    ///     kind: RollerKind::Cylindrical,
+    ///     boundary: [0.030, 0.062, 0.016],
+    ///     contact_angle: 0.0,
+    ///     dynamic_rating: 29_300.0,
+    ///     static_rating: 28_700.0,
+    ///     rollers: None,
+    ///     diameter: None,
+    ///     length: None,
+    ///     pitch_diameter: None,
+    /// };
+    /// let best = line.estimate()?.best;
+    /// assert_eq!((best.rollers, best.diameter, best.length), (13, 7.5e-3, 8e-3));
+    /// # Ok::<(), jeffcott::bearing::EstimateError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`EstimateError`] says what would settle it.
+    pub fn estimate(&self) -> Result<RollerEstimate, EstimateError> {
+        self.check()?;
+        let mut found = self.candidates();
+        found.sort_by(|a, b| a.deviation.total_cmp(&b.deviation));
+        let place = found.iter().position(|candidate| self.fits(candidate));
+        let Some(place) = place else {
+            return Err(EstimateError::Rollers {
+                dynamic: self.dynamic_rating,
+                statical: self.static_rating,
+                closest: found.first().copied(),
+            });
+        };
+        let best = found.remove(place);
+        let given = [self.diameter, self.length].iter().all(Option::is_some);
+        let estimated = !(given && self.rollers.is_some());
+        let mut estimate = RollerEstimate {
+            kind: self.kind,
+            best,
+            pitch_diameter: self.pitch(),
+            estimated,
+            runner_up: found.first().copied(),
+            notes: Vec::new(),
+        };
+        if estimated {
+            estimate.notes = self.notes(&best, &found);
+        }
+        Ok(estimate)
+    }
+
+    fn check(&self) -> Result<(), EstimateError> {
+        let [bore, outside_diameter, width] = self.boundary;
+        for (name, value) in [
+            ("bore", Some(bore)),
+            ("outside diameter", Some(outside_diameter)),
+            ("width", Some(width)),
+            ("dynamic load rating", Some(self.dynamic_rating)),
+            ("static load rating", Some(self.static_rating)),
+            ("roller diameter", self.diameter),
+            ("roller length", self.length),
+            ("pitch diameter", self.pitch_diameter),
+        ] {
+            if let Some(value) = value.filter(|value| !(*value > 0.0 && value.is_finite())) {
+                return Err(EstimateError::Number { name, value });
+            }
+        }
+        if bore >= outside_diameter {
+            return Err(EstimateError::Section {
+                bore,
+                outside_diameter,
+            });
+        }
+        if !(0.0..=Geometry::LARGEST_CONTACT_ANGLE).contains(&self.contact_angle) {
+            let degrees = self.contact_angle.to_degrees();
+            return Err(GeometryError::ContactAngle { degrees }.into());
+        }
+        Ok(())
+    }
+
+    fn pitch(&self) -> f64 {
+        let [bore, outside, _] = self.boundary;
+        self.pitch_diameter.unwrap_or(0.5 * (bore + outside))
+    }
+
+    /// All rollers that the line leaves open.
+    fn candidates(&self) -> Vec<RollerCandidate> {
+        let [bore, outside, _] = self.boundary;
+        let steps = |least: f64, most: f64| {
+            let [least, most] = [least / STEP, most / STEP];
+            (least.ceil().max(1.0) as usize..=most as usize).map(|step| step as f64 * STEP)
+        };
+        let section = 0.5 * (outside - bore);
+        let [least, most] = DIAMETERS.map(|part| part * section);
+        let diameters = self
+            .diameter
+            .map_or_else(|| steps(least, most).collect(), |given| vec![given]);
+        let mut found = Vec::new();
+        for diameter in diameters {
+            let most = Geometry::most_balls(diameter, self.pitch()).min(Geometry::MOST_BALLS);
+            let numbers = self
+                .rollers
+                .map_or(Geometry::FEWEST_BALLS..=most, |n| n..=n);
+            for rollers in numbers.filter(|rollers| *rollers <= most) {
+                // C_0 grows with the length
+                let exact = self.static_rating / self.static_rating_of(rollers, diameter, 1.0);
+                let rounded = (exact / STEP).round().max(1.0) * STEP;
+                found.push(self.candidate(rollers, diameter, self.length.unwrap_or(rounded)));
+            }
+        }
+        found
+    }
+
+    fn static_rating_of(&self, rollers: usize, diameter: f64, length: f64) -> f64 {
+        let all = rollers * self.kind.rows();
+        roller_static_rating(all, diameter, length, self.pitch(), self.contact_angle)
+    }
+
+    fn candidate(&self, rollers: usize, diameter: f64, length: f64) -> RollerCandidate {
+        let (rows, pitch) = (self.kind.rows(), self.pitch());
+        let dynamic_rating = roller_dynamic_rating(
+            self.kind.material_factor(),
+            [rows, rollers],
+            diameter,
+            length,
+            pitch,
+            self.contact_angle,
+        );
+        let static_rating = self.static_rating_of(rollers, diameter, length);
+        let off = |found: f64, printed: f64| (found / printed - 1.0).abs();
+        let dynamic = match off(dynamic_rating, self.dynamic_rating) {
+            dynamic if self.is_rated_usually(dynamic_rating) => dynamic.min(BY_ISO),
+            dynamic => dynamic,
+        };
+        let room = self.boundary[2] / (rows as f64 * self.contact_angle.cos());
+        let filling = rollers as f64 * (diameter / pitch).min(1.0).asin() / std::f64::consts::PI;
+        let unusual = [
+            (FILLING, filling),
+            (LENGTHS, length / room),
+            (SLENDERNESS, length / diameter),
+        ];
+        let outside = |([least, most], part): &([f64; 2], f64)| !(*least..=*most).contains(part);
+        let unusual = unusual.iter().filter(|own| outside(own)).count() as f64;
+        RollerCandidate {
+            rollers,
+            diameter,
+            length,
+            dynamic_rating,
+            static_rating,
+            deviation: off(static_rating, self.static_rating) + dynamic + UNUSUAL * unusual,
+        }
+    }
+
+    /// Whether the printed C lies about an ISO 281 rating as those of makers do.
+    fn is_rated_usually(&self, rating: f64) -> bool {
+        let [least, largest] = DYNAMIC_RATIO;
+        (least..=largest).contains(&(self.dynamic_rating / rating))
+    }
+
+    fn fits(&self, candidate: &RollerCandidate) -> bool {
+        (candidate.static_rating / self.static_rating - 1.0).abs() <= LARGEST_STATIC
+            && self.is_rated_usually(candidate.dynamic_rating)
+    }
+
+    fn notes(&self, best: &RollerCandidate, others: &[RollerCandidate]) -> Vec<String> {
+        let ratings = [
+            ("C", best.dynamic_rating, self.dynamic_rating),
+            ("C0", best.static_rating, self.static_rating),
+        ];
+        let off = ratings.iter().filter_map(|(name, found, printed)| {
+            let difference = found / printed - 1.0;
+            (difference.abs() > BY_ISO).then(|| {
+                format!(
+                    "{name} of these rollers is {:+.1} % off the print: {found:.0} N against {printed:.0} N",
+                    1e2 * difference
+                )
+            })
+        });
+        let mut notes: Vec<String> = off.collect();
+        let near =
+            |other: &&RollerCandidate| other.deviation - best.deviation < CLOSE && self.fits(other);
+        let named = others.iter().filter(near).take(MOST_NAMED);
+        let named: Vec<_> = named.map(RollerCandidate::to_string).collect();
+        if !named.is_empty() {
+            notes.push(format!(
+                "the ratings fit {} nearly as well: give `rollers`, `diameter` and `length` in [bearing.roller] where you know them",
+                named.join(" and ")
+            ));
+        }
+        notes
+    }
+}
+
+/// Radius of the barrels of an estimated spherical roller bearing over that of its outer race.
+const OSCULATION: f64 = 0.98;
+
+impl RollerEstimate {
+    /// The dimensions, checked, with a contact angle in rad and no clearance.
+    ///
+    /// # Errors
+    /// [`GeometryError`] where they make no bearing.
+    pub fn geometry(&self, contact_angle: f64) -> Result<Geometry, GeometryError> {
+        let best = &self.best;
+        let rollers = Rollers {
+            kind: self.kind,
+            length: best.length,
+            profile: self.profile(contact_angle),
+            laminae: Rollers::STANDARD_LAMINAE,
+            clearance: 0.0,
+        };
+        Geometry::of_rollers(
+            best.rollers,
+            best.diameter,
+            self.pitch_diameter,
+            contact_angle,
+            rollers,
+        )
+    }
+
+    /// Profile of the rollers: that of the standard, and of spherical ones barrels of 0.98 of the radius of the outer race,
+    /// d_m/(2 cos α) + D/2.
+    pub fn profile(&self, contact_angle: f64) -> Profile {
+        match self.kind {
+            RollerKind::Spherical => {
+                let race_radius =
+                    0.5 * self.pitch_diameter / contact_angle.cos() + 0.5 * self.best.diameter;
+                Profile::Barrel {
+                    roller_radius: OSCULATION * race_radius,
+                    race_radius,
+                }
+            }
+            _ => Profile::Logarithmic,
+        }
+    }
+}
