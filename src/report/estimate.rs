@@ -108,7 +108,7 @@ fn add_estimate(out: &mut Lines, line: &CatalogueLine, estimate: &Estimate) {
     );
     out.line("these have", ratings);
     out.line("filling angle", format!("{:.0}°", estimate.filling_angle));
-    out.each("next best", &estimate.runner_up);
+    out.each("next best", estimate.runner_up);
     out.each("note", &estimate.notes);
 }
 

@@ -80,12 +80,8 @@ pub fn roller_entry_text(entry: &RollerEntry, estimate: &RollerEstimate) -> Line
             format!("{found:.0} N of these rollers, {printed} N printed"),
         );
     }
-    if let Some(other) = &estimate.runner_up {
-        out.line("next best", other);
-    }
-    for note in &estimate.notes {
-        out.line("note", note);
-    }
+    out.each("next best", estimate.runner_up);
+    out.each("note", &estimate.notes);
     out.line("source", &entry.source);
     out
 }

@@ -85,6 +85,7 @@ fn run_shipped(name: &str, figure: &str, out: &Path) -> serde_json::Value {
 fn every_shipped_study_runs() {
     let out = TempDir::new().expect("a folder");
     for (name, figure) in [
+        ("clearance-nu206", "response.svg"),
         ("hysteresis-6306", "bifurcation.svg"),
         ("map-6306", "map.svg"),
         ("spall-growth-6205", "response.svg"),

@@ -118,6 +118,9 @@ pub(crate) fn look_up<'a>(
         .map_err(|odd| UnknownBearing::new(file, designation, odd))
 }
 
+/// An entry, and the class of clearance that the suffixes of its designation name.
+type Matched<'a, T> = (&'a T, Option<ClearanceClass>);
+
 /// The entry with the longest name that a designation in capital letters without blanks is, but for suffixes, and the class
 /// that these name; or else an entry with the suffix that is not known.
 fn matching<'a, 'w, T>(
@@ -125,8 +128,8 @@ fn matching<'a, 'w, T>(
     name: impl Fn(&T) -> &str,
     wanted: &'w str,
     more: &str,
-) -> Result<(&'a T, Option<ClearanceClass>), Option<(&'a T, &'w str)>> {
-    let mut found: Option<(&T, Option<ClearanceClass>)> = None;
+) -> Result<Matched<'a, T>, Option<(&'a T, &'w str)>> {
+    let mut found: Option<Matched<'_, T>> = None;
     let mut odd: Option<(&T, &str)> = None;
     for entry in entries {
         let base = normal(name(entry));
