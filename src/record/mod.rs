@@ -13,6 +13,7 @@
 
 mod bytes;
 mod error;
+mod even;
 mod form;
 mod mat;
 #[cfg(feature = "parquet")]
@@ -32,6 +33,7 @@ use crate::table::Table;
 use bytes::Bytes;
 
 pub use error::{Problem, RecordError};
+pub(crate) use even::{at_even_times, bridge, on_line};
 pub use form::Form;
 pub use sampling::Sampling;
 

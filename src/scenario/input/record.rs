@@ -74,7 +74,7 @@ pub struct RecordInput {
 }
 
 /// A channel of the record, and what its file does not say of it.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SignalInput {
     /// Its name in the file, as `jeffcott analyze FILE --list` shows it, or its number, from "1".

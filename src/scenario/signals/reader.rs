@@ -1,0 +1,321 @@
+//! Channels of a record become signals in SI units.
+
+use super::{Issue, Problems};
+use crate::analysis::Channel;
+use crate::record::{Record, RecordChannel, Sampling, at_even_times, bridge};
+use crate::scenario::input::{RecordInput, RecordSpeedInput, SignalInput};
+use crate::scenario::quantity::{sensor_unit, si, significant};
+use crate::table::Column;
+
+/// Most channels that are analysed at a time.
+const MOST_SIGNALS: usize = 64;
+/// Channels that a message names at most.
+const MOST_NAMED: usize = 12;
+/// Part of a rate by which the one that is given may differ from that of the file.
+const ALMOST_THE_RATE: f64 = 1e-3;
+/// A number of a file above this one may be a rate in Hz.
+const SLOWEST: f64 = 100.0;
+
+/// A channel in SI units.
+pub(super) struct Signal {
+    pub channel: Channel,
+    pub values: Vec<f64>,
+    /// Samples a second.
+    pub rate: f64,
+    /// Time of the first, s.
+    pub start: f64,
+    /// What it is in the file: its name there, unit, quantity, direction.
+    pub source: [String; 4],
+}
+
+/// Reads the channels of a record one after the other.
+pub(super) struct SignalReader<'a> {
+    input: &'a RecordInput,
+    channels: Vec<Option<RecordChannel>>,
+    /// Names of all, as in the file.
+    pub names: Vec<String>,
+    /// Numbers that the file holds besides.
+    numbers: Vec<(String, f64)>,
+}
+
+impl<'a> SignalReader<'a> {
+    pub fn new(input: &'a RecordInput, record: Record) -> Self {
+        Self {
+            input,
+            names: record.channels.iter().map(|one| one.name.clone()).collect(),
+            channels: record.channels.into_iter().map(Some).collect(),
+            numbers: record.numbers,
+        }
+    }
+
+    /// The place of a channel that is named, or numbered from 1.
+    pub fn find(&self, named: &str, path: &str) -> Result<usize, Issue> {
+        let by_name = self.names.iter().position(|name| name == named);
+        let by_number = || named.parse::<usize>().ok()?.checked_sub(1);
+        let found = by_name.or_else(by_number);
+        let found = found.filter(|place| *place < self.names.len());
+        found.ok_or_else(|| {
+            let shown = self.names[..self.names.len().min(MOST_NAMED)].join(", ");
+            let more = if self.names.len() > MOST_NAMED {
+                ", …"
+            } else {
+                ""
+            };
+            let names = self.names.iter().map(String::as_str);
+            let message = format!("the record has no channel `{named}`");
+            Issue::new(path, message).help_nearest(named, names, &format!("it has {shown}{more}"))
+        })
+    }
+
+    /// Unit of a channel in the file.
+    pub fn unit(&self, index: usize) -> Option<String> {
+        self.channels[index].as_ref()?.unit.clone()
+    }
+
+    /// The place of a channel of a run of this program.
+    pub fn of_run(&self, wanted: Channel) -> Option<usize> {
+        let mut channels = self.channels.iter();
+        channels.position(|one| one.as_ref().and_then(native) == Some(wanted))
+    }
+
+    /// The first number of the file above a limit whose name has one of the words in it.
+    pub fn number(&self, words: &[&str], limit: f64) -> Option<&(String, f64)> {
+        let is_named = |name: &str| words.iter().any(|word| name.contains(word));
+        let mut numbers = self.numbers.iter();
+        numbers.find(|(name, value)| *value > limit && is_named(&name.to_lowercase()))
+    }
+
+    /// The channels that are given, or those that are taken by default.
+    pub fn chosen(
+        &self,
+        speed: Option<&RecordSpeedInput>,
+        problems: &mut Problems<'_>,
+    ) -> Option<Vec<(usize, SignalInput)>> {
+        let chosen = match &self.input.channel[..] {
+            [] => self.default_channels(speed, problems),
+            given => problems.each("record.channel", given, |signal, problems| {
+                let index = problems.take(self.find(&signal.column, ".column"))?;
+                Some((index, signal.clone()))
+            })?,
+        };
+        let message = match chosen.len() {
+            0 => "no channel is left to analyse".to_owned(),
+            count if count > MOST_SIGNALS => {
+                format!("{count} channels are too many for one analysis: {MOST_SIGNALS} at most")
+            }
+            _ => return Some(chosen),
+        };
+        let issue = Issue::new("record.channel", message);
+        problems.refuse(
+            issue.help("choose with `--channel NAME`, or [[record.channel]]; `--list` shows all"),
+        );
+        None
+    }
+
+    /// The channels where none are given: those of the highest rate that are not of the speed; of a run the displacements and forces.
+    fn default_channels(
+        &self,
+        speed: Option<&RecordSpeedInput>,
+        problems: &mut Problems<'_>,
+    ) -> Vec<(usize, SignalInput)> {
+        let of_speed = speed.and_then(|speed| speed.channel.as_ref().or(speed.tacho.as_ref()));
+        let of_speed = of_speed.and_then(|name| self.find(name, "").ok());
+        let known = self.channels.iter().enumerate();
+        let known = known.filter(|(index, _)| Some(*index) != of_speed);
+        let known: Vec<(usize, &RecordChannel)> = known
+            .filter_map(|(index, channel)| Some((index, channel.as_ref()?)))
+            .collect();
+        let is_of_run = |channel: &RecordChannel| {
+            let is_shown = match native(channel) {
+                Some(Channel::Displacement(_) | Channel::Force(_)) => true,
+                Some(of_body @ Channel::Body { .. }) => of_body.needs_acceleration(),
+                _ => false,
+            };
+            is_shown && channel.samples.iter().any(|value| *value != 0.0)
+        };
+        let rank = |channel: &RecordChannel| {
+            let rate = channel.sampling.rate().unwrap_or(0.0);
+            (rate, channel.samples.len())
+        };
+        let ranks = known.iter().map(|(_, channel)| rank(channel));
+        let most = ranks.max_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let has_run = known.iter().any(|(_, channel)| is_of_run(channel));
+        let (chosen, others): (Vec<_>, Vec<_>) =
+            known.into_iter().partition(|(_, channel)| match has_run {
+                true => is_of_run(channel),
+                false => Some(rank(channel)) == most,
+            });
+        let left_out = others
+            .iter()
+            .filter(|(_, channel)| native(channel).is_none());
+        let left_out = left_out.map(|(_, channel)| format!("`{}`", channel.name));
+        let left_out = left_out.collect::<Vec<_>>().join(", ");
+        if !left_out.is_empty() {
+            problems.warn(format!(
+                "left out, as their rate or length differs: {left_out}; `--channel` takes others"
+            ));
+        }
+        let signal = |(index, _): (usize, _)| (index, SignalInput::of_column(&self.names[index]));
+        chosen.into_iter().map(signal).collect()
+    }
+
+    /// A channel in SI units.
+    pub fn signal(
+        &mut self,
+        index: usize,
+        input: &SignalInput,
+        problems: &mut Problems<'_>,
+    ) -> Option<Signal> {
+        let Some(mut channel) = self.channels[index].take() else {
+            let message = format!("`{}` is taken twice", self.names[index]);
+            problems.refuse(Issue::new(".column", message).help("leave one out"));
+            return None;
+        };
+        let name = &input.name.clone().unwrap_or_else(|| channel.name.clone());
+        let unit = input.unit.clone().or(channel.unit.clone());
+        let unit = unit.or(self.input.unit.clone()).unwrap_or_default();
+        let known = sensor_unit(&unit).filter(|_| !unit.is_empty());
+        if known.is_none() && !unit.is_empty() {
+            problems.warn(format!(
+                "`{unit}`, the unit of `{name}`, is not known: values stay in it, and make no velocity"
+            ));
+        }
+        let scale = input.scale.or(self.input.scale).unwrap_or(1.0);
+        let (rate, start, mut values) = self.sampled(&mut channel, input, problems)?;
+        for value in &mut values {
+            let in_unit = scale * *value + input.offset;
+            *value = known.as_ref().map_or(in_unit, |(unit, _)| unit.si(in_unit));
+        }
+        let symbol = known.map_or_else(|| unit.clone(), |(_, symbol)| symbol.to_owned());
+        let column = match native_column(&channel).filter(|_| input.name.is_none()) {
+            Some(column) if column.unit == symbol => column,
+            _ => Column::number(identifier(name), symbol),
+        };
+        let either = |given: &Option<String>, own: &Option<String>| {
+            given.clone().or(own.clone()).unwrap_or_default()
+        };
+        let quantity = either(&input.quantity, &channel.quantity);
+        let direction = either(&input.direction, &channel.direction);
+        Some(Signal {
+            channel: Channel::of_measured(column),
+            values,
+            rate,
+            start,
+            source: [channel.name, unit, quantity, direction],
+        })
+    }
+
+    /// Rate, time of the first sample and samples at equal times, none of them missing.
+    fn sampled(
+        &self,
+        channel: &mut RecordChannel,
+        input: &SignalInput,
+        problems: &mut Problems<'_>,
+    ) -> Option<(f64, f64, Vec<f64>)> {
+        let name = &channel.name;
+        let given = si(&input.rate).or(si(&self.input.rate));
+        let mut values = std::mem::take(&mut channel.samples);
+        let missing = bridge(&mut values);
+        if missing == values.len() {
+            let message = format!("all samples of `{name}` are missing");
+            problems.refuse(Issue::new(".column", message).help("leave it out"));
+            return None;
+        }
+        if missing > 0 {
+            problems.warn(format!(
+                "missing samples of `{name}`, {missing}, are bridged by straight lines"
+            ));
+        }
+        Some(match (&channel.sampling, given) {
+            (Sampling::Even { rate, start }, None) => (*rate, *start, values),
+            (Sampling::Even { rate, start }, Some(given)) => {
+                if (given / rate - 1.0).abs() > ALMOST_THE_RATE {
+                    problems.warn(format!(
+                        "the file says that `{name}` has {} samples a second, and {} are taken as given",
+                        significant(*rate),
+                        significant(given)
+                    ));
+                }
+                (given, *start, values)
+            }
+            (Sampling::Times(_) | Sampling::Unknown, Some(given)) => (given, 0.0, values),
+            (Sampling::Times(times), None) => {
+                let (first, last) = (times[0], times[times.len() - 1]);
+                let rate = (times.len() - 1) as f64 / (last - first);
+                problems.warn(format!(
+                    "`{name}` was sampled at uneven times: it is brought to the mean rate of {} Hz on straight lines, which damps \
+                     what is above about a fifth of it; give the `rate` if the times are inexact and the samples even",
+                    significant(rate)
+                ));
+                (rate, first, at_even_times(times, &values, rate))
+            }
+            (Sampling::Unknown, None) => {
+                problems.refuse(self.no_rate(name));
+                return None;
+            }
+        })
+    }
+
+    /// The rate of a channel is not known; a number of the file may be it.
+    fn no_rate(&self, name: &str) -> Issue {
+        let message = format!("the file does not say how many samples a second `{name}` has");
+        let offered = self.number(&["rate", "sr", "fs", "freq"], SLOWEST);
+        Issue::new("", message).help(match offered {
+            Some((name, value)) => format!(
+                "it holds {name} = {value}: if that is the rate, give it, as in --rate \"{value} Hz\""
+            ),
+            None => "give it, as in --rate \"12 kHz\", or `rate` in [record]".to_owned(),
+        })
+    }
+}
+
+impl SignalInput {
+    /// A column as it is.
+    pub(super) fn of_column(name: &str) -> Self {
+        Self {
+            column: name.to_owned(),
+            ..Self::default()
+        }
+    }
+}
+
+/// The column of a trace of this program.
+fn native_column(channel: &RecordChannel) -> Option<Column> {
+    let quantity = channel.quantity.clone()?;
+    let column = Column::number(quantity, channel.unit.clone().unwrap_or_default());
+    (column.name() == channel.name).then_some(column)
+}
+
+/// The channel of a run that a column is of.
+fn native(channel: &RecordChannel) -> Option<Channel> {
+    Channel::of_column(&native_column(channel)?)
+}
+
+/// A name of letters, digits and `_`, as columns have.
+fn identifier(name: &str) -> String {
+    let words = name.split(|sign: char| !sign.is_ascii_alphanumeric());
+    let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+    let joined = words.join("_");
+    match joined.chars().next() {
+        None => "signal".to_owned(),
+        Some(first) if first.is_ascii_digit() => format!("c{joined}"),
+        Some(_) => joined,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_become_names_of_columns() {
+        for (name, expected) in [
+            ("X112_DE_time", "X112_DE_time"),
+            ("acc x", "acc_x"),
+            ("3: Motor (DE)", "c3_Motor_DE"),
+            ("µ", "signal"),
+        ] {
+            assert_eq!(identifier(name), expected);
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! What the speed of a record follows from.
+
+use super::reader::{Signal, SignalReader};
+use super::{Issue, Problems, Signals};
+use crate::analysis::Channel;
+use crate::measurement::{TachoError, Turning};
+use crate::scenario::input::{RecordSpeedInput, SignalInput};
+use crate::scenario::quantity::{Dimension, parse, si};
+
+/// Part of a constant speed that round-off may change it by.
+const CONSTANT: f64 = 1e-12;
+
+/// What the speed follows from.
+pub(super) enum TurningSource {
+    Unknown,
+    Constant(f64),
+    Speed(Signal),
+    Tacho(Signal, f64),
+    /// Angle and speed of a run of this program.
+    Run {
+        angle: Signal,
+        speed: Signal,
+    },
+}
+
+impl TurningSource {
+    /// How the shaft turned at the samples; what lies before the first and behind the last pulse of a tacho is left out.
+    pub fn at_samples(
+        self,
+        signals: &mut Signals,
+        problems: &mut Problems<'_>,
+    ) -> Option<Option<Turning>> {
+        Some(match self {
+            Self::Unknown => None,
+            Self::Constant(speed) => Some(Turning::Constant(speed)),
+            Self::Run { angle, speed } => {
+                let [angle, speed] = [angle, speed].map(|signal| signals.at_samples(&signal));
+                let none = [f64::INFINITY, 0.0];
+                let [low, high] = speed
+                    .iter()
+                    .fold(none, |[low, high], value| [value.min(low), value.max(high)]);
+                Some(match high - low <= CONSTANT * high {
+                    true => Turning::Constant(speed[0]),
+                    false => Turning::Measured { angle, speed },
+                })
+            }
+            Self::Speed(signal) => {
+                let speed = signals.at_samples(&signal);
+                Some(Turning::from_speed(speed, signals.rate))
+            }
+            Self::Tacho(signal, pulses) => {
+                let tacho = signals.at_samples(&signal);
+                let found = Turning::from_tacho(&tacho, pulses, signals.rate);
+                let wrong = |error: TachoError| Issue::new("speed.tacho", error.to_string());
+                let (turning, range) = problems.take(found.map_err(wrong))?;
+                signals.keep(range);
+                Some(turning)
+            }
+        })
+    }
+}
+
+impl SignalReader<'_> {
+    /// What the speed follows from; `None` where that is wrong.
+    pub fn turning(
+        &mut self,
+        speed: Option<&RecordSpeedInput>,
+        problems: &mut Problems<'_>,
+    ) -> Option<TurningSource> {
+        let Some(speed) = speed else {
+            return self.turning_of_run(problems);
+        };
+        if let Some(constant) = si(&speed.constant) {
+            return Some(TurningSource::Constant(constant));
+        }
+        let (key, named) = match (&speed.channel, &speed.tacho) {
+            (Some(channel), _) => (".channel", channel),
+            (None, Some(tacho)) => (".tacho", tacho),
+            (None, None) => return None,
+        };
+        problems.inside("speed", |problems| {
+            let index = problems.take(self.find(named, key))?;
+            let input = SignalInput {
+                unit: speed.unit.clone(),
+                rate: speed.rate.clone(),
+                scale: Some(1.0),
+                ..SignalInput::of_column(named)
+            };
+            if key == ".tacho" {
+                let signal = self.signal(index, &input, problems)?;
+                return Some(TurningSource::Tacho(signal, speed.pulses.unwrap_or(1.0)));
+            }
+            self.speed(index, input, problems).map(TurningSource::Speed)
+        })
+    }
+
+    /// Angle and speed of a trace of this program; of other records the speed is not known.
+    fn turning_of_run(&mut self, problems: &mut Problems<'_>) -> Option<TurningSource> {
+        let [Some(angle), Some(speed)] =
+            [Channel::Angle, Channel::Speed].map(|channel| self.of_run(channel))
+        else {
+            self.offer_speed(problems);
+            return Some(TurningSource::Unknown);
+        };
+        let [angle, speed] = [angle, speed].map(|index| {
+            let input = SignalInput::of_column(&self.names[index]);
+            self.signal(index, &input, problems)
+        });
+        Some(TurningSource::Run {
+            angle: angle?,
+            speed: speed?,
+        })
+    }
+
+    /// A channel of speed, in rad/s.
+    fn speed(
+        &mut self,
+        index: usize,
+        input: SignalInput,
+        problems: &mut Problems<'_>,
+    ) -> Option<Signal> {
+        let named = self.names[index].clone();
+        let unit = input.unit.clone().or(self.unit(index));
+        let factor = unit.as_ref().and_then(|unit| {
+            let parsed = parse(&format!("1 {unit}"), &[Dimension::AngularSpeed]);
+            parsed.ok().map(|one| one.si)
+        });
+        let Some(factor) = factor else {
+            let message = match unit {
+                Some(unit) => format!("`{unit}` is no unit of a speed"),
+                None => format!("the file has no unit of `{named}`"),
+            };
+            problems.refuse(Issue::new(".unit", message).help("for instance: unit = \"rpm\""));
+            return None;
+        };
+        let plain = SignalInput {
+            unit: Some(String::new()),
+            ..input
+        };
+        let mut signal = self.signal(index, &plain, problems)?;
+        signal.values.iter_mut().for_each(|value| *value *= factor);
+        if signal.values.iter().any(|value| *value < 0.0) {
+            let message = format!("the speed in `{named}` is negative somewhere");
+            let issue = Issue::new(".channel", message);
+            problems.refuse(issue.help("orders need a shaft that turns one way"));
+            return None;
+        }
+        Some(signal)
+    }
+
+    /// Names numbers of the file that may be the speed.
+    fn offer_speed(&self, problems: &mut Problems<'_>) {
+        let found = self.number(&["rpm", "speed", "drehzahl"], 0.0);
+        if let Some((name, value)) = found {
+            problems.warn(format!(
+                "no speed is given, and lines have no names; the file holds {name} = {value}: if that is the speed, give it, as in \
+                 --speed \"{value} rpm\""
+            ));
+        }
+    }
+}
