@@ -10,6 +10,9 @@ const FEWEST: u32 = 7;
 const LEAST_POWER: f64 = 1e-4;
 /// Part of a record at either end over which it is faded in and out, so that its ends do not knock.
 const FADE: f64 = 0.05;
+/// Samples of a long record that are looked at, in pieces that are spread over it.
+const MOST_SAMPLES: usize = 1 << 20;
+const PIECES: usize = 16;
 
 /// A band and the kurtosis of what it holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,18 +36,23 @@ pub struct ImpulsiveBand {
 /// transient faults*, Mech. Syst. Signal Process. 21 (2007) 108–124; bands have sharp edges here in place of his filters of
 /// 16 coefficients.
 pub fn impulsive_band(samples: &[f64], rate: f64) -> Option<ImpulsiveBand> {
-    let levels = samples.len().checked_ilog2()?.checked_sub(FEWEST)?;
-    let faded = faded(samples);
-    let squares = faded.iter().map(|value| value * value);
-    let power = squares.sum::<f64>() / faded.len() as f64;
+    let pieces: Vec<Vec<f64>> = pieces(samples).into_iter().map(faded).collect();
+    let levels = pieces[0].len().checked_ilog2()?.checked_sub(FEWEST)?;
+    let squares = pieces.iter().flatten().map(|value| value * value);
+    let power = squares.sum::<f64>() / (pieces.len() * pieces[0].len()) as f64;
     let halves = (1..=levels.min(MOST_LEVELS)).flat_map(|level| [1 << level, 3 << (level - 1)]);
     let bands = halves.flat_map(|count: u32| {
         let width = 0.5 * rate / f64::from(count);
         (0..count).map(move |band| [0, 1].map(|edge| width * f64::from(band + edge)))
     });
-    let mut envelopes = Envelopes::new(&faded, rate);
+    let envelopes = pieces.iter().map(|piece| Envelopes::new(piece, rate));
+    let mut envelopes: Vec<Envelopes> = envelopes.collect();
     let kurtosis = |band: [f64; 2]| {
-        let [second, fourth] = envelopes.mean_powers(band);
+        let powers = envelopes.iter_mut().map(|piece| piece.mean_powers(band));
+        let sums = powers.fold([0.0; 2], |[a, b], [second, fourth]| {
+            [a + second, b + fourth]
+        });
+        let [second, fourth] = sums.map(|sum| sum / pieces.len() as f64);
         // half of the square of an envelope is power
         let loud = 0.5 * second > LEAST_POWER * power;
         let kurtosis = fourth / (second * second) - 2.0;
@@ -52,6 +60,17 @@ pub fn impulsive_band(samples: &[f64], rate: f64) -> Option<ImpulsiveBand> {
     };
     let found = bands.filter_map(kurtosis);
     found.max_by(|a, b| a.kurtosis.total_cmp(&b.kurtosis))
+}
+
+/// The whole signal, or of a long one pieces of equal length.
+fn pieces(samples: &[f64]) -> Vec<&[f64]> {
+    if samples.len() <= MOST_SAMPLES {
+        return vec![samples];
+    }
+    let length = MOST_SAMPLES / PIECES;
+    let start = |piece: usize| (samples.len() - length) / (PIECES - 1) * piece;
+    let piece = |piece: usize| &samples[start(piece)..start(piece) + length];
+    (0..PIECES).map(piece).collect()
 }
 
 /// The signal about its mean, faded in and out.
@@ -105,6 +124,15 @@ mod tests {
         assert!(found.kurtosis > 3.0, "{found:?}");
         let still = impulsive_band(&signal(0.0), RATE).expect("a band");
         assert!(still.kurtosis < 0.6, "{still:?}");
+    }
+
+    #[test]
+    fn pieces_are_spread_over_a_long_signal() {
+        let signal: Vec<f64> = (0..MOST_SAMPLES + 20).map(|n| n as f64).collect();
+        let found = pieces(&signal);
+        let ends = [found[0][0], found[PIECES - 1][MOST_SAMPLES / PIECES - 1]];
+        assert_eq!((found.len(), ends[0]), (PIECES, 0.0));
+        assert!((ends[1] - signal.len() as f64).abs() <= PIECES as f64);
     }
 
     #[test]

@@ -44,7 +44,7 @@ pub use order_tracks::{OrderTracks, Track, TrackPoint, TrackedOrder};
 #[cfg(test)]
 pub(crate) use peaks::MOST_PEAKS;
 pub use peaks::Peak;
-pub(crate) use recording::{MOST_IN_ENVELOPE, Recording, SampleGrid};
+pub(crate) use recording::{Recording, SampleGrid};
 use sampling_errors::Leak;
 pub(crate) use sampling_errors::{ChannelCheck, TopPower, leak};
 pub(crate) use spectrum::Analysis;

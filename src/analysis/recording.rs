@@ -7,9 +7,6 @@ use crate::rotor::Sample;
 const MOST_IN_SPECTRUM: usize = 1 << 17;
 const REVOLUTIONS_IN_SPECTRUM: usize = 256;
 
-/// Samples of a long record that an envelope rests on, the last ones.
-pub(crate) const MOST_IN_ENVELOPE: usize = 1 << 20;
-
 /// How the samples of a run follow each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SampleGrid {
@@ -53,8 +50,6 @@ pub struct Recording {
     most: usize,
     /// Time of the first recorded sample that is kept, s.
     start: Option<f64>,
-    /// Samples that an envelope is taken of at most.
-    pub(super) most_in_envelope: usize,
 }
 
 /// Drops the oldest values down to `kept` where there are more than `most`; how many.
@@ -74,12 +69,10 @@ impl Recording {
             channels: Vec::new(),
             most: usize::MAX,
             start: None,
-            most_in_envelope: usize::MAX,
         }
     }
 
-    /// Columns that were taken elsewhere, all of one length, the first values at a time, s; their envelopes rest on the last
-    /// [`MOST_IN_ENVELOPE`] samples.
+    /// Columns that were taken elsewhere, all of one length, the first values at a time, s.
     pub(crate) fn of_columns(
         grid: SampleGrid,
         start: f64,
@@ -88,7 +81,6 @@ impl Recording {
         Self {
             channels,
             start: Some(start),
-            most_in_envelope: MOST_IN_ENVELOPE,
             ..Self::new(grid, start)
         }
     }

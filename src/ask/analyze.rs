@@ -15,12 +15,17 @@ pub struct AnalyzeQuestion {
 }
 
 impl AnalyzeQuestion {
-    /// Asks about the record that a file describes, with some values in place of its own, each as `key=value`.
+    /// Asks about a record, of which a description as JSON says what it does not, or one that a file .toml or .json describes; with
+    /// some values in place of those, each as `key=value`.
     ///
     /// # Errors
     /// [`ScenarioError`] with everything that is wrong, also with the record.
-    pub fn load(path: &Path, settings: &[String]) -> Result<Self, ScenarioError> {
-        let file = load_record(path, settings)?;
+    pub fn load(
+        path: &Path,
+        description: &str,
+        settings: &[String],
+    ) -> Result<Self, ScenarioError> {
+        let file = load_record(path, description, settings)?;
         Ok(Self { file })
     }
 

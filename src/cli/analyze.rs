@@ -144,14 +144,7 @@ impl Arguments {
     fn analyse(&self, file: &Path, name: &str) -> Answered {
         let started = Instant::now();
         let folder = folder_of(file, &self.out).map_err(refused)?;
-        let ending = file.extension();
-        let question = match ending.is_some_and(|ending| ending == "toml" || ending == "json") {
-            true => AnalyzeQuestion::load(file, &self.options()),
-            false => {
-                let record = Record::open(file).map_err(refused)?;
-                AnalyzeQuestion::describe(record, name, "{}", &self.options())
-            }
-        };
+        let question = AnalyzeQuestion::load(file, "{}", &self.options());
         let question = question.map_err(|error| {
             terminal::tell_problems(&error);
             (Outcome::WrongInput, error.to_string())

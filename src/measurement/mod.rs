@@ -8,11 +8,12 @@ mod turning;
 
 use std::f64::consts::TAU;
 
+use serde::Serialize;
+
 use crate::analysis::{
     Axis, BearingFrequencies, Channel, ChannelLevel, ChannelStatistics, EstimatedSpectrum,
-    LevelRecorder, Line, LineSurfaces, MOST_IN_ENVELOPE, Peak, Recording, SampleGrid, Sources,
-    Spectrum, SpectrumKind, SpectrumRequest, TrackRecorder, WaterfallRecorder, Window, causes,
-    estimate,
+    LevelRecorder, Line, LineSurfaces, Peak, Recording, SampleGrid, Sources, Spectrum,
+    SpectrumRequest, TrackRecorder, WaterfallRecorder, Window, causes, estimate,
 };
 use crate::bearing::Bearing;
 use crate::physics::{BallPass, velocity_band};
@@ -63,40 +64,53 @@ pub struct MeasuredBearing {
     pub slip: Option<f64>,
 }
 
-/// What was found in a measurement.
-#[derive(Debug, Clone)]
+/// What was found in a measurement. It serialises with the keys of `record.json`, but for its spectra.
+#[derive(Debug, Clone, Serialize)]
 pub struct Measured {
     /// The signals.
+    #[serde(skip)]
     pub recording: Recording,
     /// Samples a second.
+    #[serde(rename = "sample_rate_Hz")]
     pub rate: f64,
     /// Mean, lowest and highest speed, rad/s, where it is known.
+    #[serde(skip)]
     pub speed: Option<[f64; 3]>,
     /// What the bearings are called.
     pub bearings: Vec<String>,
     /// Frequencies of the bearings at the mean speed, as they roll at the nominal contact angle.
+    #[serde(rename = "nominal_ball_pass")]
     pub nominal: Vec<BallPass>,
     /// Those with the slip that is given or was found.
     pub ball_pass: Vec<BallPass>,
     /// The slip of their cages, where it was found.
+    #[serde(rename = "cage_slip")]
     pub slips: Vec<Option<Slip>>,
     /// Speeds that would explain the lines, the likeliest first, where none is known.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub speed_estimates: Vec<SpeedEstimate>,
     /// Statistics of every signal.
     pub statistics: Vec<ChannelStatistics>,
     /// RMS velocity of those that are or make velocities.
+    #[serde(rename = "velocity_rms")]
     pub velocity: Vec<ChannelLevel>,
     /// Zone of the largest, where the machine is known.
+    #[serde(rename = "vibration_severity", skip_serializing_if = "Option::is_none")]
     pub severity: Option<VibrationSeverity>,
     /// The spectrum of all signals.
+    #[serde(skip)]
     pub spectrum: Option<Spectrum>,
     /// Its peaks, with their names.
+    #[serde(skip)]
     pub peaks: Vec<Peak>,
     /// The further spectra, as far as the record is long enough.
+    #[serde(skip)]
     pub spectra: Vec<EstimatedSpectrum>,
     /// Waterfall and order tracks, where the speed changes.
+    #[serde(skip)]
     pub maps: Option<Maps>,
     /// What the reader should know.
+    #[serde(skip)]
     pub warnings: Vec<String>,
 }
 
@@ -220,17 +234,6 @@ fn estimated(
     requests: &[SpectrumRequest],
     warnings: &mut Vec<String>,
 ) -> Vec<EstimatedSpectrum> {
-    let is_envelope = |request: &SpectrumRequest| {
-        matches!(
-            request.kind,
-            SpectrumKind::Envelope { .. } | SpectrumKind::ImpulsiveEnvelope
-        )
-    };
-    if recording.length() > MOST_IN_ENVELOPE && requests.iter().any(is_envelope) {
-        warnings.push(format!(
-            "envelopes rest on the last {MOST_IN_ENVELOPE} samples; `duration` and `start` take another part"
-        ));
-    }
     let mut found = Vec::new();
     for request in requests {
         match estimate(recording, request) {

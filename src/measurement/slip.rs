@@ -15,6 +15,8 @@ const MULTIPLES: u32 = 5;
 /// Bins to which the place of a line is known, and within which a multiple counts.
 const KNOWN: f64 = 0.25;
 const NEAR: f64 = 0.75;
+/// Part of the power of all lines as high that those of a race have at least: other causes have some lines near those, too.
+const LEAST_SHARE: f64 = 0.1;
 /// Bins beside a multiple of the shaft within which a line is taken for one of the shaft.
 const OF_SHAFT: f64 = 2.0;
 
@@ -90,6 +92,12 @@ fn strongest(own: &MeasuredBearing, spectra: &[EstimatedSpectrum], speed: f64) -
                 let Some((power, order, multiples)) = comb(&lines, kinematic, resolution) else {
                     continue;
                 };
+                let highest = (f64::from(MULTIPLES) + 0.5) * kinematic;
+                let all = lines.iter().filter(|(at, _)| *at < highest);
+                let all: f64 = all.map(|(_, value)| value * value).sum();
+                if power < LEAST_SHARE * all {
+                    continue;
+                }
                 if best.as_ref().is_some_and(|(most, _)| *most >= power) {
                     continue;
                 }

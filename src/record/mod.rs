@@ -33,7 +33,7 @@ use crate::table::Table;
 use bytes::Bytes;
 
 pub use error::{Problem, RecordError};
-pub(crate) use even::{at_even_times, bridge, on_line};
+pub(crate) use even::{at_even_times, between, bridge, on_line};
 pub use form::Form;
 pub use sampling::Sampling;
 
@@ -169,12 +169,22 @@ impl Record {
             why.append(&mut self.warnings);
             return Err(Problem::Unfit(why.join("; ")));
         }
+        let mut unordered = Vec::new();
         let mut known = HashMap::new();
         for channel in &mut self.channels {
             let count = known.entry(channel.name.clone()).or_insert(0);
             *count += 1;
             if *count > 1 {
                 channel.name = format!("{}#{count}", channel.name);
+            }
+            if let Sampling::Unordered(row) = channel.sampling
+                && !unordered.contains(&row)
+            {
+                unordered.push(row);
+                let name = &channel.name;
+                let text =
+                    format!("the times of `{name}` do not rise at row {row}: its rate is unknown");
+                self.warnings.push(text);
             }
             let missing = channel.samples.iter().filter(|it| !it.is_finite()).count();
             if missing > 0 {

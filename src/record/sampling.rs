@@ -20,26 +20,30 @@ pub enum Sampling {
     },
     /// At these times, s, which rise unevenly.
     Times(Arc<[f64]>),
+    /// At times that do not rise at this sample, counted from 1.
+    Unordered(usize),
 }
 
 impl Sampling {
-    /// The sampling of times in s: even where none is further than a twentieth of a step from an even rate; none where they
-    /// do not rise.
-    pub fn from_times(times: &[f64]) -> Option<Self> {
+    /// The sampling of times in s: even where none is further than a twentieth of a step from an even rate.
+    pub fn from_times(times: &[f64]) -> Self {
         let [start, .., end] = *times else {
-            return None;
+            return Self::Unknown;
         };
+        // a time that is not a number, or infinite, does not rise
+        let rises = |pair: &[f64]| pair[0] < pair[1] && (pair[1] - start).is_finite();
+        if let Some(before) = times.windows(2).position(|pair| !rises(pair)) {
+            return Self::Unordered(before + 2);
+        }
         let steps = (times.len() - 1) as f64;
         let (step, rate) = ((end - start) / steps, steps / (end - start));
         let is_near = |(index, time): (usize, &f64)| {
             (time - start - index as f64 * step).abs() <= EVEN * step
         };
-        // a time that is not a number does not rise
-        let rises = rate.is_finite() && times.is_sorted_by(|earlier, later| earlier < later);
-        rises.then(|| match times.iter().enumerate().all(is_near) {
+        match times.iter().enumerate().all(is_near) {
             true => Self::Even { rate, start },
             false => Self::Times(times.into()),
-        })
+        }
     }
 
     /// Samples a second, Hz, if they are even.
@@ -53,7 +57,7 @@ impl Sampling {
     /// Time from the first to the last of so many samples, s.
     pub fn duration(&self, samples: usize) -> Option<f64> {
         match self {
-            Self::Unknown => None,
+            Self::Unknown | Self::Unordered(_) => None,
             Self::Even { rate, .. } => Some(samples.saturating_sub(1) as f64 / rate),
             Self::Times(times) => Some(times.last()? - times.first()?),
         }

@@ -21,6 +21,8 @@ use crate::table::Table;
 
 /// Channels whose envelopes are taken where no spectra are asked for.
 const MOST_ENVELOPES: usize = 4;
+/// Samples of the segments of their spectra at most.
+const LONGEST_SEGMENT: usize = 1 << 20;
 
 /// A record that is read, and what its description says.
 #[derive(Debug)]
@@ -52,12 +54,28 @@ pub fn record_schema() -> &'static Value {
     &SCHEMA
 }
 
-/// Reads and checks a file that describes a record, with some values in place of its own, and the record that it names.
+/// Reads and checks a file .toml or .json that describes a record, with some values in place of its own, and the record that it names;
+/// any other file is a record, of which a description as JSON says what it does not.
 ///
 /// # Errors
 /// [`ScenarioError`] with everything that is wrong.
-pub fn load_record(path: &Path, settings: &[String]) -> Result<MeasuredFile, ScenarioError> {
-    check_record(&Document::open(path)?.with(settings)?)
+pub fn load_record(
+    path: &Path,
+    description: &str,
+    settings: &[String],
+) -> Result<MeasuredFile, ScenarioError> {
+    if ["toml", "json"]
+        .iter()
+        .any(|ending| path.extension() == Some(ending.as_ref()))
+    {
+        return check_record(&Document::open(path)?.with(settings)?);
+    }
+    let name = path.display().to_string();
+    let document = Document::parse(description, &name, Format::Json)?.with(settings)?;
+    match Record::open(path) {
+        Ok(record) => check(&document, Some(record)),
+        Err(error) => Err(document.refused(Issue::new("", error.problem.to_string()))),
+    }
 }
 
 /// A record of a name, of which a description as JSON and the settings say what its file does not.
@@ -121,7 +139,7 @@ fn build(
     };
     let mut spectra = build_spectra(&input.spectrum, &recorded, problems);
     if input.spectrum.is_empty() {
-        spectra = default_spectra(&channels, recorded.turning.changes);
+        spectra = default_spectra(&channels, signals.length(), recorded.turning.changes);
     }
     let about = RecordDescription {
         title: input.title.clone().unwrap_or_else(|| document.stem()),
@@ -162,8 +180,13 @@ fn open(
     problems.take(read.map_err(|error| Issue::new("record.file", error.to_string())))
 }
 
-/// Envelopes in the bands where channels knock most, over orders where the speed changes; then also their spectra over orders.
-fn default_spectra(channels: &[Channel], speed_changes: bool) -> Vec<SpectrumRequest> {
+/// Envelopes in the bands where channels knock most, of a long record the mean of its parts; over orders where the speed changes, then also
+/// their spectra over orders.
+fn default_spectra(
+    channels: &[Channel],
+    length: usize,
+    speed_changes: bool,
+) -> Vec<SpectrumRequest> {
     let is_of_sensor =
         |channel: &&Channel| matches!(channel, Channel::Measured(_)) || channel.unit() == "m/s^2";
     let axis = match speed_changes {
@@ -176,7 +199,10 @@ fn default_spectra(channels: &[Channel], speed_changes: bool) -> Vec<SpectrumReq
         channels: channels.to_vec(),
         scaling: Scaling::Peak,
         window: Window::Hann,
-        segment: Segment::Whole,
+        segment: match length > LONGEST_SEGMENT && !speed_changes {
+            true => Segment::Samples(LONGEST_SEGMENT),
+            false => Segment::Whole,
+        },
         overlap: 0.5,
         detrend: Detrend::Constant,
         axis,

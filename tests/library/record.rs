@@ -175,9 +175,14 @@ fn uneven_times_stay_and_rounded_ones_are_even() {
     assert_even(record.channel("fast").unwrap(), RATE);
     assert_even(record.channel("slow").unwrap(), RATE / 10.0);
     assert_eq!(record.channel("slow").unwrap().samples.len(), LENGTH / 2);
-    assert_eq!(Sampling::from_times(&[0.0, 1.0, 1.0]), None);
-    assert_eq!(Sampling::from_times(&[0.0, f64::NAN, 2.0]), None);
-    assert_eq!(Sampling::from_times(&[0.0]), None);
+    let unordered = |times: &[f64]| match Sampling::from_times(times) {
+        Sampling::Unordered(row) => row,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(unordered(&[0.0, 1.0, 1.0]), 3);
+    assert_eq!(unordered(&[0.0, f64::NAN, 2.0]), 2);
+    assert_eq!(unordered(&[0.0, 1.0, f64::INFINITY]), 3);
+    assert_eq!(Sampling::from_times(&[0.0]), Sampling::Unknown);
 }
 
 #[test]
@@ -267,7 +272,8 @@ fn what_a_file_lacks_is_not_guessed() {
     assert!(unknown("time,a\n0,1\n1,2\n2,3\n"));
     assert!(unknown("0,1\n1,2\n2,3\n"));
     assert!(unknown("m/s,a(1),b [DE]\n0,1,3\n1,2,3\n2,3,3\n"));
-    assert!(unknown("t [s],a\n0,1\n2,2\n1,3\n"));
+    let record = Record::from_bytes(b"t [s],a\n0,1\n2,2\n1,3\n", "a.csv").unwrap();
+    assert_eq!(record.channels[0].sampling, Sampling::Unordered(3));
     // one column with decimal commas looks the same
     let record = Record::from_bytes(b"0,1\n1,2\n2,3\n", "a.csv").unwrap();
     assert_eq!(record.warnings.len(), 1);

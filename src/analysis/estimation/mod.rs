@@ -86,7 +86,6 @@ fn with_band(recording: &Recording, request: &SpectrumRequest) -> SpectrumReques
         let rate = recording.grid.rate;
         let first = request.channels.first();
         let samples = first.map_or(&[][..], |channel| recording.channel(*channel));
-        let samples = &samples[envelope_start(recording)..];
         let found = impulsive_band(samples, rate);
         let band = found.map_or([0.0, 0.5 * rate], |found| found.band);
         request.kind = SpectrumKind::Envelope { band };
@@ -117,7 +116,7 @@ impl<'a> Record<'a> {
     fn as_recorded(recording: &'a Recording, request: &SpectrumRequest) -> Self {
         let grid = recording.grid;
         let recorded = recording.length();
-        let skipped = skipped(recording, request);
+        let skipped = skipped(recording);
         let signal = |channel: &Channel| signal(recording, request, *channel);
         let time = |sample: usize| recording.start() + sample as f64 / grid.rate;
         let per_revolution = match grid.per_revolution {
@@ -142,7 +141,7 @@ impl<'a> Record<'a> {
         request: &SpectrumRequest,
     ) -> Result<Self, EstimateError> {
         let rate = recording.grid.rate;
-        let skipped = skipped(recording, request);
+        let skipped = skipped(recording);
         let start = recording.start() + skipped as f64 / rate;
         let turning = Turning {
             angle: &recording.channel(Channel::Angle)[skipped..],
@@ -229,19 +228,9 @@ impl<'a> Record<'a> {
     }
 }
 
-/// Samples at the start that are left out: the others are whole revolutions on a grid of angle, of an envelope not too many.
-fn skipped(recording: &Recording, request: &SpectrumRequest) -> usize {
-    let start = match request.kind {
-        SpectrumKind::Envelope { .. } => envelope_start(recording),
-        _ => 0,
-    };
-    start + (recording.length() - start) % recording.grid.block()
-}
-
-/// The first sample that an envelope is taken of.
-fn envelope_start(recording: &Recording) -> usize {
-    let length = recording.length();
-    length.saturating_sub(recording.most_in_envelope)
+/// Samples at the start that are left out: on a grid of angle the others are whole revolutions.
+fn skipped(recording: &Recording) -> usize {
+    recording.length() % recording.grid.block()
 }
 
 /// The samples of a channel, or their envelope: of samples on a grid of angle, whole revolutions.
@@ -250,11 +239,11 @@ fn signal<'a>(
     request: &SpectrumRequest,
     channel: Channel,
 ) -> Cow<'a, [f64]> {
-    let skipped = skipped(recording, request);
+    let skipped = skipped(recording);
     let samples = &recording.channel(channel)[skipped..];
     match request.kind {
         SpectrumKind::Envelope { band } => {
-            Cow::from(Envelopes::new(samples, recording.grid.rate).envelope(band))
+            Cow::from(Envelopes::by_blocks(samples, recording.grid.rate, band))
         }
         _ => Cow::from(samples),
     }

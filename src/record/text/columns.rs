@@ -26,12 +26,7 @@ pub fn add(
         let per_second = unit.and_then(per_second);
         if let Some(per_second) = per_second.filter(|_| place == 0 || heading.is_time()) {
             samples.iter_mut().for_each(|time| *time /= per_second);
-            sampling = Sampling::from_times(&samples).unwrap_or_else(|| {
-                record.warn(format!(
-                    "the times in `{name}` do not rise; the rate is unknown"
-                ));
-                Sampling::Unknown
-            });
+            sampling = Sampling::from_times(&samples);
             continue;
         }
         if samples.is_empty() {
@@ -60,7 +55,7 @@ pub fn add(
     Ok(())
 }
 
-/// The sampling of columns that begin with hour, minute, second and microsecond, and rise.
+/// The sampling of columns that begin with hour, minute, second and microsecond, where these rise.
 fn clock(columns: &[Vec<f64>]) -> Option<Sampling> {
     let (clock, [_, ..]) = columns.split_first_chunk::<4>()? else {
         return None;
@@ -76,5 +71,6 @@ fn clock(columns: &[Vec<f64>]) -> Option<Sampling> {
     let time =
         |row: usize| 3600.0 * hours[row] + 60.0 * minutes[row] + seconds[row] + micros[row] / 1e6;
     let times: Vec<f64> = (0..micros.len()).map(time).collect();
-    Sampling::from_times(&times)
+    let sampling = Sampling::from_times(&times);
+    sampling.duration(times.len()).and(Some(sampling))
 }

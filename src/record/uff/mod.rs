@@ -43,12 +43,7 @@ fn function(record: &mut Record, lines: &mut Lines<'_>, first: &[u8]) -> Result<
         record.warn(format!("`{name}` {what}"));
         return Ok(());
     }
-    let sampling = sampling(&header, &values).unwrap_or_else(|| {
-        record.warn(format!(
-            "the times of `{name}` do not rise everywhere; its rate is unknown"
-        ));
-        Sampling::Unknown
-    });
+    let sampling = sampling(&header, &values);
     let channel = |name, samples| RecordChannel {
         sampling: sampling.clone(),
         quantity: header.quantity().map(str::to_owned),
@@ -64,14 +59,17 @@ fn function(record: &mut Record, lines: &mut Lines<'_>, first: &[u8]) -> Result<
     record.add(channel(format!("{name}.imaginary"), values.imaginary))
 }
 
-fn sampling(header: &Header, values: &Values) -> Option<Sampling> {
+fn sampling(header: &Header, values: &Values) -> Sampling {
     if !header.is_even {
         let times = values.abscissa.iter().map(|time| time / header.per_second);
         return Sampling::from_times(&times.collect::<Vec<_>>());
     }
     let rate = header.per_second / header.step;
     let start = header.start / header.per_second;
-    (rate > 0.0 && rate.is_finite()).then_some(Sampling::Even { rate, start })
+    match rate > 0.0 && rate.is_finite() {
+        true => Sampling::Even { rate, start },
+        false => Sampling::Unknown,
+    }
 }
 
 /// The lines of a file, between which binary data may stand.

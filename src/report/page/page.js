@@ -80,7 +80,7 @@
   }
   for (const entry of tables) folded(`table-${entry.name}`, `${heading(entry.name)}, a table`, rows(entry));
   const { scenario, study, ...numbers } = answer;
-  if (scenario) folded("scenario", "Scenario", element("p", { class: "quiet" }, "as it was read, with defaults"), json(scenario));
+  if (scenario) folded("scenario", scenario.record ? "Record" : "Scenario", element("p", { class: "quiet" }, "as it was read, with defaults"), json(scenario));
   if (study) folded("study", "Study", json(study));
   folded("document", "All numbers", element("p", { class: "quiet" }, `what stands in ${sealed}`), json(numbers));
   page.ready(figures.redraw);

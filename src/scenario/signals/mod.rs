@@ -10,12 +10,14 @@ use super::problems::Problems;
 use super::quantity::{si, significant};
 use crate::analysis::Channel;
 use crate::measurement::Turning;
-use crate::record::{Record, on_line};
+use crate::record::{Record, between, on_line};
 use crate::table::{Column, Table};
 use reader::{Signal, SignalReader};
 
 /// Part of a rate by which two are the same.
 const SAME_RATE: f64 = 1e-6;
+/// Part of a sample by which a time may be beside it.
+const ON_SAMPLE: f64 = 1e-3;
 /// Fewest samples that are analysed.
 const FEWEST: usize = 16;
 
@@ -56,25 +58,25 @@ impl Signals {
         Some(found)
     }
 
-    /// Signals of one rate.
+    /// Signals at the samples of the fastest that all have in common.
     fn joined(signals: Vec<Signal>, problems: &mut Problems<'_>) -> Option<Self> {
-        let first = signals.first()?;
-        let (rate, start) = (first.rate, first.start);
-        let is_other = |one: &&Signal| (one.rate / rate - 1.0).abs() > SAME_RATE;
-        if let Some(other) = signals.iter().find(is_other) {
-            let message = format!(
-                "`{}` has {rate} samples a second and `{}` {}: one analysis takes channels of one rate",
-                first.source[0], other.source[0], other.rate
-            );
-            let issue = Issue::new("record.channel", message);
-            problems.refuse(issue.help("analyse them one after the other, with `--channel`"));
-            return None;
-        }
-        let lengths = signals.iter().map(|one| one.values.len());
-        let length = lengths.min().unwrap_or(0);
+        let faster = |a: &&Signal, b: &&Signal| a.rate.total_cmp(&b.rate);
+        let fastest = signals.iter().rev().max_by(faster)?;
+        let (rate, start) = (fastest.rate, fastest.start);
+        let ends = signals.iter().map(|one| {
+            let from = one.start - start;
+            [from, from + (one.values.len() - 1) as f64 / one.rate]
+        });
+        let common = ends.fold(
+            [0.0, f64::INFINITY],
+            |[from, to]: [f64; 2], [start, end]| [from.max(start), to.min(end)],
+        );
+        let [first, end] = [common[0] * rate - ON_SAMPLE, common[1] * rate + ON_SAMPLE];
+        let (first, end) = (first.ceil(), end.floor());
+        let count = (end - first + 1.0).max(0.0) as usize;
         let (mut known, mut values, mut sources) = (Vec::new(), Vec::new(), Vec::new());
         for mut signal in signals {
-            signal.values.truncate(length);
+            signal.bring_to(rate, start + first / rate, count, problems);
             let alike = known.iter().filter(|other| **other == signal.channel);
             let alike = alike.count();
             known.push(signal.channel);
@@ -90,7 +92,7 @@ impl Signals {
         Some(Self {
             values,
             rate,
-            start,
+            start: start + first / rate,
             turning: None,
             sources,
         })
@@ -158,5 +160,32 @@ impl Signals {
                 table.word(word, |(_, source)| &source[place])
             })
             .end()
+    }
+}
+
+impl Signal {
+    /// Brings it to so many samples at another rate, the first at a time in s: of its own rate those that it has, else between them.
+    fn bring_to(&mut self, rate: f64, start: f64, count: usize, problems: &mut Problems<'_>) {
+        let first = (start - self.start) * self.rate;
+        let is_of_rate = (self.rate / rate - 1.0).abs() <= SAME_RATE;
+        if is_of_rate && (first - first.round()).abs() <= ON_SAMPLE {
+            self.values
+                .drain(..(first.round() as usize).min(self.values.len()));
+            self.values.truncate(count);
+            return;
+        }
+        if !is_of_rate {
+            problems.warn(format!(
+                "`{}` has {} samples a second: it is brought to {}, and holds nothing above {} Hz",
+                self.source[0],
+                significant(self.rate),
+                significant(rate),
+                significant(0.5 * self.rate)
+            ));
+        }
+        let step = self.rate / rate;
+        let samples = 0..count;
+        let values = samples.map(|sample| between(&self.values, first + sample as f64 * step));
+        self.values = values.collect();
     }
 }

@@ -238,7 +238,7 @@ impl<'a> SignalReader<'a> {
                 }
                 (given, *start, values)
             }
-            (Sampling::Times(_) | Sampling::Unknown, Some(given)) => (given, 0.0, values),
+            (_, Some(given)) => (given, 0.0, values),
             (Sampling::Times(times), None) => {
                 let (first, last) = (times[0], times[times.len() - 1]);
                 let rate = (times.len() - 1) as f64 / (last - first);
@@ -251,6 +251,12 @@ impl<'a> SignalReader<'a> {
             }
             (Sampling::Unknown, None) => {
                 problems.refuse(self.no_rate(name));
+                return None;
+            }
+            (Sampling::Unordered(row), None) => {
+                let message = format!("its times do not rise at row {row} of `{name}`");
+                let help = "mend them, or give the `rate` if the samples are even";
+                problems.refuse(Issue::new("", message).help(help));
                 return None;
             }
         })
