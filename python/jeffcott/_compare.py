@@ -8,7 +8,7 @@ import tempfile
 from collections.abc import Mapping
 from contextlib import ExitStack
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from ._jeffcott import compare as _compare
 from ._results import Result
@@ -47,6 +47,9 @@ def compare(
     absolute: float = 0.0,
     columns: Mapping[str, tuple[float, float]] | None = None,
     lines: int | None = None,
+    by: Literal["frequency", "order", "name"] = "frequency",
+    reach: float | None = None,
+    decibels: float | None = None,
     common: bool = False,
     worst: int = 1,
 ) -> Comparison:
@@ -54,7 +57,8 @@ def compare(
 
     Values agree where |a − b| ≤ absolute + relative · max|column|; `columns` has (relative, absolute) for single ones,
     `absolute` in the unit of the column. `lines` compares that many of the strongest lines of spectra, wherever they
-    stand; `common` leaves out what only one of them has; `worst` places of every column are told.
+    stand: those of folders of runs and records `by` "frequency", "order" or "name"; each finds its partner within the part
+    `reach` of its frequency, without it within a bin, and agrees within so many `decibels` in place of the tolerances. `common` leaves out what only one of them has; `worst` places of every column are told.
     """
     with ExitStack() as stack:
 
@@ -68,5 +72,5 @@ def compare(
         lines = None if lines is None else whole("lines", lines, 1, 65535)
         worst = whole("worst", worst, 1, 65535)
         paths, single = (path(first), path(second)), {text_of(name): pair for name, pair in (columns or {}).items()}
-        found, text = _compare(*paths, relative, absolute, single, worst, lines, common)
+        found, text = _compare(*paths, relative, absolute, single, worst, lines, by, reach, decibels, common)
     return Comparison(json.loads(found), text)

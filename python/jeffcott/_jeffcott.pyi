@@ -127,6 +127,9 @@ def compare(
     columns: dict[str, tuple[float, float]],
     worst: int,
     lines: int | None,
+    by: str,
+    reach: float | None,
+    decibels: float | None,
     common: bool,
 ) -> tuple[str, str]: ...
 def merge(folder: _Path) -> list[Path]: ...

@@ -21,6 +21,9 @@ pub fn compare(
     columns: BTreeMap<String, (f64, f64)>,
     worst: usize,
     lines: Option<usize>,
+    by: &str,
+    reach: Option<f64>,
+    decibels: Option<f64>,
     common: bool,
 ) -> PyResult<(String, String)> {
     if let Some(missing) = [&first, &second].into_iter().find(|path| !path.exists()) {
@@ -34,11 +37,15 @@ pub fn compare(
     for (name, (relative, absolute)) in columns {
         tolerances = tolerances.with_column(&name, tolerance(relative, absolute)?);
     }
+    let by = by.parse().map_err(PyValueError::new_err::<String>)?;
     let rules = Rules {
         tolerances,
         worst: worst.max(1),
         common,
         lines,
+        by,
+        reach,
+        decibels,
     };
     let found = py.detach(|| compare_files(&first, &second, &rules));
     let found = found.map_err(|error| wrong(&error))?;

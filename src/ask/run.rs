@@ -45,7 +45,7 @@ impl<'a> RunQuestion<'a> {
     /// [`AskError::Failed`] where the run fails.
     pub fn answer(&self, monitor: &mut Monitor<'_>) -> Result<RunFindings, AskError> {
         let (scenario, model) = (self.scenario.clone(), self.model.clone());
-        RunFindings::new(scenario, model, monitor).map_err(AskError::failed)
+        RunFindings::new(scenario, model, monitor).map_err(AskError::Failed)
     }
 
     /// Runs and writes the files into a folder while the run goes on, until its end or `stop` is set; tells the progress of

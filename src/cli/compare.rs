@@ -8,8 +8,8 @@ use serde_json::json;
 
 use super::{Outcome, terminal};
 use crate::report::compare::{
-    CompareError, Comparison, NamedComparison, Rules, Tolerance, Tolerances, compare,
-    compare_named, document, write_figure, write_page,
+    CompareError, Comparison, LinesBy, Rules, Tolerance, Tolerances, compare, document,
+    write_figure, write_page,
 };
 use crate::scenario::ToleranceFile;
 
@@ -50,16 +50,27 @@ pub struct Arguments {
     /// Show this many of the worst places of every column
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
     worst: u16,
-    /// Compare spectra by the N strongest lines of every column, matched within one bin of the coarser
-    /// frequency axis, instead of row by row
+    /// Compare spectra by the N strongest lines of every column instead of row by row. Folders of runs and of records without a
+    /// common column are compared by their peaks and lines of envelopes, amplitudes as velocities
     #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true, default_missing_value = "10",
           value_parser = clap::value_parser!(u16).range(1..))]
     lines: Option<u16>,
-    /// Compare folders of runs or of records by the names of their lines, BPFO to BPFO, each at its own frequency, amplitudes as
-    /// velocities; they agree within DB decibels
-    #[arg(long, value_name = "DB", num_args = 0..=1, require_equals = true, default_missing_value = "3",
-          conflicts_with_all = ["lines", "figure", "report", "columns", "tolerances", "relative", "absolute"])]
-    named: Option<f64>,
+    /// How lines of folders find their partners: at the frequency, at the multiple of the speed of their own shaft, or by name,
+    /// BPFO to BPFO, each at its own frequency
+    #[arg(
+        long,
+        value_name = "WHAT",
+        default_value = "frequency",
+        requires = "lines"
+    )]
+    by: LinesBy,
+    /// Part of its frequency or order within which a line finds its partner [default: a bin of the coarser axis]
+    #[arg(long, value_name = "PART", requires = "lines", value_parser = positive)]
+    reach: Option<f64>,
+    /// Let lines be so many dB apart, in place of the tolerances
+    #[arg(long, value_name = "DB", requires = "lines", value_parser = positive,
+          conflicts_with_all = ["columns", "tolerances", "relative", "absolute"])]
+    decibels: Option<f64>,
     /// Leave out what only one of them has: files, columns, samples of a trace that was thinned
     #[arg(long)]
     common: bool,
@@ -73,6 +84,15 @@ pub struct Arguments {
     /// Print the result as JSON: an object, or an array for more than two
     #[arg(long)]
     json: bool,
+}
+
+/// A number that is not negative.
+fn positive(text: &str) -> Result<f64, String> {
+    let number = text
+        .parse()
+        .ok()
+        .filter(|number: &f64| *number >= 0.0 && number.is_finite());
+    number.ok_or_else(|| "expected a number of zero or more".to_owned())
 }
 
 /// The tolerance of one column.
@@ -92,12 +112,6 @@ fn column(text: &str) -> Result<(String, Tolerance), Box<dyn Error + Send + Sync
 
 /// Compares and prints the worst places of every column.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
-    if let Some(within) = arguments.named {
-        return match named(arguments, within) {
-            Err(error) => failed(&message(&error), arguments),
-            Ok(compared) => show_named(&compared, arguments),
-        };
-    }
     match comparisons(arguments) {
         Err(message) => failed(&message, arguments),
         Ok(comparisons) => {
@@ -121,33 +135,6 @@ fn failed(message: &str, arguments: &Arguments) -> io::Result<Outcome> {
     Ok(Outcome::WrongInput)
 }
 
-/// The comparisons with the first result by the names of lines.
-fn named(arguments: &Arguments, within: f64) -> Result<Vec<NamedComparison>, CompareError> {
-    let (first, others) = (&arguments.results[0], &arguments.results[1..]);
-    let compare = |other: &PathBuf| compare_named(first, other, within, arguments.common);
-    others.iter().map(compare).collect()
-}
-
-/// Prints comparisons by names.
-fn show_named(compared: &[NamedComparison], arguments: &Arguments) -> io::Result<Outcome> {
-    let text = match (arguments.json, compared) {
-        (true, [one]) => format!("{:#}\n", one.to_json()),
-        (true, all) => {
-            let all = all.iter().map(NamedComparison::to_json);
-            format!("{:#}\n", serde_json::Value::from_iter(all))
-        }
-        (false, all) => all.iter().map(|one| format!("{one}\n")).collect(),
-    };
-    match arguments.json {
-        true => terminal::print(&text)?,
-        false => terminal::summarise(&text)?,
-    }
-    Ok(match compared.iter().all(NamedComparison::agrees) {
-        true => Outcome::Done,
-        false => Outcome::Failed,
-    })
-}
-
 /// The comparisons with the first result, or why nothing is compared.
 fn comparisons(arguments: &Arguments) -> Result<Vec<Comparison>, String> {
     let file = arguments.tolerances.as_deref().map(ToleranceFile::load);
@@ -158,6 +145,9 @@ fn comparisons(arguments: &Arguments) -> Result<Vec<Comparison>, String> {
         worst: arguments.worst.into(),
         common: arguments.common,
         lines: arguments.lines.map(usize::from),
+        by: arguments.by,
+        reach: arguments.reach,
+        decibels: arguments.decibels,
     };
     let results = &arguments.results;
     let others = results[1..].iter();

@@ -57,6 +57,14 @@ pub enum ReportError {
         /// The folder, or the file of rows.
         path: PathBuf,
     },
+    /// What `[[measured]]` names cannot be laid over a run.
+    #[error("cannot lay {} of `[[measured]]` over the run: {message}", path.display())]
+    Measured {
+        /// The folder or file.
+        path: PathBuf,
+        /// Why.
+        message: String,
+    },
 }
 
 impl ReportError {

@@ -7,24 +7,23 @@ use serde_json::{Value, json};
 
 use super::FileSet;
 use super::figure::Figure;
-use super::findings::{Findings, document, with_keys};
+use super::findings::{Findings, document};
 use super::histories::Histories;
 use super::motion::{add_severity, rms_text};
-use super::run_answer::SCALING;
-use super::run_up::{maps_figures, maps_json, tracks_table, waterfall_table};
+use super::run_answer::SpectraSummary;
+use super::run_up::{maps_figures, tracks_table, waterfall_table};
 use super::spectra::{
-    estimated_figure, estimated_json, estimated_table, frequency_limit, measured_figures,
-    peak_table, spectrum_table, table_name,
+    estimated_figure, estimated_table, frequency_limit, measured_figures, peak_table,
+    spectrum_table, table_name,
 };
 use super::statics::ball_pass_text;
 use super::terminal::{Lines, PER_MINUTE, digits, listed, of_bearing, shown_unit, significant};
 use super::text::{add_envelope_lines, add_peaks};
-use crate::analysis::{ChannelLevel, ChannelStatistics, EstimatedSpectrum};
+use crate::analysis::{ChannelStatistics, EstimatedSpectrum};
 use crate::measurement::{Measured, Slip, SpeedEstimate};
-use crate::physics::{BallPass, Race, velocity_band};
+use crate::physics::{Race, velocity_band};
 use crate::record::Record;
 use crate::scenario::RecordDescription;
-use crate::simulate::VibrationSeverity;
 use crate::table::Table;
 
 /// What was found in a record that a description names.
@@ -53,52 +52,32 @@ struct RecordSummary<'a> {
     channels: Value,
     samples: usize,
     start_s: f64,
-    #[serde(rename = "sample_rate_Hz")]
-    sample_rate: f64,
     speed: Option<Value>,
-    bearings: &'a [String],
-    ball_pass: &'a [BallPass],
-    nominal_ball_pass: &'a [BallPass],
-    cage_slip: &'a [Option<Slip>],
-    #[serde(skip_serializing_if = "<[_]>::is_empty")]
-    speed_estimates: &'a [SpeedEstimate],
-    statistics: &'a [ChannelStatistics],
-    velocity_rms: &'a [ChannelLevel],
-    #[serde(skip_serializing_if = "Option::is_none")]
-    vibration_severity: Option<&'a VibrationSeverity>,
-    spectrum: Option<Value>,
-    peaks: Value,
-    maps: Option<Value>,
-    spectra: Vec<Value>,
+    #[serde(flatten)]
+    found: &'a Measured,
+    #[serde(flatten)]
+    spectra: SpectraSummary,
     warnings: Vec<&'a str>,
 }
 
 impl<'a> RecordSummary<'a> {
     fn new(file: &'a RecordDescription, found: &'a Measured) -> Self {
-        let spectrum = found.spectrum.as_ref();
+        let warnings = file.warnings.iter().chain(&found.warnings);
         let speed = found.speed.map(|[mean, lowest, highest]| {
             json!({ "mean_rad_s": mean, "lowest_rad_s": lowest, "highest_rad_s": highest })
         });
-        let peaks = peaks(found).unwrap_or_default();
-        let warnings = file.warnings.iter().chain(&found.warnings);
         Self {
             channels: file.channels.records(),
             samples: found.recording.length(),
             start_s: found.recording.start(),
-            sample_rate: found.rate,
             speed,
-            bearings: &found.bearings,
-            ball_pass: &found.ball_pass,
-            nominal_ball_pass: &found.nominal,
-            cage_slip: &found.slips,
-            speed_estimates: &found.speed_estimates,
-            statistics: &found.statistics,
-            velocity_rms: &found.velocity,
-            vibration_severity: found.severity.as_ref(),
-            spectrum: spectrum.map(|spectrum| with_keys(spectrum, json!({ "scaling": SCALING }))),
-            peaks: peaks.records(),
-            maps: found.maps.as_ref().map(maps_json),
-            spectra: found.spectra.iter().map(estimated_json).collect(),
+            found,
+            spectra: SpectraSummary::new(
+                found.spectrum.as_ref(),
+                &found.peaks,
+                found.maps.as_ref(),
+                &found.spectra,
+            ),
             warnings: warnings.map(String::as_str).collect(),
         }
     }

@@ -1,9 +1,11 @@
 //! A run that is kept in memory: its tables and figures one by one, and all its files.
 
+use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
+use super::compare::Overlay;
 use super::findings::Findings;
 use super::histories::Histories;
 use super::run_answer::{Drawn, RunAnswer};
@@ -26,18 +28,21 @@ pub struct RunFindings {
     /// The run.
     pub recorded: RecordedRun,
     campbell: Option<Campbell>,
+    measured: Vec<Overlay>,
 }
 
 impl RunFindings {
     /// Runs the model of a scenario and keeps its samples.
     ///
     /// # Errors
-    /// [`SimulateError`].
+    /// [`SimulateError`], or [`ReportError`] where what is laid over the run cannot be read.
     pub(crate) fn new(
         scenario: Scenario,
         model: Model,
         monitor: &mut Monitor<'_>,
-    ) -> Result<Self, SimulateError> {
+    ) -> Result<Self, Box<dyn Error + Send + Sync>> {
+        let measured = scenario.measured.iter().map(|path| Overlay::load(path));
+        let measured = measured.collect::<Result<_, _>>()?;
         let mut recorded = RecordedRun::watched(&model, scenario.output.balls, monitor)?;
         let campbell = along_run_up(&model, &mut recorded.run);
         Ok(Self {
@@ -45,6 +50,7 @@ impl RunFindings {
             model,
             recorded,
             campbell,
+            measured,
         })
     }
 
@@ -54,6 +60,7 @@ impl RunFindings {
             model: &self.model,
             run: &self.recorded.run,
             campbell: self.campbell.as_ref(),
+            measured: &self.measured,
         }
     }
 

@@ -3,6 +3,7 @@
 use serde::Serialize;
 use serde_json::{Value, json};
 
+use super::compare::{Overlay, overlay_figures};
 use super::figure::Figure;
 use super::film::Film;
 use super::findings::{Findings, with_keys};
@@ -17,8 +18,9 @@ use super::spectra::{
 use super::statics::balls_figure;
 use super::text::{method_use_json, parted, text};
 use super::{FileSet, campbell, defects, spectrum_figure};
+use crate::analysis::{EstimatedSpectrum, Peak, Spectrum};
 use crate::scenario::Scenario;
-use crate::simulate::{Model, Run};
+use crate::simulate::{Maps, Model, Run};
 use crate::study::campbell::{Campbell, CriticalSpeed};
 use crate::table::Table;
 
@@ -40,6 +42,8 @@ pub(super) struct RunAnswer<'a> {
     pub run: &'a Run,
     /// Natural frequencies over the speed, where that changes.
     pub campbell: Option<&'a Campbell>,
+    /// Spectra of records that are laid over its own.
+    pub measured: &'a [Overlay],
 }
 
 impl<'a> RunAnswer<'a> {
@@ -67,6 +71,7 @@ impl<'a> RunAnswer<'a> {
             model,
             run,
             campbell,
+            measured,
         } = *self;
         let title = &scenario.title;
         let limit = frequency_limit_of(run);
@@ -76,8 +81,13 @@ impl<'a> RunAnswer<'a> {
             all.filter(move |spectrum| spectrum.lines.is_empty() != named)
                 .map(drawn)
         };
-        let mut figures: Vec<Figure> = named(true).collect();
         let spectrum = run.spectrum.as_ref();
+        let mut figures = Vec::new();
+        if !measured.is_empty() {
+            let own = Overlay::of("simulated", spectrum, &run.spectra);
+            figures = overlay_figures(&[&[own], measured].concat());
+        }
+        figures.extend(named(true));
         let spectra = |spectrum| spectra_figures(title, spectrum, &run.peaks);
         let mut spectra = spectrum.map_or_else(Vec::new, spectra).into_iter();
         // the velocities first
@@ -135,19 +145,44 @@ struct RunSummary<'a> {
     run: &'a Run,
     method_use: Option<Value>,
     measured_error: Option<Value>,
-    spectrum: Option<Value>,
-    peaks: Value,
+    #[serde(flatten)]
+    spectra: SpectraSummary,
     motion: Option<Value>,
     #[serde(skip_serializing_if = "Option::is_none")]
     run_up: Option<Value>,
-    maps: Option<Value>,
-    spectra: Vec<Value>,
     #[serde(skip_serializing_if = "Option::is_none")]
     critical_speeds: Option<&'a [CriticalSpeed]>,
 }
 
+/// What the document of a run or a record has of its spectra.
+#[derive(Debug, Serialize)]
+pub(super) struct SpectraSummary {
+    spectrum: Option<Value>,
+    peaks: Value,
+    maps: Option<Value>,
+    spectra: Vec<Value>,
+}
+
+impl SpectraSummary {
+    /// Of a spectrum with its peaks, of maps of a speed that changes, and of further spectra.
+    pub fn new(
+        spectrum: Option<&Spectrum>,
+        peaks: &[Peak],
+        maps: Option<&Maps>,
+        spectra: &[EstimatedSpectrum],
+    ) -> Self {
+        let peaks = spectrum.map(|spectrum| peak_table(peaks, spectrum));
+        Self {
+            spectrum: spectrum.map(|spectrum| with_keys(spectrum, json!({ "scaling": SCALING }))),
+            peaks: peaks.unwrap_or_default().records(),
+            maps: maps.map(maps_json),
+            spectra: spectra.iter().map(estimated_json).collect(),
+        }
+    }
+}
+
 /// How the spectra were made.
-pub(super) const SCALING: &str = "one-sided, peak values; the mean stands alone at frequency zero, taken away before the window; \
+const SCALING: &str = "one-sided, peak values; the mean stands alone at frequency zero, taken away before the window; \
                        phase of cos(2 pi f t + phase) with t from start_s";
 
 impl<'a> RunSummary<'a> {
@@ -158,10 +193,12 @@ impl<'a> RunSummary<'a> {
             campbell,
             ..
         } = *of;
-        let (method_use, spectrum) = (run.method_use.as_ref(), run.spectrum.as_ref());
         Self {
             run,
-            method_use: method_use.map(|used| method_use_json(used, parted(&run.bearings))),
+            method_use: run
+                .method_use
+                .as_ref()
+                .map(|used| method_use_json(used, parted(&run.bearings))),
             measured_error: run.measured_error.as_ref().map(|error| {
                 let further = json!({
                     "tolerance": model.integrator.tolerance,
@@ -169,15 +206,17 @@ impl<'a> RunSummary<'a> {
                 });
                 with_keys(error, further)
             }),
-            spectrum: spectrum.map(|spectrum| with_keys(spectrum, json!({ "scaling": SCALING }))),
-            peaks: of.peaks().unwrap_or_default().records(),
+            spectra: SpectraSummary::new(
+                run.spectrum.as_ref(),
+                &run.peaks,
+                run.maps.as_ref(),
+                &run.spectra,
+            ),
             motion: run.motion.as_ref().map(motion_json),
             run_up: run
                 .run_up
                 .as_ref()
                 .map(|run_up| run_up_json(run_up, campbell)),
-            maps: run.maps.as_ref().map(maps_json),
-            spectra: run.spectra.iter().map(estimated_json).collect(),
             critical_speeds: campbell.map(|campbell| &campbell.critical_speeds[..]),
         }
     }

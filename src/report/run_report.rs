@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
+use super::compare::Overlay;
 use super::film::Film;
 use super::findings::{WrittenFindings, document};
 use super::histories::Histories;
@@ -40,6 +41,8 @@ pub struct RunReport {
     events: Option<TableFiles>,
     histories: Option<Histories>,
     film: Option<Film>,
+    /// Spectra of records that are laid over those of the run.
+    measured: Vec<Overlay>,
     samples: u64,
 }
 
@@ -65,6 +68,8 @@ impl RunReport {
     /// [`ReportError::File`] where folder or trace cannot be created.
     pub fn new(scenario: &Scenario, model: &Model, folder: &Path) -> Result<Self, ReportError> {
         let output = &scenario.output;
+        let measured = scenario.measured.iter().map(|path| Overlay::load(path));
+        let measured = measured.collect::<Result<_, _>>()?;
         let folder = RunFolder::open(folder, FileSet::MOTION)?;
         let folder = folder.with_tables(&output.formats, &scenario.echo);
         let trace: Vec<Channel> = match &output.channels {
@@ -91,6 +96,7 @@ impl RunReport {
             every: output.written_of(model.samples()),
             folder,
             scenario: scenario.clone(),
+            measured,
             samples: 0,
         })
     }
@@ -149,6 +155,7 @@ impl RunReport {
             model,
             run: &run,
             campbell: campbell.as_ref(),
+            measured: &self.measured,
         };
         let drawn = Drawn {
             histories: self.histories.as_ref(),

@@ -32,7 +32,7 @@ mod tolerance_file;
 mod unit;
 mod visible;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use serde_json::Value;
@@ -91,6 +91,8 @@ pub struct Scenario {
     pub oils: Vec<Option<Oil>>,
     /// What to keep of the run.
     pub(crate) output: Output,
+    /// Folders and files of records that are laid over its spectra.
+    pub(crate) measured: Vec<PathBuf>,
     /// The scenario with its defaults written out; itself a valid scenario in JSON.
     pub echo: Value,
     /// What the user should know although the scenario can be run.
@@ -281,6 +283,7 @@ impl Scenario {
             contact_choice: questions.contact_choice,
             oils: questions.oils,
             output: input.output,
+            measured: questions.measured,
             warnings,
         }
     }

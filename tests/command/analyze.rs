@@ -1,5 +1,6 @@
 //! `jeffcott analyze`: records of sensors, and traces of runs.
 
+use std::f64::consts::TAU;
 use std::fs;
 use std::path::Path;
 use std::process::Output;
@@ -86,22 +87,105 @@ fn a_trace_that_is_read_back_gives_the_spectra_of_its_run() {
     let page = fs::read_to_string(at("output/trace/record.html")).unwrap();
     assert!(page.contains("trace") && page.contains("ball pass"));
 
-    let named = [
-        "compare",
-        "output/scene",
-        "output/trace",
-        "--named=0.01",
-        "--common",
-        "--json",
-    ];
-    let output = jeffcott_in(&folder, &named);
-    let named: Value = serde_json::from_str(&text(&output.stdout)).unwrap();
-    let lines = named["lines"].as_array().unwrap();
-    assert!(
-        lines
-            .iter()
-            .any(|line| line["name"] == "1×" && line["difference_dB"].as_f64() < Some(1e-6))
-    );
+    for by in ["name", "order", "frequency"] {
+        let compare = [
+            "compare",
+            "output/scene",
+            "output/trace",
+            "--lines",
+            "--by",
+            by,
+            "--decibels",
+            "0.01",
+            "--common",
+            "--json",
+            "--report",
+            "both.html",
+        ];
+        let compared: Value =
+            serde_json::from_str(&text(&jeffcott_in(&folder, &compare).stdout)).unwrap();
+        let column = &compared["tables"][0]["columns"][0];
+        let worst = &column["worst"];
+        assert!(worst["difference"].as_f64() < Some(1e-6), "{by}: {worst}");
+        assert!(worst["second_at"].is_number() && worst["allowed"] == 0.01);
+        assert_eq!(worst["name"].is_string(), by == "name");
+        let page = fs::read_to_string(at("both.html")).unwrap();
+        assert!(page.contains("trace: "), "{by}");
+    }
+}
+
+/// Records of other speeds and channels than the run: by name and order each line finds its own, by frequency none does.
+#[test]
+fn a_record_is_compared_with_a_run_of_another_speed() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |path: &str| folder.path().join(path);
+    fs::write(at("scene.toml"), SCENE).unwrap();
+    done(jeffcott_in(&folder, &["run", "scene.toml"]));
+    // 2 µm at 1× of 20 Hz: √2 times the velocity amplitudes of 1.414 mm/s²
+    let rows = (0..8000).map(|n| {
+        let t = f64::from(n) / 8000.0;
+        format!("{t},{}\n", 2.0 * (TAU * 20.0 * t).cos())
+    });
+    fs::write(
+        at("made.csv"),
+        "t [s],shaft [um]\n".to_owned() + &rows.collect::<String>(),
+    )
+    .unwrap();
+    let analyze = ["analyze", "made.csv", "--speed", "1200 rpm"];
+    done(jeffcott_in(&folder, &analyze));
+    let compare = |options: &[&str]| {
+        let both = [
+            "compare",
+            "output/scene",
+            "output/made",
+            "--lines",
+            "--common",
+        ];
+        let output = jeffcott_in(&folder, &[&both, options].concat());
+        (output.status.code(), text(&output.stdout) + &told(&output))
+    };
+    let (code, named) = compare(&["--by", "name", "--decibels", "200"]);
+    assert!(code == Some(0) && named.contains("1×"), "{named}");
+    let (_, ordered) = compare(&["--by", "order", "--decibels", "200"]);
+    assert!(ordered.contains("order of b"), "{ordered}");
+    let (code, placed) = compare(&["--decibels", "200"]);
+    assert_eq!(code, Some(2));
+    assert!(placed.contains("no line of"), "{placed}");
+    let (code, placed) = compare(&["--decibels", "200", "--reach", "0.5"]);
+    assert_eq!(code, Some(0), "{placed}");
+}
+
+/// A folder and a file; where there is none the scenario is wrong.
+#[test]
+fn a_record_is_laid_over_the_page_of_a_run() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |path: &str| folder.path().join(path);
+    let rows = (0..4000).map(|n| format!("{},{}\n", f64::from(n) / 8000.0, n % 40));
+    fs::write(
+        at("made.csv"),
+        "t [s],sensor [m/s^2]\n".to_owned() + &rows.collect::<String>(),
+    )
+    .unwrap();
+    done(jeffcott_in(
+        &folder,
+        &["analyze", "made.csv", "--out", "found"],
+    ));
+    for file in ["found/made", "made.csv"] {
+        let scene = format!("{SCENE}[[measured]]\nfile = \"{file}\"\n");
+        fs::write(at("scene.toml"), scene).unwrap();
+        done(jeffcott_in(&folder, &["run", "scene.toml"]));
+        let page = fs::read_to_string(at("output/scene/report.html")).unwrap();
+        assert!(page.contains("made: sensor") && page.contains("simulated: "));
+        assert!(at("output/scene/measured.svg").exists());
+    }
+    fs::write(
+        at("scene.toml"),
+        format!("{SCENE}[[measured]]\nfile = \"none\"\n"),
+    )
+    .unwrap();
+    let output = jeffcott_in(&folder, &["check", "scene.toml"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(told(&output).contains("there is no "));
 }
 
 /// As the manual shows it, on made files of the shape.

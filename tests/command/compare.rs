@@ -58,7 +58,7 @@ fn the_tolerance_is_relative_to_the_largest_magnitude_of_the_column() {
     let strict = compared(TRACE, &moved, 9e-5);
     let x = &strict.tables[0].columns[1];
     assert_eq!((x.column.name().as_str(), x.failures), ("x_m", 1));
-    let worst = *x.worst().unwrap();
+    let worst = x.worst().unwrap();
     assert_eq!(
         (worst.row, worst.at, worst.first, worst.second),
         (2, 0.1, 2e-6, 2.0002e-6)

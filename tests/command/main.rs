@@ -11,6 +11,7 @@ mod catalogue;
 mod compare;
 mod documents;
 mod endings;
+mod faults;
 mod flexible;
 mod forces;
 mod gallery;

@@ -100,6 +100,22 @@ pub enum CompareError {
         /// The file.
         path: PathBuf,
     },
+    /// Lines are to be compared by name or order, and the results say neither.
+    #[error("{} has no {what}: give folders of `jeffcott run` or `analyze`, at a known speed", path.display())]
+    NoNames {
+        /// The result.
+        path: PathBuf,
+        /// What is missing.
+        what: &'static str,
+    },
+    /// No line of one result has a partner in the other.
+    #[error("no line of {} is in {}, too", first.display(), second.display())]
+    NoCommonLine {
+        /// First result.
+        first: PathBuf,
+        /// Second result.
+        second: PathBuf,
+    },
     /// A figure of the comparison cannot be drawn or written.
     #[error("the comparison stands, its figure does not")]
     Figure(#[from] crate::report::ReportError),

@@ -33,6 +33,7 @@ mod error;
 mod figure;
 mod lines;
 mod named;
+mod overlay;
 mod page;
 mod result;
 mod rows;
@@ -46,7 +47,8 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use self::lines::{compare_lines, is_spectrum};
+use self::lines::{compare_quantities, compare_spectra, have_common, is_spectrum};
+use self::named::{quantities, shaft};
 use self::rows::compare_rows;
 use self::table::Source;
 use crate::record::open_regular;
@@ -54,10 +56,10 @@ use crate::record::open_regular;
 pub use assertion::{ComparedSpectrum, spectra_close};
 pub use error::CompareError;
 pub(crate) use figure::write_figure;
-pub(crate) use named::{NamedComparison, compare_named};
+pub(in crate::report) use overlay::{Overlay, overlay_figures};
 pub(crate) use page::write_page;
 pub use result::{ColumnComparison, Comparison, Difference, TableComparison, Worst};
-pub use rules::{Rules, Tolerance, Tolerances};
+pub use rules::{LinesBy, Rules, Tolerance, Tolerances};
 
 /// The document of comparisons: an object of one, an array of several.
 pub(crate) fn document(comparisons: &[Comparison]) -> Value {
@@ -69,10 +71,10 @@ pub(crate) fn document(comparisons: &[Comparison]) -> Value {
 
 /// Tables of a run folder.
 const TABLES: [&str; 2] = ["trace.csv", "spectrum.csv"];
-/// Tables that may be compared by lines.
-const SPECTRA: [&str; 1] = ["spectrum.csv"];
+/// The one that is compared by lines.
+const SPECTRUM: &str = "spectrum.csv";
 
-/// Compares two CSV files, or `trace.csv` and `spectrum.csv` of two run folders.
+/// Compares two CSV files, or `trace.csv` and `spectrum.csv` of two run folders; by lines also folders of runs and of records.
 ///
 /// # Errors
 /// [`CompareError`] where there is nothing to compare; that results differ is no error.
@@ -109,12 +111,43 @@ fn compare_tables(
     let Some(count) = rules.lines else {
         return Ok(compare_rows(name, tables, rules));
     };
-    match tables.iter().find(|table| !is_spectrum(table)) {
-        Some(table) => Err(CompareError::NoLines {
-            path: table.path.clone(),
-        }),
-        None => Ok(compare_lines(name, tables, count, rules)),
+    if let Some(table) = tables.iter().find(|table| !is_spectrum(table)) {
+        let path = table.path.clone();
+        return Err(CompareError::NoLines { path });
     }
+    if rules.by != LinesBy::Frequency {
+        let path = tables[0].path.clone();
+        let what = "names of lines, nor a speed";
+        return Err(CompareError::NoNames { path, what });
+    }
+    Ok(compare_spectra(name, tables, [1.0; 2], count, rules))
+}
+
+/// Compares the strongest lines of two folders: by names, or where the spectra have no column in common, those that the documents
+/// tell, else all of the spectra.
+fn compare_folder_lines(
+    folders: [&Path; 2],
+    count: usize,
+    rules: &Rules,
+) -> Result<TableComparison, CompareError> {
+    let documents = [sealed(folders[0])?, sealed(folders[1])?];
+    let files = folders.map(|folder| folder.join(SPECTRUM));
+    if rules.by != LinesBy::Name && files.iter().all(|file| file.exists()) {
+        let spectra = [Source::open(&files[0])?, Source::open(&files[1])?];
+        if have_common(&spectra) {
+            let units = match rules.by {
+                LinesBy::Order => [
+                    shaft(folders[0], &documents[0])?,
+                    shaft(folders[1], &documents[1])?,
+                ],
+                _ => [1.0; 2],
+            };
+            let name = SPECTRUM.to_owned();
+            return Ok(compare_spectra(name, &spectra, units, count, rules));
+        }
+    }
+    let told = |index: usize| quantities(folders[index], &documents[index], rules.by);
+    compare_quantities([told(0)?, told(1)?], folders, count, rules)
 }
 
 /// Most bytes of a summary.
@@ -142,23 +175,22 @@ fn sealed(folder: &Path) -> Result<Value, CompareError> {
 
 fn compare_folders(first: &Path, second: &Path, rules: &Rules) -> Result<Comparison, CompareError> {
     let only = |path: &Path| Difference::partial(format!("only one run has {}", path.display()));
+    if let Some(count) = rules.lines {
+        let table = compare_folder_lines([first, second], count, rules)?;
+        return Comparison::new(vec![table], Vec::new(), rules);
+    }
     let (mut tables, mut partial) = (Vec::new(), Vec::new());
-    let names = if rules.lines.is_some() {
-        &SPECTRA[..]
-    } else {
-        &TABLES[..]
-    };
     let mut runs = [first, second].into_iter();
-    if runs.any(|run| names.iter().any(|name| run.join(name).exists())) {
+    if runs.any(|run| TABLES.iter().any(|name| run.join(name).exists())) {
         sealed(first)?;
         sealed(second)?;
     }
-    for name in names {
+    for name in TABLES {
         let (left, right) = (first.join(name), second.join(name));
         match (left.exists(), right.exists()) {
             (true, true) => {
                 let both = [Source::open(&left)?, Source::open(&right)?];
-                tables.push(compare_tables((*name).to_owned(), &both, rules)?);
+                tables.push(compare_tables(name.to_owned(), &both, rules)?);
             }
             (true, false) => partial.push(only(&left)),
             (false, true) => partial.push(only(&right)),
@@ -169,7 +201,7 @@ fn compare_folders(first: &Path, second: &Path, rules: &Rules) -> Result<Compari
         return Err(CompareError::NoTables {
             first: first.to_owned(),
             second: second.to_owned(),
-            names: names.join(", "),
+            names: TABLES.join(", "),
         });
     }
     Comparison::new(tables, partial, rules)

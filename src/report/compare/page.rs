@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 use super::figure::difference_figure;
+use super::overlay::{Overlay, overlay_figures};
 use super::table::Source;
 use super::{CompareError, Comparison, document, sealed};
 use crate::analysis::{Channel, Rate, velocity_rate};
@@ -31,9 +32,9 @@ const TRACES: [Channel; 6] = [
     Channel::LargestBallLoad,
 ];
 
-/// A run as its folder has it.
-struct Folder {
-    name: String,
+/// A run or a record as its folder has it.
+pub(super) struct Folder {
+    pub name: String,
     trace: Option<Source<'static>>,
     spectrum: Option<Source<'static>>,
     /// Spectra that its scenario asks for, by their names.
@@ -56,7 +57,8 @@ impl Folder {
         }
     }
 
-    fn open(path: &Path) -> Result<Self, CompareError> {
+    /// Reads a folder.
+    pub fn open(path: &Path) -> Result<Self, CompareError> {
         let table = |name: &str| {
             let file = path.join(name);
             file.exists().then(|| Source::open(&file)).transpose()
@@ -78,6 +80,20 @@ impl Folder {
             estimated: estimated.collect(),
             summary,
         })
+    }
+
+    /// Its spectra, to be drawn over those of others.
+    pub fn overlay(&self, name: &str) -> Overlay {
+        let asked = self.summary["spectra"].as_array().into_iter().flatten();
+        let envelopes = asked.filter(|spectrum| spectrum["kind"] == "envelope");
+        let names: Vec<_> = envelopes.map(|spectrum| &spectrum["table"]).collect();
+        let envelopes = self.estimated.iter();
+        let envelopes = envelopes.filter(|(name, _)| names.iter().any(|known| **known == **name));
+        Overlay::from_tables(
+            name.to_owned(),
+            self.spectrum.as_ref().map(|source| source.table.clone()),
+            envelopes.map(|(_, source)| source.table.clone()).collect(),
+        )
     }
 }
 
@@ -135,6 +151,7 @@ fn show_runs(folders: &[PathBuf], lines: &mut Lines) -> Result<Vec<Figure>, Comp
     });
     // the housings, which machines are judged by, first
     lines.sort_by_key(|column| column.unit != "m/s^2");
+    let mut measured = Vec::new();
     let mut figures = vec![
         figure("velocity_spectra", &runs, &lines, rate_of, &|run| {
             run.spectrum.as_ref()
@@ -143,6 +160,13 @@ fn show_runs(folders: &[PathBuf], lines: &mut Lines) -> Result<Vec<Figure>, Comp
             run.trace.as_ref()
         }),
     ];
+    let has_record = runs.iter().any(|run| run.summary["motion"].is_null());
+    if has_record {
+        // its channels need not be called as those of a run
+        let overlays = runs.iter().zip(&names);
+        let overlays: Vec<Overlay> = overlays.map(|(run, name)| run.overlay(name)).collect();
+        measured = overlay_figures(&overlays);
+    }
     let mut asked: Vec<&String> = Vec::new();
     for (name, table) in runs.iter().flat_map(|run| &run.estimated) {
         if asked.contains(&name) {
@@ -158,7 +182,8 @@ fn show_runs(folders: &[PathBuf], lines: &mut Lines) -> Result<Vec<Figure>, Comp
     }
     let names = || Name::each(names.iter().map(String::as_str));
     let figures = figures.into_iter().flatten();
-    Ok(figures.map(|figure| figure.with_names(names())).collect())
+    measured.extend(figures.map(|figure| figure.with_names(names())));
+    Ok(measured)
 }
 
 /// What the runs are called: their folders, with all of the path where two are called alike.
@@ -318,7 +343,7 @@ fn figure(
 }
 
 /// All points, or of too many the lowest and the highest of every stretch.
-fn thinned(points: impl Iterator<Item = Point> + Clone, most: usize) -> Vec<Point> {
+pub(super) fn thinned(points: impl Iterator<Item = Point> + Clone, most: usize) -> Vec<Point> {
     let finite = points.filter(|(_, value)| value.is_finite());
     if finite.clone().count() <= most {
         return finite.collect();

@@ -6,7 +6,7 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::rules::Allowance;
-use super::{CompareError, Rules};
+use super::{CompareError, LinesBy, Rules};
 use crate::report::findings::versioned;
 use crate::table::Column;
 
@@ -170,13 +170,15 @@ pub struct ColumnComparison {
     /// The relative tolerance that, without an absolute one, would let the column agree; infinite where
     /// none would.
     pub needed: f64,
+    /// Whether differences are in dB.
+    pub decibels: bool,
     /// Most places that are kept.
     room: usize,
 }
 
 /// A place of a column, as a rule the one where its values are furthest beyond, or closest to, what is
 /// allowed.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct Worst {
     /// Row, from 1, the header not counted; of lines, their number.
     pub row: u64,
@@ -190,6 +192,12 @@ pub struct Worst {
     pub difference: f64,
     /// Difference allowed there.
     pub allowed: f64,
+    /// Of lines, where that of the second result is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub second_at: Option<f64>,
+    /// Of lines that are matched by it, their name.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
 }
 
 impl Worst {
@@ -206,7 +214,11 @@ impl ColumnComparison {
             places: Vec::new(),
             failures: 0,
             needed: 0.0,
-            room: rules.worst.max(1),
+            decibels: rules.decibels.is_some(),
+            room: match rules.by {
+                LinesBy::Name => usize::MAX,
+                _ => rules.worst.max(1),
+            },
         }
     }
 
@@ -220,24 +232,11 @@ impl ColumnComparison {
         self.places.first()
     }
 
-    /// Takes the values of a row, which is at a time or frequency, and how far they are apart.
-    pub(super) fn take(
-        &mut self,
-        row: u64,
-        at: f64,
-        [first, second]: [f64; 2],
-        difference: f64,
-        allowance: Allowance,
-    ) {
-        let place = Worst {
-            row,
-            at,
-            first,
-            second,
-            difference,
-            allowed: allowance.total(),
-        };
-        let beyond = difference - allowance.more;
+    /// Takes the values of a place, which may be so far apart.
+    pub(super) fn take(&mut self, place: Worst, allowance: Allowance) {
+        let allowed = allowance.total();
+        let place = Worst { allowed, ..place };
+        let beyond = place.difference - allowance.more;
         if beyond > 0.0 {
             self.needed = self.needed.max(beyond / allowance.scale);
         }
@@ -257,7 +256,7 @@ impl ColumnComparison {
             "name": self.column,
             "agrees": self.agrees(),
             "failures": self.failures,
-            "relative_needed": self.needed,
+            (if self.decibels { "decibels_needed" } else { "relative_needed" }): self.needed,
             "worst": self.worst(),
             "further": self.places.get(1..).unwrap_or_default(),
         })

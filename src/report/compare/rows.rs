@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::rules::Allowance;
 use super::table::Source;
-use super::{ColumnComparison, Difference, Rules, TableComparison};
+use super::{ColumnComparison, Difference, Rules, TableComparison, Worst};
 use crate::analysis::{Channel, NoiseFloor};
 use crate::table::{Column, ColumnKind};
 
@@ -116,7 +116,15 @@ impl MatchedRows {
                 }
             };
             let place = tables[0].axis().1[at[0]];
-            found.take(row as u64 + 1, place, [a, b], difference, allowance);
+            let place = Worst {
+                row: row as u64 + 1,
+                at: place,
+                first: a,
+                second: b,
+                difference,
+                ..Worst::default()
+            };
+            found.take(place, allowance);
         }
     }
 }

@@ -1,5 +1,7 @@
 //! How two results are compared, and how far their values may be apart.
 
+use std::str::FromStr;
+
 use super::CompareError;
 
 /// Allowed difference: `absolute + relative · max|column|`.
@@ -55,6 +57,18 @@ pub(super) struct Allowance {
 }
 
 impl Allowance {
+    /// So many dB.
+    pub fn decibels(most: f64) -> Self {
+        Self {
+            tolerance: Tolerance {
+                relative: most,
+                absolute: 0.0,
+            },
+            scale: 1.0,
+            more: 0.0,
+        }
+    }
+
     /// Both together.
     pub fn total(self) -> f64 {
         self.tolerance.allowed(self.scale) + self.more
@@ -106,6 +120,37 @@ pub struct Rules {
     /// Compares spectra by this many of the strongest lines of every column, whatever their bins,
     /// instead of row by row; other tables are left out.
     pub lines: Option<usize>,
+    /// How lines find their partners.
+    pub by: LinesBy,
+    /// Part of its frequency or order within which a line finds its partner, in place of a bin of the coarser axis.
+    pub reach: Option<f64>,
+    /// Lets lines be so many dB apart, in place of the tolerances.
+    pub decibels: Option<f64>,
+}
+
+/// How lines of two results find their partners.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum LinesBy {
+    /// At the frequency, or the order of a spectrum over orders.
+    #[default]
+    Frequency,
+    /// At the multiple of the frequency of the own shaft.
+    Order,
+    /// By name, each at its own frequency: BPFO to BPFO.
+    Name,
+}
+
+impl FromStr for LinesBy {
+    type Err = String;
+
+    fn from_str(word: &str) -> Result<Self, String> {
+        match word {
+            "frequency" => Ok(Self::Frequency),
+            "order" => Ok(Self::Order),
+            "name" => Ok(Self::Name),
+            _ => Err("lines are matched by `frequency`, `order` or `name`".to_owned()),
+        }
+    }
 }
 
 impl Rules {
@@ -116,6 +161,9 @@ impl Rules {
             worst: 1,
             common: false,
             lines: None,
+            by: LinesBy::default(),
+            reach: None,
+            decibels: None,
         }
     }
 }

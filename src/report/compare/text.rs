@@ -84,6 +84,11 @@ fn advice(table: &TableComparison, column: &ColumnComparison) -> String {
     let (name, at) = (column.column.name(), short(worst.at));
     let place = format!(": most of all {name}, at {} = {at}", axis(table));
     let needed = rounded_up(column.needed);
+    if column.decibels {
+        return format!(
+            "{place}\nlook there first; if that is meant, --decibels {needed} allows it"
+        );
+    }
     if !needed.is_finite() {
         return format!("{place}, where no tolerance would let it agree");
     }
@@ -115,20 +120,50 @@ fn write_table(f: &mut fmt::Formatter<'_>, found: &TableComparison) -> fmt::Resu
 }
 
 /// The worst places of every column, with the heads of their table.
-fn worst_places(found: &TableComparison) -> ([String; 7], Vec<Vec<String>>) {
+fn worst_places(found: &TableComparison) -> (Vec<String>, Vec<Vec<String>>) {
     let axis = axis(found);
-    let header = ["column", "|a−b|", "allowed", &axis, "a", "b", "differs in"];
-    let header = header.map(str::to_owned);
+    let places = || found.columns.iter().flat_map(|column| &column.places);
+    let has_names = places().any(|place| place.name.is_some());
+    let is_of_lines = places().any(|place| place.second_at.is_some());
+    let apart = match found.columns.iter().any(|column| column.decibels) {
+        true => "dB",
+        false => "|a−b|",
+    };
+    let also = format!("{axis} of b");
+    let header = [
+        "column",
+        "line",
+        apart,
+        "allowed",
+        &axis,
+        &also,
+        "a",
+        "b",
+        "differs in",
+    ];
+    let is_shown = |cell: &usize| match cell {
+        1 => has_names,
+        5 => is_of_lines,
+        _ => true,
+    };
+    let shown = |row: Vec<String>| {
+        let cells = row.into_iter().enumerate();
+        cells
+            .filter(|(cell, _)| is_shown(cell))
+            .map(|(_, text)| text)
+            .collect::<Vec<_>>()
+    };
+    let header = shown(header.map(str::to_owned).to_vec());
     let rows = found.columns.iter().flat_map(|column| {
         let places = column.places.iter().enumerate();
         let mut rows: Vec<_> = places
-            .map(|(index, worst)| worst_place(column, worst, index == 0))
+            .map(|(index, worst)| shown(worst_place(column, worst, index == 0)))
             .collect();
         if rows.is_empty() {
-            let mut row = vec![String::new(); 7];
+            let mut row = vec![String::new(); 9];
             row[0] = column.column.name();
-            row[6] = "not significant".to_owned();
-            rows.push(row);
+            row[8] = "not significant".to_owned();
+            rows.push(shown(row));
         }
         rows
     });
@@ -147,12 +182,18 @@ fn worst_place(column: &ColumnComparison, worst: &Worst, first: bool) -> Vec<Str
         1 => "1 row".to_owned(),
         rows => format!("{rows} rows"),
     };
+    let apart = |difference: f64| match column.decibels {
+        true => format!("{difference:.1}"),
+        false => format!("{difference:.1e}"),
+    };
     let only_first = |text: String| if first { text } else { String::new() };
     vec![
         only_first(column.column.name()),
-        format!("{:.1e}", worst.difference),
-        format!("{:.1e}", worst.allowed),
+        worst.name.clone().unwrap_or_default(),
+        apart(worst.difference),
+        apart(worst.allowed),
         short(worst.at),
+        worst.second_at.map_or_else(String::new, short),
         short(worst.first),
         short(worst.second),
         only_first(verdict),

@@ -1,5 +1,7 @@
 //! The whole file.
 
+use std::path::PathBuf;
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -98,9 +100,35 @@ pub struct ScenarioInput {
     /// Further spectra, one `[[spectrum]]` for each.
     #[serde(default)]
     pub spectrum: Vec<SpectrumInput>,
+    /// Measured records that are laid over the spectra of the run on its page, one `[[measured]]` for each.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub measured: Vec<MeasuredInput>,
     /// What only static questions ask.
     #[serde(default, rename = "static")]
     pub statics: StaticInput,
+}
+
+/// A measured record whose spectra are laid over those of the run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MeasuredInput {
+    /// A folder that `jeffcott analyze` has written, a record, or a file that describes one, looked for from the folder of the scenario.
+    #[schemars(extend("examples" = ["output/112", "drive-end.toml"]))]
+    pub file: String,
+}
+
+impl MeasuredInput {
+    /// Its path; `None` where nothing is there.
+    fn build(&self, problems: &mut Problems<'_>) -> Option<PathBuf> {
+        let path = problems.folder.join(&self.file);
+        if path.exists() {
+            return Some(path);
+        }
+        let message = format!("there is no {}", path.display());
+        let help = "give a folder that `jeffcott analyze` has written, or a record";
+        problems.refuse(Issue::new(".file", message).help(help));
+        None
+    }
 }
 
 /// What a scenario asks.
@@ -113,6 +141,8 @@ pub struct Questions {
     pub contact_choice: Option<ChosenContact>,
     /// Oil of each bearing.
     pub oils: Vec<Option<Oil>>,
+    /// Records that are laid over the run.
+    pub measured: Vec<PathBuf>,
 }
 
 impl Questions {
@@ -138,6 +168,9 @@ impl ScenarioInput {
         self.check_counts(problems)?;
         let (rotor, contact_choice) = self.chosen(self.rotor(problems), problems);
         let displacement = self.statics.displacement(&self.load, problems);
+        let measured = problems.each("measured", &self.measured, |measured, problems| {
+            measured.build(problems)
+        });
         let model = match &self.time {
             Some(time) => Some(self.model(time, rotor.clone(), problems)?),
             None => None,
@@ -152,6 +185,7 @@ impl ScenarioInput {
             model,
             contact_choice,
             oils: self.bearing.iter().flat_map(BearingInput::oils).collect(),
+            measured: measured?,
         })
     }
 
