@@ -76,6 +76,11 @@ impl Circle {
         self.angles.len() / 2
     }
 
+    /// Matrix from mean, and cosine and sine of every harmonic in turn, to values at the nodes.
+    pub fn basis(&self) -> DMatrix<f64> {
+        basis(&self.angles, self.harmonics())
+    }
+
     /// Matrix from values at the nodes to those a period before.
     pub fn back(&self) -> DMatrix<f64> {
         self.values_at(&turned(&self.angles, -self.rotation))

@@ -15,6 +15,7 @@ mod branch;
 mod circle;
 mod continuation;
 mod corrector;
+mod factors;
 mod map;
 mod multipliers;
 mod newton;

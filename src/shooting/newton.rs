@@ -1,8 +1,9 @@
 //! Newton's method for states that return.
 
-use nalgebra::{DMatrix, DVector, Dyn, LU};
+use nalgebra::{DMatrix, DVector};
 
-use super::map::{jacobian, residual};
+use super::factors::Factors;
+use super::map::residual;
 use super::{MapError, ReturnMap, Slopes};
 use crate::integrate::IntegrateError;
 
@@ -77,7 +78,7 @@ pub fn solve(
     let mut search = Search {
         states: guess,
         residual: DVector::zeros(0),
-        factors: slopes.map(|slopes| jacobian(map, slopes).lu()),
+        factors: slopes.map(|slopes| Factors::new(map, slopes)),
         asked: Slopes::First,
         history: Vec::new(),
     };
@@ -117,7 +118,7 @@ pub(super) fn leaves(size: f64, before: f64) -> f64 {
 struct Search {
     states: DVector<f64>,
     residual: DVector<f64>,
-    factors: Option<LU<f64, Dyn, Dyn>>,
+    factors: Option<Factors>,
     /// Slopes that the next evaluation asks for where fresh ones are needed: those of one state until they lead too slowly.
     asked: Slopes,
     history: Vec<f64>,
@@ -133,7 +134,7 @@ impl Search {
         let image = map.image(&self.states, asked)?;
         self.residual = residual(map, &self.states, &image.end);
         if self.factors.is_none() {
-            self.factors = Some(jacobian(map, &image.slopes).lu());
+            self.factors = Some(Factors::new(map, &image.slopes));
         }
         Ok(())
     }
@@ -153,8 +154,9 @@ impl Search {
         }
         self.history.push(self.residual.amax());
         let factors = self.factors.as_ref().ok_or(ShootingError::Singular)?;
-        let solved = factors.solve(&self.residual).map(|correction| -correction);
+        let solved = factors.solve(map.circle(), &self.residual);
         solved
+            .map(|solved| -solved)
             .filter(|correction| correction.iter().all(|part| part.is_finite()))
             .ok_or(ShootingError::Singular)
     }

@@ -24,8 +24,8 @@ use crate::numerics::eigenvectors::modes;
 
 /// Most changes of the coordinates: each about squares what is left.
 const MOST_CHANGES: usize = 12;
-/// Part of the largest multiplier that may be left of R.
-const EXACT: f64 = 1e-13;
+/// Part of the largest multiplier that may be left of R: it changes the multipliers by about its square.
+const LEFT: f64 = 1e-10;
 
 type Complexes = DMatrix<Complex<f64>>;
 
@@ -44,20 +44,22 @@ pub(super) fn magnitudes(circle: &Circle, slopes: &[DMatrix<f64>]) -> Option<Vec
         let multipliers = remainders[0].1.diagonal();
         remainders[0].1.fill_diagonal(Complex::ZERO);
         let sizes = remainders.iter().flat_map(|(_, own)| own.iter());
-        let left = sizes.map(|entry| entry.norm()).fold(0.0, f64::max);
-        let sizes = multipliers.iter().map(|multiplier| multiplier.norm());
-        if left <= EXACT * multipliers.camax() {
-            return Some(sizes.collect());
+        let most = sizes.map(|entry| entry.norm()).fold(0.0, f64::max);
+        let left = LEFT * multipliers.camax();
+        if most <= left {
+            return Some(multipliers.iter().map(|value| value.norm()).collect());
         }
-        if !left.is_finite() {
+        if !most.is_finite() {
             return None;
         }
         for (harmonic, own) in &mut remainders {
             let turn = Complex::cis(*harmonic * circle.rotation);
             for ((row, column), entry) in entries(own) {
-                if *entry != Complex::ZERO {
-                    *entry /= multipliers[column] * turn - multipliers[row];
-                }
+                // between multipliers that are next to nothing, as of overdamped modes, what is small enough stays
+                *entry = match entry.norm() > left {
+                    true => *entry / (multipliers[column] * turn - multipliers[row]),
+                    false => Complex::ZERO,
+                };
             }
         }
         let coordinates = |angle: f64| {
@@ -144,5 +146,30 @@ mod tests {
         let mean = (logarithms.sum::<f64>() / 64.0).exp();
         let product: f64 = found.iter().product();
         assert!((product - mean).abs() < 1e-12, "{product} {mean}");
+    }
+
+    /// Overdamped modes have multipliers that are next to nothing, and round-off between them is no coupling.
+    #[test]
+    fn multipliers_next_to_nothing_do_not_disturb_the_others() {
+        let circle =
+            Circle::around(1.0, 2.0 * 3f64.sqrt(), 2).expect("an irrational part of a turn");
+        let slopes = circle.angles.iter().map(|angle| {
+            let noise = 1e-13 * angle.sin();
+            DMatrix::from_row_slice(
+                4,
+                4,
+                &[
+                    0.6, -0.5, 0.0, 0.0, 0.5, 0.6, 0.0, 0.0, 0.0, 0.0, 1e-15, noise, 0.0, 0.0,
+                    -noise, 2e-15,
+                ],
+            )
+        });
+        let slopes: Vec<_> = slopes.collect();
+        let mut found = magnitudes(&circle, &slopes).expect("multipliers");
+        found.sort_by(|a, b| b.total_cmp(a));
+        assert!(
+            (found[0] - 0.61f64.sqrt()).abs() < 1e-15 && found[2] < 1e-12,
+            "{found:?}"
+        );
     }
 }

@@ -94,13 +94,11 @@ pub(super) fn reduction(
         length: map.scale.length,
         ..finer.scale
     });
-    let guess = map.states(&found.states).into_iter().flat_map(|state| {
-        let alike = finer.rotor.state_of(&map.rotor, &state);
-        finer.unit.scaled(&alike)
-    });
-    let guess: Vec<f64> = guess.collect();
-    let sampled = returned_from(&mut finer, DVector::from_vec(guess))
-        .and_then(|(again, _)| sampled(&mut finer, &again.states, model, false));
+    let states = map.states(&found.states).into_iter();
+    let alike = states.map(|state| finer.rotor.state_of(&map.rotor, &state));
+    let guess = finer.scaled(&alike.collect::<Vec<_>>());
+    let sampled = returned_from(&mut finer, guess)
+        .and_then(|again| sampled(&mut finer, &again.returned.states, model, false));
     map.counters.add(&finer.counters);
     let error = match sampled {
         Err(error) if error.is_interrupted() => return Err(error),

@@ -10,7 +10,7 @@ use super::measured::found_again;
 use super::periods::Periods;
 use super::rotor_map::{RotorMap, Solver};
 use super::samples::sampled;
-use super::search::find;
+use super::search::locate;
 use super::solve::rolling_cages;
 use super::{MotionRange, SteadyError};
 use crate::analysis::Channel;
@@ -172,7 +172,7 @@ pub fn response(
     settings.tolerance = (EXACTER * settings.tolerance).max(TIGHTEST);
     let solver = Solver::new(settings, question.stop, question.integrated);
     let mut map = RotorMap::new(rotor, periods, solver);
-    let guess = find(&mut map)?.states;
+    let guess = locate(&mut map)?.returned.states;
     map.source = Some((&source, 0.0));
     let plan = Continuation {
         tolerance: question.model.integrator.tolerance.max(10.0 * TIGHTEST),

@@ -103,6 +103,12 @@ impl<'a> RotorMap<'a> {
         states.map(|state| self.unit.state(state)).collect()
     }
 
+    /// States scaled, one after the other.
+    pub fn scaled(&self, states: &[Vec<f64>]) -> DVector<f64> {
+        let scaled = states.iter().flat_map(|state| self.unit.scaled(state));
+        DVector::from_vec(scaled.collect())
+    }
+
     /// Takes another size of the motion.
     pub fn rescale(&mut self, scale: MotionScale) {
         self.scale = scale;

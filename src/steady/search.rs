@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::SteadyError;
+use super::periods::Periods;
 use super::rotor_map::RotorMap;
 use crate::shooting::{
     Circle, MapError, Multipliers, ReturnMap, Returned, ShootingError, Slopes, Stability, mixed,
@@ -37,17 +38,22 @@ pub(super) struct Found {
     pub waited: u64,
 }
 
+/// A motion that repeats, of which nothing but its states is known.
+pub(super) struct Located {
+    pub returned: Returned,
+    /// Periods integrated before the search.
+    waited: u64,
+}
+
 /// The motion asked for; where none is, a stable one if there is one. Beside it the multipliers of the
-/// motion of a single period, where that is another one.
+/// motion of a single period, `single`, where that is another one.
 pub(super) fn search(
     map: &mut RotorMap<'_>,
     multiple: Option<u32>,
+    asked: Periods,
+    single: Located,
 ) -> Result<(Found, Option<Multipliers>), SteadyError> {
-    let asked = map.periods.clone();
-    if !asked.is_torus() {
-        map.periods = asked.times(1);
-    }
-    let single = find(map)?;
+    let single = finished(map, single)?;
     let stable = !matches!(map.stability(&single), Stability::Unstable(_));
     if asked.is_torus() || multiple == Some(1) || (stable && multiple.is_none()) {
         return Ok((single, None));
@@ -67,24 +73,30 @@ pub(super) fn search(
     if map.periods.multiple == 1 {
         return Ok((single, None));
     }
-    let again = found_from(map, single.states)?;
-    Ok((again, Some(single.multipliers)))
+    let again = located_from(map, single.states)?;
+    Ok((finished(map, again)?, Some(single.multipliers)))
 }
 
-/// Finds the motion of a map, of one frequency or of two.
-pub(super) fn find(map: &mut RotorMap<'_>) -> Result<Found, SteadyError> {
-    let tolerance = map.solver.settings.tolerance;
-    if !map.periods.is_torus() {
-        let guess = DVector::zeros(map.size());
-        return found_from(map, guess);
+/// Finds the motion of a map of one frequency or two from rest.
+pub(super) fn locate(map: &mut RotorMap<'_>) -> Result<Located, SteadyError> {
+    if map.periods.is_torus() {
+        map.periods = map.periods.with_harmonics(FIRST_HARMONICS)?;
     }
-    map.periods = map.periods.with_harmonics(FIRST_HARMONICS)?;
     let guess = DVector::zeros(map.size() * map.circle().nodes());
-    let (mut returned, waited) = returned_from(map, guess)?;
-    loop {
-        let sizes = harmonic_sizes(map.circle(), &returned.states, map.size());
+    located_from(map, guess)
+}
+
+/// Finds the motion of a map near a guess, of two frequencies with as many harmonics as it takes.
+pub(super) fn located_from(
+    map: &mut RotorMap<'_>,
+    guess: DVector<f64>,
+) -> Result<Located, SteadyError> {
+    let tolerance = map.solver.settings.tolerance;
+    let mut located = returned_from(map, guess)?;
+    while map.periods.is_torus() {
+        let sizes = harmonic_sizes(map.circle(), &located.returned.states, map.size());
         let Some(more) = more_harmonics(&sizes, tolerance) else {
-            return finished(map, returned, waited);
+            break;
         };
         let rough = SteadyError::Rough {
             harmonics: sizes.len() - 1,
@@ -97,26 +109,21 @@ pub(super) fn find(map: &mut RotorMap<'_>) -> Result<Found, SteadyError> {
         let before = map.periods.circle.clone();
         map.periods = map.periods.with_harmonics(more.min(MOST_HARMONICS))?;
         let at_nodes = before.values_at(&map.circle().angles);
-        let guess = mixed(&at_nodes, &returned.states, map.size());
+        let guess = mixed(&at_nodes, &located.returned.states, map.size());
         // a curve that is smooth is found at once from one with fewer harmonics
-        returned = match solve(map, guess, None, tolerance) {
+        located.returned = match solve(map, guess, None, tolerance) {
             Err(ShootingError::NotFound { .. } | ShootingError::Singular) => return Err(rough),
             found => found?,
         };
     }
+    Ok(located)
 }
 
-/// Finds the motion of a map near a guess.
-fn found_from(map: &mut RotorMap<'_>, guess: DVector<f64>) -> Result<Found, SteadyError> {
-    let (returned, waited) = returned_from(map, guess)?;
-    finished(map, returned, waited)
-}
-
-/// States that return, found at once or after a wait; and how long it was, in periods.
+/// States that return, found at once or after a wait.
 pub(super) fn returned_from(
     map: &mut RotorMap<'_>,
     mut guess: DVector<f64>,
-) -> Result<(Returned, u64), SteadyError> {
+) -> Result<Located, SteadyError> {
     let tolerance = map.solver.settings.tolerance;
     let mut waited = 0;
     let mut last = ShootingError::Singular;
@@ -126,7 +133,7 @@ pub(super) fn returned_from(
             waited += 1;
         }
         match solve(map, guess.clone(), None, tolerance) {
-            Ok(returned) => return Ok((returned, waited)),
+            Ok(returned) => return Ok(Located { returned, waited }),
             Err(ShootingError::Map(error)) if is_final(&error) => return Err(error.into()),
             Err(error) => last = error,
         }
@@ -184,7 +191,8 @@ fn more_harmonics(sizes: &[f64], tolerance: f64) -> Option<usize> {
 }
 
 /// With the slopes and multipliers of what was found.
-fn finished(map: &mut RotorMap<'_>, returned: Returned, waited: u64) -> Result<Found, SteadyError> {
+fn finished(map: &mut RotorMap<'_>, located: Located) -> Result<Found, SteadyError> {
+    let Located { returned, waited } = located;
     let image = map.image(&returned.states, Slopes::Exact)?;
     let shifted = mixed(&map.circle().shift, &returned.states, map.size());
     Ok(Found {
@@ -216,7 +224,8 @@ fn subharmonic(map: &mut RotorMap<'_>, from: &DVector<f64>) -> Result<Option<Fou
         map.periods = single.times(single.multiple * periods as u32);
         match solve(map, states.clone(), None, tolerance) {
             Ok(returned) => {
-                let found = finished(map, returned, waited as u64)?;
+                let waited = waited as u64;
+                let found = finished(map, Located { returned, waited })?;
                 if found.multipliers.is_stable() {
                     return Ok(Some(found));
                 }

@@ -5,7 +5,7 @@ use super::measured::{self, Measured, measured, reduction};
 use super::periods::Periods;
 use super::rotor_map::{RotorMap, Solver};
 use super::samples::{observed, peak_warnings, trace, trajectories};
-use super::search::{Found, search};
+use super::search::{Found, locate, located_from, search};
 use super::{Section, Stability, Steady, SteadyError, SteadyLines, SteadyQuestion};
 use crate::analysis::Channel;
 use crate::rotor::{CageMotion, Rotor, check_constraints};
@@ -90,26 +90,32 @@ fn answer(
         question.integrated,
     );
     let mut map = RotorMap::new(rotor, periods.clone(), solver);
-    let find = |map: &mut RotorMap<'_>| -> Result<_, SteadyError> {
-        let (found, single_period) = search(map, question.multiple)?;
-        let trajectories = trajectories(map, &found.states, question.model)?;
-        let sampled = observed(map, &trajectories);
-        Ok((found, single_period, trajectories, sampled))
-    };
-    let mut answer = find(&mut map)?;
-    // the tolerance is relative to the motion found, not to the one assumed
-    if let Some(scale) = map.scale.corrected(measured::size(&map, &answer.3)) {
-        map.periods = periods;
-        map.rescale(scale);
-        answer = find(&mut map)?;
+    if !periods.is_torus() {
+        map.periods = periods.times(1);
     }
-    let (found, single_period, trajectories, sampled) = answer;
+    let mut located = locate(&mut map)?;
+    let mut along = trajectories(&mut map, &located.returned.states, question.model)?;
+    let mut sampled = observed(&map, &along);
+    // the tolerance is relative to the motion found, not to the one assumed
+    if let Some(scale) = map.scale.corrected(measured::size(&map, &sampled)) {
+        let states = map.states(&located.returned.states);
+        map.rescale(scale);
+        let guess = map.scaled(&states);
+        located = located_from(&mut map, guess)?;
+        along = trajectories(&mut map, &located.returned.states, question.model)?;
+        sampled = observed(&map, &along);
+    }
+    let (found, single_period) = search(&mut map, question.multiple, periods, located)?;
+    if single_period.is_some() {
+        along = trajectories(&mut map, &found.states, question.model)?;
+        sampled = observed(&map, &along);
+    }
     let measured = match question.model.verify {
         true => Some(measured(&mut map, &found, &sampled, question.model)?),
         false => None,
     };
     let reduction = reduction(&mut map, &found, &sampled, question.model)?;
-    let trace = trace(&map, &trajectories, &sampled, question.model);
+    let trace = trace(&map, &along, &sampled, question.model);
     let channels = Channel::of_motion(&question.model.rotor);
     let error = measured.as_ref().map_or(0.0, |error| error.relative);
     let noise = error.max(NOISE * solver.settings.tolerance);
@@ -117,7 +123,7 @@ fn answer(
         Some(error) => found.multipliers.stability(&error.multipliers),
         None => map.stability(&found),
     };
-    let mut warnings = peak_warnings(&map, &trajectories)?;
+    let mut warnings = peak_warnings(&map, &along)?;
     warnings.extend(assembled_warnings(&question.model.rotor, &map.rotor));
     warnings.extend(reduction.as_ref().and_then(Reduction::warning));
     let error = measured.as_ref();
