@@ -70,7 +70,11 @@ pub(super) fn compare_spectra(
         differences.extend(alone);
         columns.push(found);
     }
-    TableComparison::new(name, columns, Source::known(spectra), differences, rules)
+    let mut known = Source::known(spectra);
+    if rules.by == LinesBy::Order {
+        known[0] = Column::order();
+    }
+    TableComparison::new(name, columns, known, differences, rules)
 }
 
 /// Compares the strongest lines of quantities that are matched by their columns.
@@ -164,7 +168,7 @@ fn compare_pair(
                 let beside = both[other].largest_near(line.at, reach(line));
                 let (apart, allowed) = judged(line.amplitude, beside, allowance, rules);
                 if line.amplitude > beside && apart > allowed.total() {
-                    alone.push(line.only_in(&both[own]));
+                    alone.push(line.only_in(&both[own], rules));
                 }
                 continue;
             };
@@ -206,17 +210,20 @@ fn judged(a: f64, b: f64, allowance: Allowance, rules: &Rules) -> (f64, Allowanc
 }
 
 impl Line {
-    fn only_in(&self, of: &Lines<'_>) -> Difference {
+    fn only_in(&self, of: &Lines<'_>, rules: &Rules) -> Difference {
         let name = self.name.as_ref().map(|name| format!("{name}, "));
+        let at = match rules.by {
+            LinesBy::Order => format!("order {}", short(self.at)),
+            _ => format!("{} Hz", short(self.at)),
+        };
         let unit = match of.column.unit.is_empty() {
             true => "",
             false => " ",
         };
         let message = format!(
-            "{}: only {} has the line at {} Hz, {}{:.4e}{unit}{}",
+            "{}: only {} has the line at {at}, {}{:.4e}{unit}{}",
             of.column.name(),
             of.path.display(),
-            short(self.at),
             name.unwrap_or_default(),
             self.amplitude,
             of.column.unit
