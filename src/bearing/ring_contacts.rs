@@ -73,7 +73,7 @@ impl BallLoads {
 }
 
 impl Ring {
-    /// Leaves how far each ball is pressed past its lift-off, m, in `past`, ball 0 first.
+    /// Leaves how far each place of each ball is pressed past its lift-off, m, in `past`, ball 0 first of every place.
     pub(super) fn past_lift_offs(
         &self,
         law: &impl ForceLaw,
@@ -88,7 +88,12 @@ impl Ring {
                 &displacement,
                 rotation,
                 #[inline(always)]
-                |at| store(law.distance_past_lift_off(&at.ball, rotation.speed), at.first, past),
+                |at| {
+                    for (place, past) in past.chunks_exact_mut(self.balls()).enumerate() {
+                        let speed = rotation.speed;
+                        store(law.distance_past_lift_off(&at.ball, place, speed), at.first, past);
+                    }
+                },
             );
         });
     }

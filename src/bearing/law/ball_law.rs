@@ -19,9 +19,14 @@ pub trait ForceLaw {
     /// Force at a shaft speed in rad/s. Free of branches where its speed counts: it runs in the innermost loop.
     fn force<T: Number>(&self, ball: &Ball<T>, speed: f64) -> BallForce<T>;
 
-    /// How far a ball is pressed past where it leaves the inner race, m, negative where they are
-    /// apart: there the force is not smooth. Infinite where the law is smooth throughout.
-    fn distance_past_lift_off<T: Plain>(&self, ball: &Ball<T>, _speed: f64) -> T {
+    /// Number of places of a ball that part from the inner race each by itself, as the laminae of a roller.
+    fn places(&self) -> usize {
+        1
+    }
+
+    /// How far a place of a ball is pressed past where it leaves the inner race, m, negative where they are apart: there the
+    /// force is not smooth. Infinite where the law is smooth throughout.
+    fn distance_past_lift_off<T: Plain>(&self, ball: &Ball<T>, _place: usize, _speed: f64) -> T {
         ball.axial.constant(f64::INFINITY)
     }
 
@@ -48,6 +53,11 @@ pub trait BallLaw: ForceLaw {
     /// Exponent n of the elastic contacts, `Q = K δ^n`: with it the force sets in where a ball meets the inner race.
     fn exponent(&self) -> f64 {
         1.5
+    }
+
+    /// Largest load of a place of a ball so far past its lift-off in m, N, with all others that part together with it.
+    fn load_past_lift_off(&self, distance: f64, speed: f64) -> f64 {
+        self.spring(speed).load_and_stiffness(distance).0
     }
 
     /// Elastic approaches of a ball and both races under its loads, m, inner first.

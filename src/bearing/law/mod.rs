@@ -10,6 +10,7 @@ mod film_spring;
 mod films;
 mod hertz;
 mod jones;
+mod laminae;
 mod line_contacts;
 mod ninth_root;
 mod race_contacts;

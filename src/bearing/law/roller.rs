@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
-use fearless_simd::{Level, Simd, SimdBase, SimdFloat};
+use fearless_simd::{Level, Simd};
 
+use super::laminae::{Four, NEVER, Sums, fours};
 use super::line_contacts::LineContacts;
-use super::ninth_root::ninth_root;
+use super::table::RollerCells;
 use super::{Ball, BallForce, BallLaw, BallResponse, ContactSpring, ForceLaw, Lamina};
 use crate::bearing::Geometry;
 use crate::bearing::number::{Function, LANES, Lanes, Number, Plain};
@@ -47,61 +48,45 @@ pub struct RollerLaw<const TILTS: bool = true> {
     half_length: f64,
     /// Least 2 P of any lamina, m.
     least_drop: f64,
-    /// In fours, the last filled up with ones that never bear.
     groups: Arc<[Four]>,
+    /// Number of laminae with the same drop, which part together where the roller is not tilted.
+    together: f64,
+    /// What motions ask.
+    cells: Arc<RollerCells>,
 }
 
-/// Laminae side by side.
-#[derive(Debug, Clone, Copy)]
-#[repr(align(32))]
-struct Four {
-    position: [f64; LANES],
-    /// 2 P, m.
-    drop: [f64; LANES],
-}
-
-/// Drop of what fills up the last four, m: deeper than any approach.
-const NEVER: f64 = 1e3;
-
-/// Sums over the laminae of a roller.
-#[derive(Clone, Copy)]
-struct Sums<T> {
-    /// Σ q and −Σ s q.
-    load: [T; 2],
-    /// Σ dq/dδ s^m, m = 0, 1, 2.
-    stiffness: [T; 3],
-}
+/// Unit of the cells over the diameter of the rollers.
+const CELL_UNIT: f64 = 1.0 / 8192.0;
 
 impl<const TILTS: bool> RollerLaw<TILTS> {
     /// The law of a roller of a bearing with its contacts.
     pub(super) fn new(geometry: &Geometry, contacts: &LineContacts) -> Self {
         let rollers = &contacts.rollers;
         let (sin, cos) = geometry.contact_angle().sin_cos();
-        let slices: Vec<_> = rollers.slices(geometry.ball_diameter()).collect();
-        let groups = slices.chunks(LANES).map(|slices| {
-            let mut four = Four {
-                position: [0.0; LANES],
-                drop: [NEVER; LANES],
-            };
-            for (lane, slice) in slices.iter().enumerate() {
-                four.position[lane] = slice.position;
-                four.drop[lane] = 2.0 * slice.drop;
-            }
-            four
-        });
-        let groups: Arc<[Four]> = groups.collect();
-        let drops = groups.iter().flat_map(|four| four.drop);
+        let slices = rollers.slices(geometry.ball_diameter());
+        let laminae: Vec<_> = slices
+            .map(|slice| [slice.position, 2.0 * slice.drop])
+            .collect();
+        let half_length = 0.5 * rollers.length;
+        let unit = CELL_UNIT * geometry.ball_diameter();
+        let level = Level::new();
         let count = rollers.laminae as f64;
+        let alike = |drop: f64| laminae.iter().filter(|lamina| lamina[1] == drop).count();
+        let together = laminae.iter().map(|lamina| alike(lamina[1]));
         Self {
-            level: Level::new(),
+            level,
             sin,
             cos,
             stiffness: contacts.stiffness / count,
             width: rollers.length / count,
             laminae: rollers.laminae,
-            half_length: 0.5 * rollers.length,
-            least_drop: drops.fold(NEVER, f64::min),
-            groups,
+            half_length,
+            least_drop: laminae
+                .iter()
+                .fold(NEVER, |least, lamina| least.min(lamina[1])),
+            groups: fours(&laminae).into(),
+            together: together.max().unwrap_or(0) as f64,
+            cells: Arc::new(RollerCells::new(level, &laminae, half_length, unit, TILTS)),
         }
     }
 
@@ -136,9 +121,8 @@ impl<const TILTS: bool> RollerLaw<TILTS> {
     /// Sums with the middle of the roller approached by some m under a tilt in rad; those of the stiffness only where
     /// `SLOPES`.
     #[inline(always)]
-    fn sums<S: Simd, const SLOPES: bool>(&self, simd: S, middle: f64, tilt: f64) -> Sums<f64> {
-        let zero = Lanes::splat(simd, 0.0);
-        let (mut load, mut stiffness) = ([zero; 2], [zero; 3]);
+    fn sums<S: Simd, const SLOPES: bool>(&self, simd: S, place: [f64; 2]) -> Sums<f64> {
+        let [middle, tilt] = place;
         if middle + tilt.abs() * self.half_length <= self.least_drop {
             // no lamina bears
             return Sums {
@@ -146,66 +130,33 @@ impl<const TILTS: bool> RollerLaw<TILTS> {
                 stiffness: [0.0; 3],
             };
         }
-        for four in self.groups.iter() {
-            let position = simd.load_array_ref_f64x4(&four.position);
-            let drop = simd.load_array_ref_f64x4(&four.drop);
-            // δ_k
-            let approach = (Lanes::splat(simd, middle) - position * tilt) - drop;
-            if !simd.any_true_mask64x4(simd.simd_gt_f64x4(approach, zero)) {
-                continue;
-            }
-            let pressed = approach.max(zero);
-            // dq/dδ = 10/9 c_s δ^(1/9) and q = c_s δ δ^(1/9), both over c_s
-            let root = ninth_root(pressed);
-            let pushed = pressed * root;
-            load[0] += pushed;
-            load[1] -= position * pushed;
-            if SLOPES {
-                let slope = approach.if_positive(root);
-                let lever = position * slope;
-                stiffness[0] += slope;
-                stiffness[1] += lever;
-                stiffness[2] += position * lever;
-            }
-        }
+        let Sums { load, stiffness } = Sums::over::<SLOPES>(simd, &self.groups, place).total();
         let scale = self.stiffness;
         Sums {
-            load: load.map(|lanes| scale * total(&lanes)),
-            stiffness: stiffness.map(|lanes| LINE_EXPONENT * scale * total(&lanes)),
+            load: load.map(|sum| scale * sum),
+            stiffness: stiffness.map(|sum| LINE_EXPONENT * scale * sum),
         }
     }
-}
-
-/// Sum of the lanes.
-#[inline(always)]
-fn total<S: Simd>(lanes: &Lanes<S>) -> f64 {
-    let [a, b, c, d] = **lanes;
-    (a + b) + (c + d)
 }
 
 /// Load and couple of a roller by the approach of its middle and its tilt.
 impl<const TILTS: bool> Function<2, 2> for RollerLaw<TILTS> {
-    fn with_slopes(&self, [middle, tilt]: [f64; 2]) -> ([f64; 2], [[f64; 2]; 2]) {
+    fn with_slopes(&self, place: [f64; 2]) -> ([f64; 2], [[f64; 2]; 2]) {
         let Sums {
             load,
             stiffness: [k0, k1, k2],
-        } = in_wide_registers!(self.level, simd => self.sums::<_, true>(simd, middle, tilt));
+        } = in_wide_registers!(self.level, simd => self.sums::<_, true>(simd, place));
         (load, [[k0, -k1], [-k1, k2]])
     }
 
-    fn values(&self, [middle, tilt]: [f64; 2]) -> [f64; 2] {
-        in_wide_registers!(self.level, simd => self.sums::<_, false>(simd, middle, tilt).load)
+    fn values(&self, place: [f64; 2]) -> [f64; 2] {
+        in_wide_registers!(self.level, simd => self.sums::<_, false>(simd, place).load)
     }
 
     #[inline(always)]
-    fn side_by_side<S: Simd>(&self, [middle, tilt]: [Lanes<S>; 2]) -> [Lanes<S>; 2] {
-        let simd = middle.witness();
-        let [mut load, mut couple] = [[0.0; LANES]; 2];
-        for lane in 0..LANES {
-            let sums = self.sums::<S, false>(simd, middle[lane], tilt[lane]);
-            [load[lane], couple[lane]] = sums.load;
-        }
-        [load, couple].map(|lanes| simd.load_array_f64x4(lanes))
+    fn side_by_side<S: Simd>(&self, place: [Lanes<S>; 2]) -> [Lanes<S>; 2] {
+        let [load, couple] = self.cells.loads(place);
+        [load * self.stiffness, couple * self.stiffness]
     }
 }
 
@@ -223,10 +174,19 @@ impl<const TILTS: bool> ForceLaw for RollerLaw<TILTS> {
         }
     }
 
-    /// That of the lamina which is pressed most.
+    /// The laminae; of a roller that does not tilt those of one half, with which the others part.
+    fn places(&self) -> usize {
+        match TILTS {
+            true => self.laminae,
+            false => self.laminae.div_ceil(2),
+        }
+    }
+
     #[inline(always)]
-    fn distance_past_lift_off<T: Plain>(&self, ball: &Ball<T>, _speed: f64) -> T {
-        self.largest_approach(ball)
+    fn distance_past_lift_off<T: Plain>(&self, ball: &Ball<T>, place: usize, _speed: f64) -> T {
+        let four = &self.groups[place / LANES];
+        let (position, drop) = (four.position[place % LANES], four.drop[place % LANES]);
+        (self.middle(ball) - Self::tilt(ball) * position) + (-drop)
     }
 }
 
@@ -262,6 +222,10 @@ impl<const TILTS: bool> BallLaw for RollerLaw<TILTS> {
 
     fn spring(&self, _speed: f64) -> Self {
         self.clone()
+    }
+
+    fn load_past_lift_off(&self, distance: f64, _speed: f64) -> f64 {
+        self.together * self.stiffness * distance.max(0.0).powf(LINE_EXPONENT)
     }
 
     fn exponent(&self) -> f64 {

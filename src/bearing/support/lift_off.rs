@@ -2,19 +2,21 @@
 
 use super::{Support, Vector5};
 use crate::bearing::BearingRotation;
-use crate::bearing::law::{BallLaw, ContactSpring, with_law};
+use crate::bearing::law::{BallLaw, ContactSpring, ForceLaw, with_law};
 
 impl Support {
-    /// Number of balls whose force is not smooth where they lift off: none of a linear bearing, and
-    /// none behind films.
+    /// Number of places, one a ball and all laminae of rollers, whose force is not smooth where they lift off: none of a
+    /// linear bearing, and none behind films.
     pub(crate) fn balls_that_lift_off(&self) -> usize {
         match self.frozen {
-            None if !self.law.is_smooth() => self.ring.balls(),
+            None if !self.law.is_smooth() => {
+                self.ring.balls() * with_law!(&self.law, law => law.places())
+            }
             _ => 0,
         }
     }
 
-    /// Leaves how far each of these balls is pressed past its lift-off, m, in `past`, ball 0 first.
+    /// Leaves how far each of these places is pressed past its lift-off, m, in `past`, ball 0 first of every place.
     pub(crate) fn past_lift_offs(
         &self,
         displacement: &Vector5,
@@ -47,12 +49,20 @@ impl Support {
         (along * sin + across * cos) + 0.5 * rollers.length * tilt
     }
 
-    /// Largest load of a ball so far past its lift-off in m, N; zero where the force is smooth there.
+    /// Largest load of one of these places so far past its lift-off in m, N; zero where the force is smooth there.
     pub(crate) fn load_past_lift_off(&self, distance: f64, speed: f64) -> f64 {
         if self.law.is_smooth() {
             return 0.0;
         }
-        with_law!(&self.law, law => law.spring(speed).load_and_stiffness(distance).0)
+        with_law!(&self.law, law => law.load_past_lift_off(distance, speed))
+    }
+
+    /// Load of a ball at an approach in m, N; zero where the force is smooth at its lift-off.
+    pub(super) fn load_at(&self, approach: f64, speed: f64) -> f64 {
+        if self.law.is_smooth() {
+            return 0.0;
+        }
+        with_law!(&self.law, law => law.spring(speed).load_and_stiffness(approach).0)
     }
 
     /// Power of the distance past lift-off that the load of a ball sets in with.

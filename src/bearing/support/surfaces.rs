@@ -95,6 +95,6 @@ impl Support {
     pub(crate) fn load_past_kink(&self, distance: f64, speed: f64) -> f64 {
         // slopes of drops stay below one: no ball of a bearing sinks into a slot as steep as that
         let [drop, further] = [0.0, distance].map(|distance| self.largest_drop() + distance);
-        self.load_past_lift_off(further, speed) - self.load_past_lift_off(drop, speed)
+        self.load_at(further, speed) - self.load_at(drop, speed)
     }
 }

@@ -22,7 +22,7 @@ const NEAR: f64 = 1e-11;
 fn pressed(law: &impl BallLaw, speed: f64) -> usize {
     let mut count = 0;
     for [axial, radial] in places() {
-        let past = law.distance_past_lift_off(&Ball::at(axial, radial), speed);
+        let past = law.distance_past_lift_off(&Ball::at(axial, radial), 0, speed);
         let load = law.contact(&Ball::at(axial, radial), speed).load_inner;
         let loaded = load > NOTHING;
         if past.abs() > NEAR {

@@ -106,6 +106,25 @@ fn the_ring_is_the_plain_sum_of_all_slices() {
     }
 }
 
+/// Whatever cells rollers come to, and beyond all of them.
+#[test]
+fn forces_of_motions_are_the_plain_sum_everywhere() {
+    for bearing in kinds() {
+        let support = support(&bearing);
+        for number in 1..40 {
+            let size = 1.5_f64.powi(number - 25);
+            let part = |step: i32| 1e-3 * size * (f64::from(step * number) * 0.618).sin();
+            let place = [part(1), part(2), part(3), 20.0 * part(4), 20.0 * part(5)];
+            let rotation = BearingRotation::at_start(100.0).with_cage_at(f64::from(number));
+            let (expected, size) = plain_sum(&bearing, &place, f64::from(number));
+            let force = support.force(&place, &rotation);
+            for axis in 0..5 {
+                assert_near("force", force[axis], expected[axis], 2e-12 * size);
+            }
+        }
+    }
+}
+
 #[test]
 fn stiffness_is_the_slope_of_the_force() {
     for bearing in kinds() {
@@ -171,7 +190,7 @@ fn standing_rollers_at_the_point_of_lift_off_bear_nothing() {
     assert_eq!(tangent.stiffness.amax(), 0.0);
     let mut past = vec![1.0; support.balls_that_lift_off()];
     support.past_lift_offs(&[0.0; 5], &rotation, &mut past);
-    assert_eq!(past, [0.0; 13]);
+    assert_eq!(past, [0.0; 13 * 30]);
     assert_eq!(support.lift_off_exponent(), 10.0 / 9.0);
 }
 
@@ -180,10 +199,13 @@ fn a_tilt_lifts_the_middle_off_before_the_end() {
     // 4 mrad press the ends of flat rollers in by 3.87 mm · 4 mrad while their middles are 5 µm apart
     let support = support(&thirteen(Profile::Flat, 30));
     let rotation = BearingRotation::at_start(0.0);
-    let mut past = vec![0.0; 13];
+    let mut past = vec![0.0; support.balls_that_lift_off()];
     support.past_lift_offs(&[-5e-6, 0.0, 0.0, 0.0, 4e-3], &rotation, &mut past);
-    let end = 4e-3 * (1.0 - 1.0 / 30.0);
-    assert_near("past", past[0], 4e-3 * end - 5e-6, 1e-18);
+    // of the roller on the x axis, from one end to the other
+    for (lamina, past) in past.iter().step_by(13).enumerate() {
+        let position = 4e-3 * ((2 * lamina + 1) as f64 / 30.0 - 1.0);
+        assert_near("past", *past, 4e-3 * position - 5e-6, 1e-18);
+    }
 }
 
 /// A spall drops a roller along its whole length, and on one row alone: it bears what a sound one bears whose ring is less

@@ -204,7 +204,7 @@ impl<C: PreparedContact> ForceLaw for JonesLaw<C> {
     }
 
     #[inline(always)]
-    fn distance_past_lift_off<T: Plain>(&self, ball: &Ball<T>, speed: f64) -> T {
+    fn distance_past_lift_off<T: Plain>(&self, ball: &Ball<T>, _place: usize, speed: f64) -> T {
         if C::Spring::IS_SMOOTH {
             return ball.axial.constant(f64::INFINITY);
         }

@@ -121,7 +121,7 @@ impl ForceLaw for BallTable {
     }
 
     #[inline(always)]
-    fn distance_past_lift_off<T: Plain>(&self, ball: &Ball<T>, _speed: f64) -> T {
+    fn distance_past_lift_off<T: Plain>(&self, ball: &Ball<T>, _place: usize, _speed: f64) -> T {
         self.chart.distance_past_lift(ball.axial, ball.radial)
     }
 }

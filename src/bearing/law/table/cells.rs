@@ -17,11 +17,14 @@ const PAIRS: usize = AXIAL_TERMS / 2;
 /// Whole lines of the cache: none is read in halves.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(64))]
-pub(super) struct Cell(pub(super) [[[f64; 4]; PAIRS]; ROOT_TERMS]);
+pub(super) struct Cell<const POWERS: usize = ROOT_TERMS, const HALVES: usize = PAIRS>(
+    [[[f64; 4]; HALVES]; POWERS],
+);
 
-impl Cell {
+impl<const POWERS: usize, const HALVES: usize> Cell<POWERS, HALVES> {
     /// From the coefficients of x^k t^l of both.
-    pub(super) fn new(terms: &[[[f64; 2]; AXIAL_TERMS]; ROOT_TERMS]) -> Self {
+    pub(super) fn new<const TERMS: usize>(terms: &[[[f64; 2]; TERMS]; POWERS]) -> Self {
+        const { assert!(TERMS == 2 * HALVES, "powers in pairs") };
         Self(terms.map(|row| {
             std::array::from_fn(|pair| {
                 let ([p0, r0], [p1, r1]) = (row[2 * pair], row[2 * pair + 1]);
@@ -41,7 +44,7 @@ impl Cell {
         let [mut value, mut by_x, mut by_t] = [0.0; 3];
         for row in self.0.iter().rev() {
             let [mut of_row, mut row_rate] = [0.0; 2];
-            for power in (0..AXIAL_TERMS).rev() {
+            for power in (0..2 * HALVES).rev() {
                 row_rate = row_rate * t + of_row;
                 of_row = of_row * t + row[power / 2][2 * (power % 2) + which];
             }
@@ -50,6 +53,28 @@ impl Cell {
             by_t = by_t * x + row_rate;
         }
         [value, by_x, by_t]
+    }
+
+    /// Both polynomials at x, by the even and the odd powers of t: they are P₀ + t P₁ and R₀ + t R₁ with the lanes P₀, R₀, P₁
+    /// and R₁. The same x and t² in all lanes.
+    #[inline(always)]
+    pub(super) fn pairs<S: Simd>(&self, x: Lanes<S>, square: Lanes<S>) -> Lanes<S> {
+        let simd = x.witness();
+        // Σ x^k of every pair, then Σ t^2l of the pairs
+        let mut pairs = [Lanes::splat(simd, 0.0); HALVES];
+        for pair in 0..HALVES {
+            pairs[pair] = simd.load_array_ref_f64x4(&self.0[POWERS - 1][pair]);
+        }
+        for power in (0..POWERS - 1).rev() {
+            for pair in 0..HALVES {
+                pairs[pair] = pairs[pair] * x + simd.load_array_ref_f64x4(&self.0[power][pair]);
+            }
+        }
+        let mut sum = pairs[HALVES - 1];
+        for pair in (0..HALVES - 1).rev() {
+            sum = sum * square + pairs[pair];
+        }
+        sum
     }
 }
 
@@ -61,24 +86,16 @@ pub(super) fn values<S: Simd>(table: &[Cell], position: &InCells<S>) -> [Lanes<S
     let square = t * t;
     let mut rows = [Lanes::splat(simd, 0.0); LANES];
     for ball in 0..LANES {
-        let cell = &table[cells[ball]].0;
         let x = Lanes::splat(simd, x[ball]);
         let square = Lanes::splat(simd, square[ball]);
-        // Σ x^k of every pair, then Σ t^2l of the pairs
-        let mut pairs = [Lanes::splat(simd, 0.0); PAIRS];
-        for pair in 0..PAIRS {
-            pairs[pair] = simd.load_array_ref_f64x4(&cell[ROOT_TERMS - 1][pair]);
-        }
-        for power in (0..ROOT_TERMS - 1).rev() {
-            for pair in 0..PAIRS {
-                pairs[pair] = pairs[pair] * x + simd.load_array_ref_f64x4(&cell[power][pair]);
-            }
-        }
-        rows[ball] = pairs[PAIRS - 1];
-        for pair in (0..PAIRS - 1).rev() {
-            rows[ball] = rows[ball] * square + pairs[pair];
-        }
+        rows[ball] = table[cells[ball]].pairs(x, square);
     }
+    joined(rows, t)
+}
+
+/// Both polynomials of balls side by side from the [`Cell::pairs`] of each.
+#[inline(always)]
+pub(super) fn joined<S: Simd>(rows: [Lanes<S>; LANES], t: Lanes<S>) -> [Lanes<S>; 2] {
     let [p0, r0, p1, r1] = transposed(rows);
     [p0 + t * p1, r0 + t * r1]
 }
@@ -86,7 +103,7 @@ pub(super) fn values<S: Simd>(table: &[Cell], position: &InCells<S>) -> [Lanes<S
 /// Columns of four rows. Halves first: what then crosses them is nothing. No closures: these are not always compiled
 /// for wide registers.
 #[inline(always)]
-fn transposed<S: Simd>([a, b, c, d]: [Lanes<S>; LANES]) -> [Lanes<S>; LANES] {
+pub(super) fn transposed<S: Simd>([a, b, c, d]: [Lanes<S>; LANES]) -> [Lanes<S>; LANES] {
     let simd = a.witness();
     let ((a_low, a_high), (b_low, b_high)) = (simd.split_f64x4(a), simd.split_f64x4(b));
     let ((c_low, c_high), (d_low, d_high)) = (simd.split_f64x4(c), simd.split_f64x4(d));
@@ -257,7 +274,9 @@ mod tests {
     fn balls_side_by_side_have_the_polynomials_of_their_own_cells() {
         let terms =
             |cell: usize| std::array::from_fn(|k| std::array::from_fn(|l| term(cell, k, l)));
-        let table: Vec<Cell> = (0..9).map(|cell| Cell::new(&terms(cell))).collect();
+        let table: Vec<Cell> = (0..9)
+            .map(|cell| Cell::new::<AXIAL_TERMS>(&terms(cell)))
+            .collect();
         let (cells, x, t) = ([3, 0, 8, 3], [0.1, -0.5, 0.3, 0.4], [-0.2, 0.5, 0.0, 0.35]);
         for level in [Level::new(), Level::baseline()] {
             let own = dispatch!(level, simd => {
@@ -287,7 +306,7 @@ mod tests {
 
     #[test]
     fn slopes_are_the_derivatives() {
-        let cell = Cell::new(&std::array::from_fn(|k| {
+        let cell: Cell = Cell::new::<AXIAL_TERMS>(&std::array::from_fn(|k| {
             std::array::from_fn(|l| term(0, k, l))
         }));
         let (x, t, step) = (0.21, -0.37, 1e-6);

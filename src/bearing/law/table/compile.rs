@@ -402,8 +402,8 @@ mod tests {
             let [low, high] = wide.radial;
             let radial = low + (high - low) * f64::from(part) / 199.0;
             let ball = Ball::at(axial, radial);
-            let past = law.distance_past_lift_off(&ball, SPEED);
-            let own = table.distance_past_lift_off(&ball, SPEED);
+            let past = law.distance_past_lift_off(&ball, 0, SPEED);
+            let own = table.distance_past_lift_off(&ball, 0, SPEED);
             assert!((own > 0.0) == (past > 0.0) || past.abs() < 1e-11);
             if past < -1e-11 {
                 assert_eq!(table.force(&ball, SPEED), BallForce::default());

@@ -8,7 +8,9 @@ mod ball_table;
 mod cells;
 mod chart;
 mod compile;
+mod roller_cells;
 
 pub use ball_table::BallTable;
 pub use chart::BallRegion;
 pub use compile::{TableError, TableReport};
+pub(super) use roller_cells::RollerCells;
