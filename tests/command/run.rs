@@ -68,7 +68,7 @@ fn every_shipped_scenario_runs_and_states_its_error() {
     let warned = warned.lines().filter(|line| line.starts_with("warning:"));
     let warned: Vec<_> = warned
         .filter(|line| !line.contains("order tracks"))
-        // laminae of rollers meet the races all the time, and no step ends there
+        // laminae of rollers meet the races all the time, which adds up to more than ten tolerances
         .filter(|line| {
             !(line.contains("measured error") && ROLLERS.iter().any(|name| line.contains(name)))
         })

@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
-use fearless_simd::{Level, Simd};
+use fearless_simd::{Level, Simd, SimdBase, SimdFloat};
 
 use super::laminae::{Four, NEVER, Sums, fours};
 use super::line_contacts::LineContacts;
+use super::ninth_root::ninth_root;
 use super::table::RollerCells;
 use super::{Ball, BallForce, BallLaw, BallResponse, ContactSpring, ForceLaw, Lamina};
 use crate::bearing::Geometry;

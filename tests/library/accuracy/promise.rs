@@ -130,17 +130,19 @@ fn keeps_its_own_tolerance(name: &str, model: &Model) {
     );
 }
 
-/// Laminae of rollers leave and meet the races all the time, and steps do not end there: the tolerance is not kept, but
-/// the run says so, and by how much.
+/// Laminae of rollers leave and meet the races all the time: ten tolerances are not always kept, but thirty are, and the
+/// run says by how much.
 fn states_its_error(name: &str, model: &Model) {
     let (run, relative) = true_error(name, model);
     let measured = run.measured_error.unwrap().relative;
-    let mut warnings = run.warnings.iter();
+    let tolerance = model.integrator.tolerance;
     assert!(
-        relative <= 2.0 * measured && measured < 1e-4,
-        "{name}: {relative:e}, measured {measured:e}"
+        relative <= 2.0 * measured && measured < 30.0 * tolerance,
+        "{name}: {relative:e}, measured {measured:e}, asked {tolerance:e}"
     );
-    assert!(warnings.any(|warning| warning.contains("measured error")));
+    let mut warnings = run.warnings.iter();
+    let warned = warnings.any(|warning| warning.contains("measured error"));
+    assert_eq!(warned, measured > 10.0 * tolerance, "{name}");
 }
 
 /// A run by its own method, and its error relative to the motion. True is what the library's Dormand–Prince 8(5,3) says,

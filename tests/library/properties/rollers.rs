@@ -297,7 +297,7 @@ fn energy_closes_where_rollers_lift_off() {
         };
         let mut model = model(definition, 0.004, 10_000.0);
         model.energy = true;
-        model.integrator.tolerance = 1e-9;
+        model.integrator.tolerance = 2e-10;
         let found = samples(&model, 0.0);
         let start = found[0].energy.expect("energy");
         let residual = |sample: &crate::rotor::Sample| {
