@@ -62,12 +62,12 @@ impl<const POWERS: usize, const HALVES: usize> Cell<POWERS, HALVES> {
         let simd = x.witness();
         // Σ x^k of every pair, then Σ t^2l of the pairs
         let mut pairs = [Lanes::splat(simd, 0.0); HALVES];
-        for pair in 0..HALVES {
-            pairs[pair] = simd.load_array_ref_f64x4(&self.0[POWERS - 1][pair]);
+        for (sum, term) in pairs.iter_mut().zip(&self.0[POWERS - 1]) {
+            *sum = simd.load_array_ref_f64x4(term);
         }
-        for power in (0..POWERS - 1).rev() {
-            for pair in 0..HALVES {
-                pairs[pair] = pairs[pair] * x + simd.load_array_ref_f64x4(&self.0[power][pair]);
+        for row in self.0[..POWERS - 1].iter().rev() {
+            for (sum, term) in pairs.iter_mut().zip(row) {
+                *sum = *sum * x + simd.load_array_ref_f64x4(term);
             }
         }
         let mut sum = pairs[HALVES - 1];
