@@ -21,7 +21,7 @@ pub fn add_roller_table<'a>(
         "roller\nmm",
         "pitch\nmm",
         "angle\ndeg",
-        "bore × outside × width\nmm",
+        "boundary\nmm",
         "C\nN",
         "C0\nN",
         "maker",

@@ -76,8 +76,9 @@ fn check(name: &str, model: &Model) {
                 error.relative,
                 if warned { ", warned" } else { "" }
             );
+            // the warning speaks of the distance from a second pass, which has about a tenth of the error itself
             assert!(
-                warned || relative <= 10.0 * tolerance,
+                warned || relative <= 11.0 * tolerance,
                 "{name}, {method} at {tolerance:e}: {relative:e} and no word of it"
             );
         }
