@@ -119,7 +119,15 @@ impl RatingLife {
     pub fn consumption(&self, loads: impl Iterator<Item = [f64; 2]>) -> f64 {
         let turning = self.turning as usize;
         let slices = self.edge_factors.len();
-        let mut sums = vec![[0.0; 2]; self.rows * slices];
+        // of balls, which are asked at every sample, without memory of its own
+        let (mut only, mut several) = ([[0.0; 2]], Vec::new());
+        let sums = match self.rows * slices {
+            1 => &mut only[..],
+            count => {
+                several.resize(count, [0.0; 2]);
+                &mut several[..]
+            }
+        };
         let firsts = (0..self.rows).flat_map(|row| std::iter::repeat_n(row * slices, self.row));
         let places = firsts.flat_map(|first| (0..slices).map(move |slice| (first + slice, slice)));
         for (loads, (place, slice)) in loads.zip(places) {
@@ -129,7 +137,7 @@ impl RatingLife {
             }
         }
         let mut damage = 0.0;
-        for sums in &mut sums {
+        for sums in sums {
             sums[turning] = match self.is_line {
                 // x^(9/8)
                 true => sums[turning] * sums[turning].sqrt().sqrt().sqrt(),

@@ -228,7 +228,8 @@ impl Sample {
     }
 }
 
-/// Loads and contact angles of every ball of every bearing at one instant, and the force of each bearing; filled anew at every sample, without allocation.
+/// Loads and contact angles of every ball of every bearing at one instant, and the force of each bearing; filled anew at
+/// every sample, without allocation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BallContacts {
     bearings: Vec<BallLoads>,

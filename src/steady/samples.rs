@@ -31,7 +31,7 @@ pub(super) fn sampled(
 }
 
 /// States of a period on a grid, from every node.
-pub(super) fn trajectories(
+fn trajectories(
     map: &mut RotorMap<'_>,
     states: &DVector<f64>,
     model: &Model,
@@ -49,13 +49,30 @@ pub(super) fn trajectories(
     Ok(all)
 }
 
-/// What is observed along the trajectories of a period; of the balls, what the trace shows where it is one of them.
-pub(super) fn observed(map: &RotorMap<'_>, trajectories: &[States]) -> Vec<Vec<Sample>> {
-    let contacts = match map.periods.is_torus() {
-        true => map.rotor.unwatched_balls(true),
-        false => map.rotor.ball_loads(),
-    };
-    samples_along(map, trajectories, contacts)
+/// A period from every node.
+pub(super) struct Observed {
+    pub trajectories: Vec<States>,
+    /// What is observed along them; of the balls, what the trace shows where it is one of them.
+    pub samples: Vec<Vec<Sample>>,
+}
+
+impl Observed {
+    /// The motion that begins with some states.
+    pub fn new(
+        map: &mut RotorMap<'_>,
+        states: &DVector<f64>,
+        model: &Model,
+    ) -> Result<Self, SteadyError> {
+        let trajectories = trajectories(map, states, model)?;
+        let contacts = match map.periods.is_torus() {
+            true => map.rotor.unwatched_balls(true),
+            false => map.rotor.ball_loads(),
+        };
+        Ok(Self {
+            samples: samples_along(map, &trajectories, contacts),
+            trajectories,
+        })
+    }
 }
 
 fn samples_along(

@@ -4,12 +4,12 @@ use super::lines::ranges;
 use super::measured::{self, Measured, measured, reduction};
 use super::periods::Periods;
 use super::rotor_map::{RotorMap, Solver};
-use super::samples::{observed, peak_warnings, trace, trajectories};
-use super::search::{Found, locate, located_from, search};
+use super::samples::{Observed, peak_warnings, trace};
+use super::search::{Found, Located, locate, located_from, search};
 use super::{Section, Stability, Steady, SteadyError, SteadyLines, SteadyQuestion};
 use crate::analysis::Channel;
 use crate::rotor::{CageMotion, Rotor, check_constraints};
-use crate::simulate::{PROMISE, Reduction, StaticState, assembled_warnings};
+use crate::simulate::{Model, PROMISE, Reduction, StaticState, assembled_warnings};
 
 /// Lines below this part of the largest, in tolerances, are left out; so are those below the measured error.
 const NOISE: f64 = 0.1;
@@ -90,32 +90,21 @@ fn answer(
         question.integrated,
     );
     let mut map = RotorMap::new(rotor, periods.clone(), solver);
-    if !periods.is_torus() {
-        map.periods = periods.times(1);
-    }
-    let mut located = locate(&mut map)?;
-    let mut along = trajectories(&mut map, &located.returned.states, question.model)?;
-    let mut sampled = observed(&map, &along);
-    // the tolerance is relative to the motion found, not to the one assumed
-    if let Some(scale) = map.scale.corrected(measured::size(&map, &sampled)) {
-        let states = map.states(&located.returned.states);
-        map.rescale(scale);
-        let guess = map.scaled(&states);
-        located = located_from(&mut map, guess)?;
-        along = trajectories(&mut map, &located.returned.states, question.model)?;
-        sampled = observed(&map, &along);
-    }
+    let (located, mut observed) = located_in_scale(&mut map, question.model)?;
     let (found, single_period) = search(&mut map, question.multiple, periods, located)?;
     if single_period.is_some() {
-        along = trajectories(&mut map, &found.states, question.model)?;
-        sampled = observed(&map, &along);
+        observed = Observed::new(&mut map, &found.states, question.model)?;
     }
+    let Observed {
+        trajectories,
+        samples,
+    } = observed;
     let measured = match question.model.verify {
-        true => Some(measured(&mut map, &found, &sampled, question.model)?),
+        true => Some(measured(&mut map, &found, &samples, question.model)?),
         false => None,
     };
-    let reduction = reduction(&mut map, &found, &sampled, question.model)?;
-    let trace = trace(&map, &along, &sampled, question.model);
+    let reduction = reduction(&mut map, &found, &samples, question.model)?;
+    let trace = trace(&map, &trajectories, &samples, question.model);
     let channels = Channel::of_motion(&question.model.rotor);
     let error = measured.as_ref().map_or(0.0, |error| error.relative);
     let noise = error.max(NOISE * solver.settings.tolerance);
@@ -123,7 +112,7 @@ fn answer(
         Some(error) => found.multipliers.stability(&error.multipliers),
         None => map.stability(&found),
     };
-    let mut warnings = peak_warnings(&map, &along)?;
+    let mut warnings = peak_warnings(&map, &trajectories)?;
     warnings.extend(assembled_warnings(&question.model.rotor, &map.rotor));
     warnings.extend(reduction.as_ref().and_then(Reduction::warning));
     let error = measured.as_ref();
@@ -143,8 +132,8 @@ fn answer(
         history: found.history,
         waited: found.waited,
         harmonics: map.periods.circle.harmonics(),
-        ranges: ranges(&channels, &map.periods.circle, &sampled),
-        lines: SteadyLines::from_samples(&map.periods, &channels, &sampled, noise),
+        ranges: ranges(&channels, &map.periods.circle, &samples),
+        lines: SteadyLines::from_samples(&map.periods, &channels, &samples, noise),
         trace,
         measured,
         reduction,
@@ -158,6 +147,27 @@ fn answer(
         bases: map.periods.bases,
         multipliers: found.multipliers,
     })
+}
+
+/// The motion of a single period as it is observed, to a tolerance of its own size.
+fn located_in_scale(
+    map: &mut RotorMap<'_>,
+    model: &Model,
+) -> Result<(Located, Observed), SteadyError> {
+    if !map.periods.is_torus() {
+        map.periods = map.periods.times(1);
+    }
+    let mut located = locate(map)?;
+    let mut observed = Observed::new(map, &located.returned.states, model)?;
+    // the tolerance is relative to the motion found, not to the one assumed
+    if let Some(scale) = map.scale.corrected(measured::size(map, &observed.samples)) {
+        let states = map.states(&located.returned.states);
+        map.rescale(scale);
+        let guess = map.scaled(&states);
+        located = located_from(map, guess)?;
+        observed = Observed::new(map, &located.returned.states, model)?;
+    }
+    Ok((located, observed))
 }
 
 fn warnings(

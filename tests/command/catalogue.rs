@@ -40,6 +40,23 @@ fn a_page_of_one_bearing() {
     assert!(!page.contains("6205"));
 }
 
+/// The README says how many bearings the catalogue holds.
+#[test]
+fn as_many_bearings_as_the_readme_says() {
+    let output = jeffcott_in(root(), &["catalogue", "--json"]);
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let count = |key: &str| found[key].as_array().map_or(0, Vec::len);
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    let words: Vec<_> = readme.split_whitespace().collect();
+    for (key, kind) in [("bearings", "ball"), ("roller_bearings", "roller")] {
+        let count = count(key).to_string();
+        assert!(
+            words.windows(2).any(|pair| pair == [count.as_str(), kind]),
+            "{count} {kind}"
+        );
+    }
+}
+
 #[test]
 fn a_page_of_one_roller_bearing() {
     let output = jeffcott_in(root(), &["catalogue", "NU 206 ECP/C3"]);

@@ -67,8 +67,8 @@ impl Envelopes {
 
     /// Means of the square and of the fourth power of the envelope between two frequencies in Hz, both included.
     ///
-    /// In a band of less than half the range: the square of an envelope of M bins is a trigonometric polynomial of degree M − 1, its fourth power one of twice that:
-    /// their means over any 2M points are those over all samples.
+    /// In a band of less than half the range: the square of an envelope of M bins is a trigonometric polynomial of degree
+    /// M − 1, its fourth power one of twice that: their means over any 2M points are those over all samples.
     pub fn mean_powers(&mut self, band: [f64; 2]) -> [f64; 2] {
         let bins = self.analytic(band);
         let points = (2 * bins.len()).next_power_of_two();

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use fearless_simd::{Level, Simd, SimdBase, SimdFloat};
+use fearless_simd::{Simd, SimdBase, SimdFloat};
 
-use super::laminae::{Four, NEVER, Sums, fours};
+use super::laminae::{Four, NEVER, Sums};
 use super::line_contacts::LineContacts;
 use super::ninth_root::ninth_root;
 use super::table::RollerCells;
@@ -37,7 +37,6 @@ use crate::physics::LINE_EXPONENT;
 /// Source: ISO/TS 16281:2008, 4.2; H. T. Nguyen-Schäfer, *Computational Tapered and Cylinder Roller Bearings* (2019).
 #[derive(Debug, Clone)]
 pub struct RollerLaw<const TILTS: bool = true> {
-    level: Level,
     sin: f64,
     cos: f64,
     /// c_s.
@@ -45,14 +44,9 @@ pub struct RollerLaw<const TILTS: bool = true> {
     /// Width of a lamina, m.
     width: f64,
     laminae: usize,
-    /// L/2, m.
-    half_length: f64,
-    /// Least 2 P of any lamina, m.
-    least_drop: f64,
-    groups: Arc<[Four]>,
     /// Number of laminae with the same drop, which part together where the roller is not tilted.
     together: f64,
-    /// What motions ask.
+    /// The laminae, and their sums as motions ask for them.
     cells: Arc<RollerCells>,
 }
 
@@ -68,26 +62,23 @@ impl<const TILTS: bool> RollerLaw<TILTS> {
         let laminae: Vec<_> = slices
             .map(|slice| [slice.position, 2.0 * slice.drop])
             .collect();
-        let half_length = 0.5 * rollers.length;
         let unit = CELL_UNIT * geometry.ball_diameter();
-        let level = Level::new();
         let count = rollers.laminae as f64;
         let alike = |drop: f64| laminae.iter().filter(|lamina| lamina[1] == drop).count();
         let together = laminae.iter().map(|lamina| alike(lamina[1]));
         Self {
-            level,
             sin,
             cos,
             stiffness: contacts.stiffness / count,
             width: rollers.length / count,
             laminae: rollers.laminae,
-            half_length,
-            least_drop: laminae
-                .iter()
-                .fold(NEVER, |least, lamina| least.min(lamina[1])),
-            groups: fours(&laminae).into(),
             together: together.max().unwrap_or(0) as f64,
-            cells: Arc::new(RollerCells::new(level, &laminae, half_length, unit, TILTS)),
+            cells: Arc::new(RollerCells::new(
+                &laminae,
+                0.5 * rollers.length,
+                unit,
+                TILTS,
+            )),
         }
     }
 
@@ -116,7 +107,7 @@ impl<const TILTS: bool> RollerLaw<TILTS> {
                 .map(|(position, drop)| [position, drop])
                 .collect::<Vec<_>>()
         };
-        self.groups.iter().flat_map(four).take(self.laminae)
+        self.cells.laminae.iter().flat_map(four).take(self.laminae)
     }
 
     /// Sums with the middle of the roller approached by some m under a tilt in rad; those of the stiffness only where
@@ -124,14 +115,15 @@ impl<const TILTS: bool> RollerLaw<TILTS> {
     #[inline(always)]
     fn sums<S: Simd, const SLOPES: bool>(&self, simd: S, place: [f64; 2]) -> Sums<f64> {
         let [middle, tilt] = place;
-        if middle + tilt.abs() * self.half_length <= self.least_drop {
+        if middle + tilt.abs() * self.cells.half_length <= self.cells.least_drop {
             // no lamina bears
             return Sums {
                 load: [0.0; 2],
                 stiffness: [0.0; 3],
             };
         }
-        let Sums { load, stiffness } = Sums::over::<SLOPES>(simd, &self.groups, place).total();
+        let Sums { load, stiffness } =
+            Sums::over::<SLOPES>(simd, &self.cells.laminae, place).total();
         let scale = self.stiffness;
         Sums {
             load: load.map(|sum| scale * sum),
@@ -146,12 +138,12 @@ impl<const TILTS: bool> Function<2, 2> for RollerLaw<TILTS> {
         let Sums {
             load,
             stiffness: [k0, k1, k2],
-        } = in_wide_registers!(self.level, simd => self.sums::<_, true>(simd, place));
+        } = in_wide_registers!(self.cells.level, simd => self.sums::<_, true>(simd, place));
         (load, [[k0, -k1], [-k1, k2]])
     }
 
     fn values(&self, place: [f64; 2]) -> [f64; 2] {
-        in_wide_registers!(self.level, simd => self.sums::<_, false>(simd, place).load)
+        in_wide_registers!(self.cells.level, simd => self.sums::<_, false>(simd, place).load)
     }
 
     #[inline(always)]
@@ -185,7 +177,7 @@ impl<const TILTS: bool> ForceLaw for RollerLaw<TILTS> {
 
     #[inline(always)]
     fn distance_past_lift_off<T: Plain>(&self, ball: &Ball<T>, place: usize, _speed: f64) -> T {
-        let four = &self.groups[place / LANES];
+        let four = &self.cells.laminae[place / LANES];
         let (position, drop) = (four.position[place % LANES], four.drop[place % LANES]);
         (self.middle(ball) - Self::tilt(ball) * position) + (-drop)
     }
@@ -197,7 +189,7 @@ impl<const TILTS: bool> RollerLaw<TILTS> {
     fn largest_approach<T: Number>(&self, ball: &Ball<T>) -> T {
         let (middle, tilt) = (self.middle(ball), Self::tilt(ball));
         let mut largest = middle - NEVER;
-        for four in self.groups.iter() {
+        for four in self.cells.laminae.iter() {
             for (position, drop) in four.position.iter().zip(&four.drop) {
                 // max(a, b) = a + max(b − a, 0)
                 let approach = (middle - tilt * *position) - *drop;
@@ -253,8 +245,8 @@ impl<const TILTS: bool> BallLaw for RollerLaw<TILTS> {
 
     fn slice_loads(&self, ball: &Ball, loads: &mut [f64]) {
         let (middle, tilt) = (self.middle(ball), Self::tilt(ball));
-        in_wide_registers!(self.level, simd => {
-            for (four, loads) in self.groups.iter().zip(loads.chunks_mut(LANES)) {
+        in_wide_registers!(self.cells.level, simd => {
+            for (four, loads) in self.cells.laminae.iter().zip(loads.chunks_mut(LANES)) {
                 let position = simd.load_array_ref_f64x4(&four.position);
                 let drop = simd.load_array_ref_f64x4(&four.drop);
                 let approach = (Lanes::splat(simd, middle) - position * tilt) - drop;
@@ -267,16 +259,15 @@ impl<const TILTS: bool> BallLaw for RollerLaw<TILTS> {
 
     fn laminae(&self, ball: &Ball) -> Vec<Lamina> {
         let (middle, tilt) = (self.middle(ball), Self::tilt(ball));
-        let lamina = |[position, drop]: [f64; 2]| {
-            let approach = middle - tilt * position - drop;
-            Lamina {
-                position,
-                width: self.width,
-                approach,
-                load: self.stiffness * approach.max(0.0).powf(LINE_EXPONENT),
-            }
+        let mut loads = vec![0.0; self.laminae];
+        self.slice_loads(ball, &mut loads);
+        let lamina = |([position, drop], load): ([f64; 2], f64)| Lamina {
+            position,
+            width: self.width,
+            approach: middle - tilt * position - drop,
+            load,
         };
-        self.slices().map(lamina).collect()
+        self.slices().zip(loads).map(lamina).collect()
     }
 }
 
@@ -286,12 +277,15 @@ impl<const TILTS: bool> ContactSpring for RollerLaw<TILTS> {
 
     #[inline(always)]
     fn load<T: Number>(&self, approach: T) -> T {
-        let [load, _] = T::apply(self, [approach + self.least_drop, approach.constant(0.0)]);
+        let [load, _] = T::apply(
+            self,
+            [approach + self.cells.least_drop, approach.constant(0.0)],
+        );
         load
     }
 
     fn load_and_stiffness(&self, approach: f64) -> (f64, f64) {
-        let (load, slopes) = self.with_slopes([approach + self.least_drop, 0.0]);
+        let (load, slopes) = self.with_slopes([approach + self.cells.least_drop, 0.0]);
         (load[0], slopes[0][0])
     }
 

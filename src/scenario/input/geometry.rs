@@ -300,7 +300,7 @@ fn at(key: &str) -> String {
 }
 
 /// A length in mm with four significant digits.
-fn millimetres(length: f64) -> String {
+pub(super) fn millimetres(length: f64) -> String {
     format!("{} mm", significant(length * 1e3))
 }
 

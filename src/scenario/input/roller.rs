@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::bearing::BearingInput;
+use super::geometry::millimetres;
 use super::settings::{ContactChoice, ModelInput};
 use crate::bearing::{
     Bearing, ClearanceClass, Geometry, GeometryError, Profile, ProfilePoints, RollerEstimate,
@@ -12,7 +13,7 @@ use crate::bearing::{
 use crate::physics::Material;
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
-use crate::scenario::quantity::{Angle, Length, Quantity, si, significant};
+use crate::scenario::quantity::{Angle, Length, Quantity, si};
 
 /// Steel for which ISO/TS 16281 gives the stiffness of rollers.
 const ROLLER_STEEL: Material = Material {
@@ -515,9 +516,4 @@ fn wrong(kind: RollerKind, error: &GeometryError) -> Issue {
         _ => error.to_string(),
     };
     Issue::new(key, message).against(".roller.kind")
-}
-
-/// A length in mm with four significant digits.
-fn millimetres(length: f64) -> String {
-    format!("{} mm", significant(length * 1e3))
 }

@@ -37,12 +37,13 @@ const MARGIN: f64 = 2.0;
 /// asked for, and is the same whoever asks; beyond all cells the sum is over all laminae.
 #[derive(Debug)]
 pub(in crate::bearing::law) struct RollerCells {
-    level: Level,
-    laminae: Box<[Four]>,
+    /// Vector instructions of the processor.
+    pub level: Level,
+    pub laminae: Box<[Four]>,
     /// L/2, m.
-    half_length: f64,
+    pub half_length: f64,
     /// Least 2 P of any lamina, m.
-    least_drop: f64,
+    pub least_drop: f64,
     /// Distance over which the cells double their widths, from zero on, m.
     unit: f64,
     cells: Box<[OnceLock<Box<RollerCell>>]>,
@@ -59,17 +60,11 @@ struct RollerCell {
 
 impl RollerCells {
     /// The cells of a roller whose laminae are each a position and 2 P in m.
-    pub fn new(
-        level: Level,
-        laminae: &[[f64; 2]],
-        half_length: f64,
-        unit: f64,
-        tilts: bool,
-    ) -> Self {
+    pub fn new(laminae: &[[f64; 2]], half_length: f64, unit: f64, tilts: bool) -> Self {
         let strips = if tilts { STRIPS } else { 1 };
         let cells = (0..COLUMNS * strips).map(|_| OnceLock::new());
         Self {
-            level,
+            level: Level::new(),
             laminae: fours(laminae),
             half_length,
             least_drop: laminae
