@@ -80,7 +80,12 @@ impl Decimator {
         }
         let (first, last) = ((abscissa, value), (abscissa, value));
         let point = Bucket { first, last };
-        self.open = Some(self.open.map_or(point, |bucket| bucket.join(point)));
+        match &mut self.open {
+            // between the extremes it changes nothing
+            Some(bucket) if bucket.low() <= value && value <= bucket.high() => {}
+            Some(bucket) => *bucket = bucket.join(point),
+            None => self.open = Some(point),
+        }
         self.filled += 1;
         if self.filled == self.stride {
             self.full.extend(self.open.take());

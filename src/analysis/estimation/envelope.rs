@@ -1,5 +1,6 @@
 //! Envelopes of what a signal holds in bands of frequencies.
 
+use std::mem;
 use std::ops::Range;
 
 use realfft::RealFftPlanner;
@@ -32,7 +33,11 @@ pub struct Envelopes {
 impl Envelopes {
     /// Of a signal of `rate` samples a second.
     pub fn new(samples: &[f64], rate: f64) -> Self {
-        let mut planner = RealFftPlanner::new();
+        Self::planned(samples, rate, RealFftPlanner::new())
+    }
+
+    /// Of a signal, by a planner that remembers the lengths it has met.
+    fn planned(samples: &[f64], rate: f64, mut planner: RealFftPlanner<f64>) -> Self {
         let length = samples.len();
         let mut bins = Vec::new();
         if length > 0 {
@@ -53,8 +58,12 @@ impl Envelopes {
     /// The envelope of a signal between two frequencies in Hz, both included, at every sample; of a long one block by block, so
     /// that it takes little memory.
     pub fn by_blocks(samples: &[f64], rate: f64, band: [f64; 2]) -> Vec<f64> {
+        let mut planner = RealFftPlanner::new();
         in_blocks(samples.len(), [BLOCK, EDGE], |range| {
-            Self::new(&samples[range], rate).envelope(band)
+            let mut block = Self::planned(&samples[range], rate, mem::take(&mut planner));
+            let found = block.envelope(band);
+            planner = block.planner;
+            found
         })
     }
 
@@ -83,8 +92,13 @@ impl Envelopes {
     fn analytic(&self, [low, high]: [f64; 2]) -> Vec<Complex<f64>> {
         let frequency = |k: usize| k as f64 * self.rate / self.length as f64;
         let scale = 1.0 / self.length as f64;
+        // a bin more on either side, for the rounding of the quotients
+        let nearest = |at: f64| (at * self.length as f64 / self.rate).round() as usize;
+        let around = nearest(low).saturating_sub(1)..nearest(high) + 2;
         let bins = self.bins.iter().enumerate();
-        bins.filter(|(k, _)| (low..=high).contains(&frequency(*k)))
+        bins.take(around.end)
+            .skip(around.start)
+            .filter(|(k, _)| (low..=high).contains(&frequency(*k)))
             .map(|(k, bin)| *bin * (scale * sides(k, self.length)))
             .collect()
     }
