@@ -346,7 +346,7 @@ class Scenario:
         *,
         methods: Sequence[str] = (),
         tolerances: Sequence[float] = TOLERANCES,
-        longest: str = "10 s",
+        longest: str = "2 s",
         progress: Progress = None,
     ) -> results.Accuracy:
         """Speed against error of `methods` (all where none are named) at `tolerances`, without what runs longer than

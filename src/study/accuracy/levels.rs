@@ -197,7 +197,10 @@ pub(super) fn measure(
         let result = match level.model {
             Err(reason) => Err(reason),
             Ok(model) => {
-                let run = || Ok((Cost::measure(&model, stop)?, Trial::run(&model, stop)?));
+                let run = || {
+                    let trial = Trial::run(&model, stop)?;
+                    Ok((trial.cost(&model, stop)?, trial))
+                };
                 unless_stopped(run())?.map(|(cost, trial)| match &truth {
                     Some(truth) => (cost, truth.errors(&trial)),
                     None => {

@@ -13,8 +13,14 @@ use crate::integrate::Method;
 use crate::rotor::Rotor;
 use crate::simulate::Model;
 
-/// Methods that share neither coefficients nor code, those before the others first.
-const METHODS: [Method; 3] = [Method::Verner76, Method::Dop853, Method::Rodas];
+/// Methods that share neither coefficients nor code, those before the others first: `auto` as long as the exponential method
+/// carries all of it, which it does where that is cheap.
+const METHODS: [Method; 4] = [
+    Method::Verner76,
+    Method::Auto,
+    Method::Dop853,
+    Method::Rodas,
+];
 /// Tolerances that a method is taken through, as far as time allows.
 const TOLERANCES: [f64; 3] = [1e-8, 1e-10, 1e-12];
 /// How much longer the next of these tolerances takes at most: two decades at order 3.5.
@@ -188,7 +194,11 @@ fn take(
             break;
         }
         let run = Trial::run(&with(model, method, tolerance), stop);
-        match (unless_stopped(run)?, &mut taken) {
+        let run = unless_stopped(run)?.and_then(|trial| match trial.went_over() {
+            true => Err("verner76 went on from it".to_owned()),
+            false => Ok(trial),
+        });
+        match (run, &mut taken) {
             (Ok(best), None) => {
                 let method = method.to_string();
                 taken = Some(Taken {

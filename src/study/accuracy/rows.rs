@@ -84,7 +84,7 @@ fn measured(
     let agreement = &reference.agreement;
     let errors = reference.truth.errors(&trial);
     Ok(Measured {
-        cost: Cost::measure(model, stop)?,
+        cost: trial.cost(model, stop)?,
         errors,
         within_uncertainty: if agreement.irregular {
             errors.within_scatter(&agreement.scatter)

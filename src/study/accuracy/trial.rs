@@ -7,13 +7,15 @@ use serde::Serialize;
 
 use super::trace::Trace;
 use crate::analysis::Peak;
-use crate::integrate::{Counters, IntegrateError, Method};
+use crate::integrate::{Counters, IntegrateError, Method, MethodUse};
 use crate::simulate::{BareRun, Model, Monitor, SimulateError, simulate};
 
 /// A measurement of time ends after so many runs,
 const MOST_REPEATS: u32 = 15;
 /// or after this time in s, whichever is first; the shortest run counts.
 const LONG_ENOUGH: f64 = 0.15;
+/// Of a run that takes longer than this with its observation, s, the observation is a small part: it is not run again by itself.
+const LONG: f64 = 0.5;
 
 /// Weakest labelled peak that is compared, relative to the strongest peak of the same unit.
 const WEAKEST_LINE: f64 = 1e-3;
@@ -48,6 +50,9 @@ pub(super) struct Trial {
     resolution: f64,
     /// Time of the run with its observation, s.
     pub seconds: f64,
+    counters: Counters,
+    /// Which methods carried the run, where the choice was left open.
+    method_use: Option<MethodUse>,
 }
 
 impl Trial {
@@ -65,6 +70,26 @@ impl Trial {
             resolution: run.spectrum.map_or(0.0, |spectrum| spectrum.resolution),
             peaks: run.peaks,
             seconds: started.elapsed().as_secs_f64(),
+            counters: run.counters,
+            method_use: run.method_use,
+        })
+    }
+
+    /// Whether `verner76` carried a part of the run for another method.
+    pub fn went_over(&self) -> bool {
+        let change = self.method_use.and_then(|methods| methods.change);
+        change.is_some()
+    }
+
+    /// What the integration costs: by itself, or, where it is long, as it was.
+    pub fn cost(&self, model: &Model, stop: &AtomicBool) -> Result<Cost, SimulateError> {
+        if self.seconds <= LONG {
+            return Cost::measure(model, stop);
+        }
+        Ok(Cost {
+            seconds: self.seconds,
+            repeats: 1,
+            counters: self.counters,
         })
     }
 
@@ -97,7 +122,7 @@ impl Trial {
     }
 }
 
-/// What a bare integration costs.
+/// What an integration costs.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Cost {
@@ -113,7 +138,7 @@ pub struct Cost {
 
 impl Cost {
     /// Measures the integration by itself, again and again where it is short.
-    pub(super) fn measure(model: &Model, stop: &AtomicBool) -> Result<Self, SimulateError> {
+    fn measure(model: &Model, stop: &AtomicBool) -> Result<Self, SimulateError> {
         let bare = BareRun::new(model)?;
         let mut cost = Self {
             seconds: f64::INFINITY,
