@@ -225,7 +225,7 @@ impl CheckedScenario {
 /// Designations of the bearings of the catalogue, and where their dimensions come from.
 #[pyfunction]
 pub fn catalogue() -> Vec<(String, String)> {
-    let entries = CATALOGUE.iter();
+    let entries = CATALOGUE.balls.iter();
     entries
         .map(|entry| (entry.designation.clone(), entry.source.clone()))
         .collect()

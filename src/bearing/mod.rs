@@ -29,7 +29,7 @@ pub(crate) mod surface;
 mod warnings;
 
 pub(crate) use cage::CageMotion;
-pub use catalogue::{CATALOGUE, CatalogueEntry, RollerEntry, UnknownBearing};
+pub use catalogue::{CATALOGUE, Catalogue, CatalogueEntry, RollerEntry, UnknownBearing};
 pub use clearance::{Clearance, ClearanceClass};
 pub use definition::{Bearing, Oil};
 pub(crate) use definition::{

@@ -71,8 +71,8 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
 
 fn one(designation: &str, json: bool) -> Result<String, String> {
     let found = match (
-        catalogue::look_up(&[], designation),
-        catalogue::look_up_rollers(designation),
+        catalogue::look_up(&catalogue::EMPTY, designation),
+        catalogue::look_up_rollers(&catalogue::EMPTY, designation),
     ) {
         (Ok(found), _) => found,
         (Err(_), Some((entry, _))) => return one_of_rollers(entry, json),
@@ -99,14 +99,15 @@ fn one_of_rollers(entry: &RollerEntry, json: bool) -> Result<String, String> {
 
 /// Every roller bearing with its estimate.
 fn rollers() -> impl Iterator<Item = (&'static RollerEntry, RollerEstimate)> {
-    let entries = catalogue::ROLLER_CATALOGUE.iter();
+    let entries = catalogue::all(&catalogue::EMPTY).flat_map(|known| &known.rollers);
     entries.filter_map(|entry| Some((entry, entry.line.estimate().ok()?)))
 }
 
 /// Every bearing that its designation finds, with its estimate.
 fn found() -> Vec<(&'static CatalogueEntry, Bearing, Estimate)> {
-    let found = catalogue::all(&[]).filter_map(|entry| {
-        let first = catalogue::look_up(&[], &entry.designation).ok()?;
+    let entries = catalogue::all(&catalogue::EMPTY).flat_map(|known| &known.balls);
+    let found = entries.filter_map(|entry| {
+        let first = catalogue::look_up(&catalogue::EMPTY, &entry.designation).ok()?;
         let bearing = entry.bearing().ok()?;
         let estimate = entry.line.estimate().ok()?;
         std::ptr::eq(first.entry, entry).then_some((entry, bearing, estimate))

@@ -3,17 +3,19 @@
 use std::io;
 
 use super::{Outcome, terminal};
-use crate::report::{estimate_json, estimate_text};
-use crate::scenario;
+use crate::report::{estimate_json, estimate_text, roller_estimate_json, roller_estimate_text};
+use crate::scenario::{self, RatedLine};
 
-/// Finds the inside of a bearing from what its catalogue prints: balls, ball diameter and grooves.
+/// Finds the inside of a bearing from what its catalogue prints: balls, ball diameter and grooves, or rollers.
 ///
 /// For [bearing.ratings] of a scenario and for the bearings of the catalogue it is found in the same way.
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Example:\n  jeffcott estimate --bore 40mm --outside-diameter 80mm --contact-angle 0deg --dynamic 29.1kN \
-                  --static 17.9kN\n\n\
-                  Exit code: 0 done, 2 the line is wrong, or belongs to no balls."
+                  --static 17.9kN\n\
+                  \x20 jeffcott estimate --kind cylindrical --bore 30mm --outside-diameter 62mm --width 16mm --dynamic 44kN \
+                  --static 36.5kN\n\n\
+                  Exit code: 0 done, 2 the line is wrong, or belongs to neither balls nor rollers."
 )]
 pub struct Arguments {
     /// Bore
@@ -22,6 +24,12 @@ pub struct Arguments {
     /// Outside diameter
     #[arg(long, value_name = "LENGTH")]
     outside_diameter: String,
+    /// Of a roller bearing its kind: cylindrical, needle, tapered or spherical
+    #[arg(long, value_name = "KIND", requires = "width")]
+    kind: Option<String>,
+    /// Width of a roller bearing
+    #[arg(long, value_name = "LENGTH", requires = "kind")]
+    width: Option<String>,
     /// Nominal contact angle, 0deg of a deep-groove bearing
     #[arg(long, value_name = "ANGLE", default_value = "0 deg")]
     contact_angle: String,
@@ -48,11 +56,15 @@ pub struct Arguments {
     json: bool,
 }
 
+const TITLE: &str = "Estimate";
+
 /// Prints the estimate.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let given = [
         ("bore", Some(&arguments.bore)),
         ("outside_diameter", Some(&arguments.outside_diameter)),
+        ("kind", arguments.kind.as_ref()),
+        ("width", arguments.width.as_ref()),
         ("contact_angle", Some(&arguments.contact_angle)),
         ("dynamic", Some(&arguments.dynamic)),
         ("static", Some(&arguments.statical)),
@@ -74,14 +86,19 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
             return Ok(Outcome::WrongInput);
         }
     };
-    match line.estimate() {
-        Ok(estimate) if arguments.json => {
-            terminal::print(&format!("{:#}\n", estimate_json(&line, &estimate)))?;
-        }
-        Ok(estimate) => {
-            let text = estimate_text("Estimate", &line, &estimate);
-            terminal::print(&text.text(terminal::details()))?;
-        }
+    let json = arguments.json;
+    let told = match &line {
+        RatedLine::Balls(line) => line.estimate().map(|estimate| match json {
+            true => format!("{:#}\n", estimate_json(line, &estimate)),
+            false => estimate_text(TITLE, line, &estimate).text(terminal::details()),
+        }),
+        RatedLine::Rollers(line) => line.estimate().map(|estimate| match json {
+            true => format!("{:#}\n", roller_estimate_json(line, &estimate)),
+            false => roller_estimate_text(TITLE, line, &estimate).text(terminal::details()),
+        }),
+    };
+    match told {
+        Ok(text) => terminal::print(&text)?,
         Err(error) => return Ok(terminal::refuse(error)),
     }
     Ok(Outcome::Done)

@@ -47,7 +47,10 @@ pub(crate) use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole}
 #[cfg(test)]
 pub(crate) use histories::Histories;
 pub(crate) use response::{ResponseError, response_findings};
-pub(crate) use roller_catalogue::{add_roller_table, roller_entry_json, roller_entry_text};
+pub(crate) use roller_catalogue::{
+    add_roller_table, roller_entry_json, roller_entry_text, roller_estimate_json,
+    roller_estimate_text,
+};
 
 pub(crate) use measured::{listed_record, measured_findings, record_json};
 

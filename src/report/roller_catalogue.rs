@@ -2,8 +2,9 @@
 
 use serde_json::{Value, json};
 
+use super::findings::versioned;
 use super::terminal::{Lines, mark_estimated, or_dash, rounded};
-use crate::bearing::{RollerEntry, RollerEstimate};
+use crate::bearing::{RollerEntry, RollerEstimate, RollerLine};
 
 fn millimetres(length: f64) -> f64 {
     rounded(1e3 * length, 6)
@@ -53,8 +54,15 @@ pub fn add_roller_table<'a>(
 
 /// A page on one roller bearing.
 pub fn roller_entry_text(entry: &RollerEntry, estimate: &RollerEstimate) -> Lines {
-    let (line, best) = (&entry.line, &estimate.best);
-    let mut out = Lines::titled(&entry.designation);
+    let mut out = roller_estimate_text(&entry.designation, &entry.line, estimate);
+    out.line("source", &entry.source);
+    out
+}
+
+/// The rollers of a catalogue line for people.
+pub fn roller_estimate_text(title: &str, line: &RollerLine, estimate: &RollerEstimate) -> Lines {
+    let best = &estimate.best;
+    let mut out = Lines::titled(title);
     let [bore, outside, width] = line.boundary.map(millimetres);
     out.line("size", format!("{bore} × {outside} × {width} mm"));
     let rows = if line.kind.rows() > 1 {
@@ -82,8 +90,22 @@ pub fn roller_entry_text(entry: &RollerEntry, estimate: &RollerEstimate) -> Line
     }
     out.each("next best", estimate.runner_up);
     out.each("note", &estimate.notes);
-    out.line("source", &entry.source);
     out
+}
+
+/// The rollers of a catalogue line as JSON, beside what is printed.
+pub fn roller_estimate_json(line: &RollerLine, estimate: &RollerEstimate) -> Value {
+    let mut value = versioned(estimate);
+    let [bore, outside, width] = line.boundary;
+    value["printed"] = json!({
+        "bore_m": bore,
+        "outside_diameter_m": outside,
+        "width_m": width,
+        "contact_angle_rad": line.contact_angle,
+        "dynamic_rating_N": line.dynamic_rating,
+        "static_rating_N": line.static_rating,
+    });
+    value
 }
 
 /// A roller bearing as JSON.

@@ -274,16 +274,16 @@ pub(super) fn add_table_use(out: &mut Lines, tables: &[Option<TableUse>]) {
     }
 }
 
-/// Why the exponential method began a run, or kept it; `parted` where balls parted from a race.
+/// Why the exponential method began a run, or kept it; `parted` where contacts were lost.
 fn why_exponential(used: &MethodUse, parted: bool) -> &'static str {
     match (used.change, parted) {
         (Some(_), _) => "every run begins with it",
-        (None, false) => "no ball parted from a race",
-        (None, true) => "balls parted from a race, but did not keep its steps short",
+        (None, false) => "no contact was lost",
+        (None, true) => "contacts were lost, but did not keep its steps short",
     }
 }
 
-/// Whether a ball of any bearing parted from a race.
+/// Whether a contact of any bearing was lost.
 pub(super) fn parted(bearings: &[BearingHistory]) -> bool {
     let lost = |bearing: &BearingHistory| bearing.events(EventKind::ContactLost).count > 0;
     bearings.iter().any(lost)
@@ -291,7 +291,7 @@ pub(super) fn parted(bearings: &[BearingHistory]) -> bool {
 
 fn why_changed(reason: ChangeReason) -> &'static str {
     match reason {
-        ChangeReason::Crossings => "balls part from a race again and again, and keep steps short",
+        ChangeReason::Crossings => "contacts are lost again and again, which keeps steps short",
         ChangeReason::NoStep => "exponential can take no further step",
     }
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::document::file_text;
-use crate::bearing::catalogue::{CatalogueEntry, read as read_text};
+use crate::bearing::catalogue::{Catalogue, read as read_text};
 
 /// Most bytes of a file.
 const LARGEST: u64 = 16 << 20;
@@ -12,7 +12,7 @@ const LARGEST: u64 = 16 << 20;
 ///
 /// # Errors
 /// Everything that is wrong with it.
-pub(crate) fn read(path: &Path) -> Result<Vec<CatalogueEntry>, Vec<String>> {
+pub(crate) fn read(path: &Path) -> Result<Catalogue, Vec<String>> {
     let text = file_text(path, LARGEST).map_err(|problem| vec![problem])?;
     read_text(&text)
 }

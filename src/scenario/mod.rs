@@ -37,7 +37,7 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 use serde_json::Value;
 
-use super::bearing::{CatalogueLine, Oil};
+use super::bearing::{CatalogueLine, Oil, RollerLine};
 use super::quasi_static::StaticQuestion;
 use super::simulate::{Model, RecordedRun, SimulateError};
 use super::study::ContactChoice;
@@ -140,13 +140,21 @@ pub(crate) fn load_any(path: &Path, settings: &[String]) -> Result<Loaded, Scena
     check(&document).map(|scenario| Loaded::Scenario(scenario.into()))
 }
 
+/// What a catalogue prints of a bearing.
+pub(crate) enum RatedLine {
+    /// Of a ball bearing.
+    Balls(CatalogueLine),
+    /// Of a roller bearing.
+    Rollers(RollerLine),
+}
+
 /// A catalogue line from the texts of the keys of `[bearing.ratings]`, quantities with their units.
 ///
 /// # Errors
 /// Everything that is wrong with them.
 pub(crate) fn ratings<'a>(
     given: impl Iterator<Item = (&'a str, &'a str)>,
-) -> Result<CatalogueLine, Vec<Issue>> {
+) -> Result<RatedLine, Vec<Issue>> {
     let schema = &schema()["properties"]["bearing"]["items"]["properties"]["ratings"];
     let value = |(key, text): (&str, &str)| {
         let plain = schema["properties"][key]["x-dimension"].is_null();
@@ -156,10 +164,12 @@ pub(crate) fn ratings<'a>(
     let root = Node::from(&Value::Object(given.map(value).collect()));
     let mut problems = Problems::new(&root, Path::new("")).about("the line");
     let input: Option<RatingsInput> = reader::read(schema, &mut problems);
-    match input {
-        Some(input) if problems.issues.is_empty() => Ok(input.line()),
-        _ => Err(problems.issues),
-    }
+    let line = input.and_then(|input| match input.kind {
+        None => Some(RatedLine::Balls(input.line())),
+        Some(_) => input.roller_line(&mut problems).map(RatedLine::Rollers),
+    });
+    line.filter(|_| problems.issues.is_empty())
+        .ok_or(problems.issues)
 }
 
 /// Reads and checks the text of a scenario; `name` is what messages call it, and files that it names are looked for

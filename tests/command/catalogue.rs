@@ -111,6 +111,62 @@ fn the_estimate_of_a_line_has_the_ratings_beside_the_geometry() {
     assert!(text(&refused.stderr).contains("give `balls` and `ball_diameter`"));
 }
 
+/// The rollers of Koyo's NU206: 13 of 7.5 × 8 mm, as a motor of them has.
+#[test]
+fn rollers_are_estimated_from_their_line() {
+    const LINE: [&str; 13] = [
+        "estimate",
+        "--kind",
+        "cylindrical",
+        "--bore",
+        "30mm",
+        "--outside-diameter",
+        "62mm",
+        "--width",
+        "16mm",
+        "--dynamic",
+        "25kN",
+        "--static",
+        "22.7kN",
+    ];
+    let told = jeffcott_in(root(), &[&LINE[..], &["--json"]].concat());
+    let found: Value = serde_json::from_slice(&told.stdout).unwrap();
+    let rated = found["static_rating_N"].as_f64().unwrap() / 22.7e3;
+    assert!((rated - 1.0).abs() < 0.02, "{found}");
+    assert_eq!(found["printed"]["width_m"], 0.016);
+    let told = jeffcott_in(root(), &LINE);
+    assert!(text(&told.stdout).contains("rollers"));
+    let balls = jeffcott_in(root(), &[&LINE[..], &["--f0", "14"]].concat());
+    assert_eq!(balls.status.code(), Some(2));
+    assert!(text(&balls.stderr).contains("belongs to balls"));
+    let kind = jeffcott_in(root(), &[&LINE[..2], &["conical"], &LINE[3..]].concat());
+    assert_eq!(kind.status.code(), Some(2));
+}
+
+#[test]
+fn a_file_of_ones_own_may_have_roller_bearings() {
+    let folder = tempfile::tempdir().unwrap();
+    let rollers = "designation,kind,bore_mm,outside_diameter_mm,width_mm,contact_angle_deg,dynamic_rating_N,\
+                   static_rating_N,rollers,roller_diameter_mm,roller_length_mm\n\
+                   MY-N206,cylindrical,30,62,16,0,25000,22700,13,7.5,8\nMY-6406,,30,90,,0,43000,23800,,,\n";
+    fs::write(folder.path().join("own.csv"), rollers).unwrap();
+    let named = ["--catalogue", "own.csv", "catalogue", "my-n206", "--json"];
+    let output = jeffcott_in(folder.path(), &named);
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(found["estimate"]["rollers"], 13);
+    assert_eq!(found["estimate"]["estimated"], false);
+    let scenario = "catalogue_file = \"own.csv\"\n[shaft]\nmass = \"5 kg\"\nfreedoms = \"radial\"\n\
+        [speed]\nconstant = \"3000 rpm\"\n[[bearing]]\ncatalogue = \"MY-N206/C3\"\n[[load]]\nconstant = { y = \"-300 N\" }\n";
+    fs::write(folder.path().join("a.toml"), scenario).unwrap();
+    let output = jeffcott_in(folder.path(), &["bearing", "a.toml", "--json"]);
+    let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(
+        answer["bearings"][0]["geometry"]["rollers"], 13,
+        "{}",
+        answer["bearings"][0]["geometry"]
+    );
+}
+
 #[test]
 fn a_file_of_ones_own_is_looked_up_first() {
     let folder = tempfile::tempdir().unwrap();

@@ -23,6 +23,7 @@ mod lines;
 mod new;
 mod options;
 mod releases;
+mod rollers;
 mod run;
 mod schema;
 mod seed;

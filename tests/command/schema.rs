@@ -23,9 +23,10 @@ fn the_command_lists_the_catalogue_with_its_sources() {
     let table = String::from_utf8(printed(&["catalogue"])).unwrap();
     // lines are broken where they would be wider than a terminal
     let table = table.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(listed.len() >= 115 && listed.len() <= CATALOGUE.len());
+    assert!(listed.len() >= 115 && listed.len() <= CATALOGUE.balls.len());
     for record in listed {
         let entry = CATALOGUE
+            .balls
             .iter()
             .find(|entry| record["designation"] == entry.designation);
         let entry = entry.expect("an entry");

@@ -1,7 +1,7 @@
 //! Reads catalogue files, the one that is shipped and the user's own.
 
-use super::CatalogueEntry;
-use crate::bearing::CatalogueLine;
+use super::{Catalogue, CatalogueEntry, RollerEntry};
+use crate::bearing::{CatalogueLine, RollerKind, RollerLine};
 
 /// Columns of a catalogue file that must be there.
 const NEEDED: [&str; 5] = [
@@ -13,17 +13,33 @@ const NEEDED: [&str; 5] = [
 ];
 
 /// Columns that may be there.
-const OPTIONAL: [&str; 10] = [
+const OPTIONAL: [&str; 6] = [
+    "kind",
     "static_rating_N",
-    "f0",
-    "balls",
-    "ball_diameter_mm",
     "pitch_diameter_mm",
-    "groove_factor_inner",
-    "groove_factor_outer",
     "width_mm",
     "maker",
     "source",
+];
+
+/// Columns that ball bearings may have.
+const OF_BALLS: [&str; 5] = [
+    "f0",
+    "balls",
+    "ball_diameter_mm",
+    "groove_factor_inner",
+    "groove_factor_outer",
+];
+
+/// Columns that roller bearings may have.
+const OF_ROLLERS: [&str; 3] = ["rollers", "roller_diameter_mm", "roller_length_mm"];
+
+/// Kinds of bearings by their names; a ball bearing may say nothing.
+const KINDS: [RollerKind; 4] = [
+    RollerKind::Cylindrical,
+    RollerKind::Needle,
+    RollerKind::Tapered,
+    RollerKind::Spherical,
 ];
 
 /// Most problems of a catalogue file that are named.
@@ -33,7 +49,7 @@ const MOST_PROBLEMS: usize = 20;
 ///
 /// # Errors
 /// Everything that is wrong with it, each with its line.
-pub(crate) fn read(text: &str) -> Result<Vec<CatalogueEntry>, Vec<String>> {
+pub(crate) fn read(text: &str) -> Result<Catalogue, Vec<String>> {
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
         .comment(Some(b'#'))
@@ -46,18 +62,15 @@ pub(crate) fn read(text: &str) -> Result<Vec<CatalogueEntry>, Vec<String>> {
     if !problems.is_empty() {
         return Err(problems);
     }
-    let mut entries = Vec::new();
+    let mut catalogue = Catalogue::default();
     for record in reader.records() {
         let header = &header;
-        let entry = record
+        let added = record
             .map_err(|error| vec![error.to_string()])
-            .and_then(|record| Row { header, record }.entry());
-        match entry {
-            Ok(entry) => entries.push(entry),
-            Err(found) => problems.extend(found),
-        }
+            .and_then(|record| Row { header, record }.add_to(&mut catalogue));
+        problems.extend(added.err().into_iter().flatten());
     }
-    if entries.is_empty() && problems.is_empty() {
+    if catalogue == Catalogue::default() && problems.is_empty() {
         problems.push("it has no bearing".to_owned());
     }
     if problems.len() > MOST_PROBLEMS {
@@ -65,21 +78,19 @@ pub(crate) fn read(text: &str) -> Result<Vec<CatalogueEntry>, Vec<String>> {
         problems.truncate(MOST_PROBLEMS);
         problems.push(format!("and {more} more"));
     }
-    problems.is_empty().then_some(entries).ok_or(problems)
+    problems.is_empty().then_some(catalogue).ok_or(problems)
 }
 
 fn header_problems(header: &csv::StringRecord) -> Vec<String> {
-    let known = || NEEDED.iter().chain(&OPTIONAL);
+    let known = || [&NEEDED[..], &OPTIONAL, &OF_BALLS, &OF_ROLLERS].concat();
     let missing = NEEDED
         .iter()
         .filter(|name| !header.iter().any(|h| h == **name));
     let missing = missing.map(|name| format!("it has no column `{name}`"));
-    let strange = header
-        .iter()
-        .filter(|name| known().all(|known| known != name));
+    let strange = header.iter().filter(|name| !known().contains(name));
     let strange = strange.map(|name| {
-        let names: Vec<_> = known().copied().collect();
-        format!("it has a column `{name}`; known are {}", names.join(", "))
+        let names = known().join(", ");
+        format!("it has a column `{name}`; known are {names}")
     });
     let twice = header.iter().enumerate();
     let twice = twice.filter(|(index, name)| header.iter().take(*index).any(|h| h == *name));
@@ -123,13 +134,54 @@ impl Row<'_> {
         }
     }
 
-    fn entry(&self) -> Result<CatalogueEntry, Vec<String>> {
+    /// A whole number of a column; none where it is empty.
+    fn count(&self, column: &str, problems: &mut Vec<String>) -> Option<usize> {
+        let number = self.number(column, 1.0, problems)?;
+        if number.fract() != 0.0 {
+            problems.push(format!("`{column}` is no whole number"));
+        }
+        Some(number as usize)
+    }
+
+    /// Adds the bearing of the row.
+    fn add_to(&self, catalogue: &mut Catalogue) -> Result<(), Vec<String>> {
         let mut problems = Vec::new();
-        let designation = self.text("designation").to_owned();
-        if designation.is_empty() {
+        if self.text("designation").is_empty() {
             problems.push("`designation` is empty".to_owned());
         }
-        let mut number = |column, divisor| self.number(column, divisor, &mut problems);
+        let added = match self.text("kind") {
+            "" | "ball" => {
+                self.refuse(&OF_ROLLERS, "a ball bearing", &mut problems);
+                let entry = self.ball_bearing(&mut problems);
+                entry.map(|entry| catalogue.balls.push(entry))
+            }
+            name => {
+                self.refuse(&OF_BALLS, "a roller bearing", &mut problems);
+                let entry = self.roller_bearing(name, &mut problems);
+                entry.map(|entry| catalogue.rollers.push(entry))
+            }
+        };
+        match added {
+            Some(()) if problems.is_empty() => Ok(()),
+            _ => {
+                let line = self.record.position().map_or(0, csv::Position::line);
+                let with_line = |problem: &String| format!("line {line}: {problem}");
+                Err(problems.iter().map(with_line).collect())
+            }
+        }
+    }
+
+    /// Refuses what a bearing cannot have.
+    fn refuse(&self, columns: &[&str], of: &str, problems: &mut Vec<String>) {
+        let given = columns
+            .iter()
+            .filter(|column| !self.text(column).is_empty());
+        problems.extend(given.map(|column| format!("{of} has no `{column}`")));
+    }
+
+    fn ball_bearing(&self, problems: &mut Vec<String>) -> Option<CatalogueEntry> {
+        let balls = self.count("balls", problems);
+        let mut number = |column, divisor| self.number(column, divisor, problems);
         let [bore, outside, ball, pitch, width] = [
             "bore_mm",
             "outside_diameter_mm",
@@ -138,47 +190,80 @@ impl Row<'_> {
             "width_mm",
         ]
         .map(|column| number(column, 1e3));
-        let [angle, dynamic, statical, factor, balls, inner, outer] = [
+        let [angle, dynamic, statical, factor, inner, outer] = [
             "contact_angle_deg",
             "dynamic_rating_N",
             "static_rating_N",
             "f0",
-            "balls",
             "groove_factor_inner",
             "groove_factor_outer",
         ]
         .map(|column| number(column, 1.0));
-        if balls.is_some_and(|balls| balls.fract() != 0.0) {
-            problems.push("`balls` is no whole number".to_owned());
-        }
         if inner.is_some() != outer.is_some() {
             problems.push("give both groove factors or none".to_owned());
         }
-        let (Some(bore), Some(outside), Some(angle), Some(dynamic), true) =
-            (bore, outside, angle, dynamic, problems.is_empty())
-        else {
-            let line = self.record.position().map_or(0, csv::Position::line);
-            let with_line = |problem: &String| format!("line {line}: {problem}");
-            return Err(problems.iter().map(with_line).collect());
-        };
-        let line = CatalogueLine {
-            bore,
-            outside_diameter: outside,
-            contact_angle: angle.to_radians(),
-            dynamic_rating: dynamic,
-            static_rating: statical,
-            static_factor: factor,
-            balls: balls.map(|balls| balls as usize),
-            ball_diameter: ball,
-            pitch_diameter: pitch,
-            groove_factors: inner.zip(outer).map(|(inner, outer)| [inner, outer]),
-        };
-        Ok(CatalogueEntry {
-            designation,
+        Some(CatalogueEntry {
+            designation: self.text("designation").to_owned(),
             maker: self.text("maker").to_owned(),
             source: self.text("source").to_owned(),
             width,
-            line,
+            line: CatalogueLine {
+                bore: bore?,
+                outside_diameter: outside?,
+                contact_angle: angle?.to_radians(),
+                dynamic_rating: dynamic?,
+                static_rating: statical,
+                static_factor: factor,
+                balls,
+                ball_diameter: ball,
+                pitch_diameter: pitch,
+                groove_factors: inner.zip(outer).map(|(inner, outer)| [inner, outer]),
+            },
+        })
+    }
+
+    fn roller_bearing(&self, kind: &str, problems: &mut Vec<String>) -> Option<RollerEntry> {
+        let named = KINDS.into_iter().find(|known| known.name() == kind);
+        if named.is_none() {
+            let names = KINDS.map(RollerKind::name).join(", ");
+            problems.push(format!(
+                "`kind` must be ball, {names} or empty, not \"{kind}\""
+            ));
+        }
+        for column in ["width_mm", "static_rating_N"] {
+            if self.text(column).is_empty() {
+                problems.push(format!("a roller bearing needs `{column}`"));
+            }
+        }
+        let rollers = self.count("rollers", problems);
+        let mut number = |column, divisor| self.number(column, divisor, problems);
+        let [bore, outside, width, diameter, length, pitch] = [
+            "bore_mm",
+            "outside_diameter_mm",
+            "width_mm",
+            "roller_diameter_mm",
+            "roller_length_mm",
+            "pitch_diameter_mm",
+        ]
+        .map(|column| number(column, 1e3));
+        let [angle, dynamic, statical] =
+            ["contact_angle_deg", "dynamic_rating_N", "static_rating_N"]
+                .map(|column| number(column, 1.0));
+        Some(RollerEntry {
+            designation: self.text("designation").to_owned(),
+            maker: self.text("maker").to_owned(),
+            source: self.text("source").to_owned(),
+            line: RollerLine {
+                kind: named?,
+                boundary: [bore?, outside?, width?],
+                contact_angle: angle?.to_radians(),
+                dynamic_rating: dynamic?,
+                static_rating: statical?,
+                rollers,
+                diameter,
+                length,
+                pitch_diameter: pitch,
+            },
         })
     }
 }
@@ -194,6 +279,22 @@ mod tests {
         let problems = read(&text).expect_err("three problems");
         assert_eq!(problems.len(), 3, "{problems:?}");
         assert!(problems[1].starts_with("line 3: `bore_mm` must be above zero"));
+        let kinds = needed.to_owned() + ",kind,balls,rollers";
+        let text = format!(
+            "{kinds}\nA,25,52,0,1000,cone,,\nB,25,52,0,1000,needle,9,\nC,25,52,0,1000,,,11\n"
+        );
+        let problems = read(&text).expect_err("what does not belong together");
+        for told in [
+            "line 2: `kind` must be ball, cylindrical, needle",
+            "line 3: a roller bearing has no `balls`",
+            "line 3: a roller bearing needs `width_mm`",
+            "line 4: a ball bearing has no `rollers`",
+        ] {
+            assert!(
+                problems.iter().any(|problem| problem.starts_with(told)),
+                "{problems:?}"
+            );
+        }
         let problems = read("designation,bore\nA,1\n").expect_err("columns");
         assert!(problems.iter().any(|problem| problem.contains("`bore`")));
     }

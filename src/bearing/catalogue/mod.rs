@@ -6,7 +6,7 @@ mod rollers;
 
 pub(crate) use file::read;
 pub use rollers::RollerEntry;
-pub(crate) use rollers::{ROLLER_CATALOGUE, look_up_rollers};
+pub(crate) use rollers::look_up_rollers;
 
 use std::collections::BTreeMap;
 use std::sync::{LazyLock, OnceLock};
@@ -30,25 +30,46 @@ pub struct CatalogueEntry {
     pub line: CatalogueLine,
 }
 
+/// The bearings of a catalogue.
+#[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
+pub struct Catalogue {
+    /// Ball bearings.
+    pub balls: Vec<CatalogueEntry>,
+    /// Roller bearings.
+    pub rollers: Vec<RollerEntry>,
+}
+
 /// The catalogue that is shipped, as a file of the user's own has it.
 pub(crate) const SHIPPED: &str = include_str!("../bearings.csv");
 
 /// All bearings that are shipped; of two with one designation the first one, whose inside is known, is found.
-pub static CATALOGUE: LazyLock<Vec<CatalogueEntry>> =
-    LazyLock::new(|| read(SHIPPED).unwrap_or_default());
+pub static CATALOGUE: LazyLock<Catalogue> = LazyLock::new(|| read(SHIPPED).unwrap_or_default());
+
+/// The catalogue of a scenario that names none.
+pub(crate) static EMPTY: Catalogue = Catalogue {
+    balls: Vec::new(),
+    rollers: Vec::new(),
+};
 
 /// The user's own bearings, which come first.
-static OWN: OnceLock<Vec<CatalogueEntry>> = OnceLock::new();
+static OWN: OnceLock<Catalogue> = OnceLock::new();
 
 /// Lets the user's own bearings be found wherever a designation is looked up, from now on; once.
-pub(crate) fn add_own(entries: Vec<CatalogueEntry>) {
-    let _ = OWN.set(entries);
+pub(crate) fn add_own(catalogue: Catalogue) {
+    let _ = OWN.set(catalogue);
 }
 
-/// All bearings: of a file that a scenario names, the user's own ones, those that are shipped.
-pub(crate) fn all(file: &[CatalogueEntry]) -> impl Iterator<Item = &CatalogueEntry> {
-    let own = OWN.get().map_or(&[][..], Vec::as_slice);
-    file.iter().chain(own).chain(CATALOGUE.iter())
+/// All catalogues: the file that a scenario names, the user's own one, the one that is shipped.
+pub(crate) fn all(file: &Catalogue) -> impl Iterator<Item = &Catalogue> {
+    [Some(file), OWN.get(), Some(&CATALOGUE)]
+        .into_iter()
+        .flatten()
+}
+
+/// All ball bearings.
+fn all_balls(file: &Catalogue) -> impl Iterator<Item = &CatalogueEntry> {
+    all(file).flat_map(|catalogue| &catalogue.balls)
 }
 
 /// A bearing that was looked up, and the class of clearance that its suffixes name.
@@ -109,11 +130,11 @@ fn suffixes<'a>(mut rest: &'a str, more: &str) -> Result<Option<ClearanceClass>,
 /// # Errors
 /// [`UnknownBearing`] says what comes near.
 pub(crate) fn look_up<'a>(
-    file: &'a [CatalogueEntry],
+    file: &'a Catalogue,
     designation: &str,
 ) -> Result<Found<'a>, UnknownBearing> {
     let wanted = normal(designation);
-    matching(all(file), |entry| &entry.designation, &wanted, "")
+    matching(all_balls(file), |entry| &entry.designation, &wanted, "")
         .map(|(entry, class)| Found { entry, class })
         .map_err(|odd| UnknownBearing::new(file, designation, odd))
 }
@@ -155,7 +176,7 @@ fn matching<'a, 'w, T>(
 /// The entry of a designation that is shipped or the user's own.
 #[cfg(test)]
 pub(crate) fn find(designation: &str) -> Option<CatalogueEntry> {
-    let found = look_up(&[], designation).ok()?;
+    let found = look_up(&EMPTY, designation).ok()?;
     Some(found.entry.clone())
 }
 
@@ -171,11 +192,7 @@ pub struct UnknownBearing {
 }
 
 impl UnknownBearing {
-    fn new(
-        file: &[CatalogueEntry],
-        designation: &str,
-        odd: Option<(&CatalogueEntry, &str)>,
-    ) -> Self {
+    fn new(file: &Catalogue, designation: &str, odd: Option<(&CatalogueEntry, &str)>) -> Self {
         let wanted = normal(designation);
         let number = |text: &str| {
             let digits = text.trim_start_matches(|c: char| !c.is_ascii_digit());
@@ -184,7 +201,9 @@ impl UnknownBearing {
         };
         let wanted_number = number(&wanted);
         let same = |entry: &&CatalogueEntry| wanted_number == number(&entry.designation);
-        let same = all(file).find(same).filter(|_| !wanted_number.is_empty());
+        let same = all_balls(file)
+            .find(same)
+            .filter(|_| !wanted_number.is_empty());
         let kind = kind::not_modelled(&wanted).filter(|_| odd.is_none());
         let angles = kind::contact_angle(&wanted).zip(same);
         let angles = angles.map(|(angle, entry)| (angle, entry.line.contact_angle.to_degrees()));
@@ -223,9 +242,9 @@ impl UnknownBearing {
 }
 
 /// The designations, series by series: `6000 to 6024`.
-pub(crate) fn series(file: &[CatalogueEntry]) -> String {
+pub(crate) fn series(file: &Catalogue) -> String {
     let mut groups: BTreeMap<(String, String), [&str; 2]> = BTreeMap::new();
-    for entry in all(file) {
+    for entry in all_balls(file) {
         let name = entry.designation.as_str();
         let letters = name.trim_start_matches(|c: char| c.is_ascii_digit());
         let digits = &name[..name.len() - letters.len()];
@@ -250,7 +269,7 @@ impl Bearing {
     /// # Errors
     /// [`UnknownBearing`] says what comes near.
     pub fn catalogue(designation: &str) -> Result<Self, UnknownBearing> {
-        let Found { entry, class } = look_up(&[], designation)?;
+        let Found { entry, class } = look_up(&EMPTY, designation)?;
         let bearing = entry.of_class(class.unwrap_or_default());
         bearing.map_err(|error| UnknownBearing {
             designation: designation.to_owned(),
@@ -320,7 +339,7 @@ mod tests {
             ("6205 2RS1", "6205", None),
             ("6205.2ZR.C4", "6205", Some(ClearanceClass::C4)),
         ] {
-            let found = look_up(&[], text).expect(text);
+            let found = look_up(&EMPTY, text).expect(text);
             assert_eq!(
                 (found.entry.designation.as_str(), found.class),
                 (designation, class)
@@ -330,7 +349,7 @@ mod tests {
 
     #[test]
     fn only_the_same_number_is_suggested() {
-        let help = |text| look_up(&[], text).expect_err(text).help;
+        let help = |text| look_up(&EMPTY, text).expect_err(text).help;
         assert!(help("7205").contains("\"7205C\""));
         assert!(help("6205C").contains("the suffix \"C\" is not known"));
         assert!(help("6299").contains("6200 to 6220"), "{}", help("6299"));
@@ -339,7 +358,7 @@ mod tests {
 
     #[test]
     fn other_kinds_of_bearing_are_named() {
-        let help = |text| look_up(&[], text).expect_err(text).help;
+        let help = |text| look_up(&EMPTY, text).expect_err(text).help;
         for (kind, designations) in [
             (
                 "a cylindrical roller",
@@ -385,8 +404,8 @@ mod tests {
 
     #[test]
     fn every_shipped_bearing_is_one() {
-        assert!(CATALOGUE.len() >= 120);
-        for entry in CATALOGUE.iter() {
+        assert!(CATALOGUE.balls.len() >= 120);
+        for entry in &CATALOGUE.balls {
             assert!(entry.bearing().is_ok(), "{}", entry.designation);
         }
     }

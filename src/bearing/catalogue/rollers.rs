@@ -1,11 +1,7 @@
-//! The roller bearings that are shipped.
+//! Roller bearings of catalogues.
 
-use std::sync::LazyLock;
-
-use serde::Deserialize;
-
-use super::{matching, normal};
-use crate::bearing::{ClearanceClass, RollerKind, RollerLine};
+use super::{Catalogue, all, matching, normal};
+use crate::bearing::{ClearanceClass, RollerLine};
 
 /// A roller bearing of the catalogue.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,65 +17,17 @@ pub struct RollerEntry {
     pub line: RollerLine,
 }
 
-/// A row of the file.
-#[derive(Deserialize)]
-struct Row {
-    designation: String,
-    kind: RollerKind,
-    bore_mm: f64,
-    outside_diameter_mm: f64,
-    width_mm: f64,
-    contact_angle_deg: f64,
-    #[serde(rename = "dynamic_rating_N")]
-    dynamic_rating: f64,
-    #[serde(rename = "static_rating_N")]
-    static_rating: f64,
-    roller_diameter_mm: Option<f64>,
-    pitch_diameter_mm: Option<f64>,
-    maker: String,
-    source: String,
-}
-
-impl From<Row> for RollerEntry {
-    fn from(row: Row) -> Self {
-        let boundary = [row.bore_mm, row.outside_diameter_mm, row.width_mm];
-        let metres = |length: f64| length / 1e3;
-        Self {
-            line: RollerLine {
-                kind: row.kind,
-                boundary: boundary.map(metres),
-                contact_angle: row.contact_angle_deg.to_radians(),
-                dynamic_rating: row.dynamic_rating,
-                static_rating: row.static_rating,
-                rollers: None,
-                diameter: row.roller_diameter_mm.map(metres),
-                length: None,
-                pitch_diameter: row.pitch_diameter_mm.map(metres),
-            },
-            designation: row.designation,
-            maker: row.maker,
-            source: row.source,
-        }
-    }
-}
-
-/// All roller bearings that are shipped.
-pub static ROLLER_CATALOGUE: LazyLock<Vec<RollerEntry>> = LazyLock::new(|| {
-    let mut reader = csv::Reader::from_reader(include_bytes!("../rollers.csv").as_slice());
-    let rows = reader.deserialize::<Row>().flatten();
-    rows.map(RollerEntry::from).collect()
-});
-
 /// Suffixes of roller bearings that change neither rollers nor races of these designations: designs, cages, grooves for
 /// oil. A tapered bore, K, is another bearing: its clearance differs.
 const SUFFIXES: &str = "ECP ECJ ECML ECM ECPH EC ETN9 ET EW E1 E CC CJ CA CW33 W33 W20 TVP2 TVPB TVPA XL J2 JR J A Q RHR R MB MA M C";
 
 /// The roller bearing of a designation, and the class of clearance that its suffixes name; none where there is none.
-pub(crate) fn look_up_rollers(
+pub(crate) fn look_up_rollers<'a>(
+    file: &'a Catalogue,
     designation: &str,
-) -> Option<(&'static RollerEntry, Option<ClearanceClass>)> {
+) -> Option<(&'a RollerEntry, Option<ClearanceClass>)> {
     let wanted = normal(designation);
-    let entries = ROLLER_CATALOGUE.iter();
+    let entries = all(file).flat_map(|catalogue| &catalogue.rollers);
     matching(entries, |entry| &entry.designation, &wanted, SUFFIXES).ok()
 }
 
@@ -87,16 +35,17 @@ pub(crate) fn look_up_rollers(
 mod tests {
     use super::*;
     use crate::bearing::BearingError;
+    use crate::bearing::catalogue::{CATALOGUE, EMPTY};
 
     #[test]
     fn every_shipped_roller_bearing_has_rollers_of_its_ratings() -> Result<(), BearingError> {
-        assert!(ROLLER_CATALOGUE.len() >= 60);
-        for entry in ROLLER_CATALOGUE.iter() {
+        assert!(CATALOGUE.rollers.len() >= 60);
+        for entry in &CATALOGUE.rollers {
             let line = &entry.line;
             let estimate = line.estimate().map_err(Box::new)?;
             let off = estimate.best.static_rating / line.static_rating - 1.0;
             assert!(off.abs() < 0.02, "{}: {off}", entry.designation);
-            let found = look_up_rollers(&entry.designation).map(|(found, _)| found);
+            let found = look_up_rollers(&EMPTY, &entry.designation).map(|(found, _)| found);
             assert_eq!(found, Some(entry));
         }
         Ok(())
@@ -107,7 +56,8 @@ mod tests {
     fn ratings_of_two_series_find_the_same_rollers() {
         for bore in ["05", "06", "07", "08", "10", "12"] {
             let [narrow, wide] = ["NU2", "NU22"].map(|series| {
-                let (entry, _) = look_up_rollers(&format!("{series}{bore}")).expect("an entry");
+                let (entry, _) =
+                    look_up_rollers(&EMPTY, &format!("{series}{bore}")).expect("an entry");
                 entry.line.estimate().expect("rollers").best
             });
             assert_eq!(narrow.rollers, wide.rollers, "{bore}");
@@ -124,11 +74,11 @@ mod tests {
             ("22212-E1-XL", "22212", None),
             ("30206 J2/Q", "30206", None),
         ] {
-            let (entry, found) = look_up_rollers(text).expect(text);
+            let (entry, found) = look_up_rollers(&EMPTY, text).expect(text);
             assert_eq!((entry.designation.as_str(), found), (designation, class));
         }
         for unknown in ["22212 K", "NU20", "NU2060", "N206"] {
-            assert!(look_up_rollers(unknown).is_none(), "{unknown}");
+            assert!(look_up_rollers(&EMPTY, unknown).is_none(), "{unknown}");
         }
     }
 }

@@ -13,7 +13,7 @@ use super::ratings::RatingsInput;
 use super::roller::{PrintedRollers, RollerInput};
 use super::settings::{ContactChoice, ModelInput};
 use super::support::{HousingInput, LinearInput};
-use crate::bearing::catalogue::{CATALOGUE, CatalogueEntry};
+use crate::bearing::catalogue::{CATALOGUE, Catalogue};
 use crate::bearing::{
     Bearing, BearingError, ClearanceClass, ContactDamping, ContactLaw, Estimate, Facing, Geometry,
     GeometryError, Imperfections, MountedBearing, Oil, Preload, catalogue,
@@ -151,7 +151,10 @@ fn is_inner(ring: &Race) -> bool {
 }
 
 fn designations() -> Vec<&'static str> {
-    let designations = CATALOGUE.iter().map(|entry| entry.designation.as_str());
+    let designations = CATALOGUE
+        .balls
+        .iter()
+        .map(|entry| entry.designation.as_str());
     designations.collect()
 }
 
@@ -188,7 +191,7 @@ impl BearingInput {
         &self,
         model: &ModelInput,
         freedoms: Freedoms,
-        catalogue: &[CatalogueEntry],
+        catalogue: &Catalogue,
         problems: &mut Problems<'_>,
     ) -> Option<Vec<MountedBearing>> {
         let mounted = self.build_one(model, freedoms, catalogue, problems);
@@ -228,7 +231,7 @@ impl BearingInput {
         &self,
         model: &ModelInput,
         freedoms: Freedoms,
-        catalogue: &[CatalogueEntry],
+        catalogue: &Catalogue,
         problems: &mut Problems<'_>,
     ) -> Option<MountedBearing> {
         let printed = self.printed_rollers(catalogue, problems)?;
@@ -281,7 +284,7 @@ impl BearingInput {
     /// What a catalogue prints of the bearing, `Some(None)` where that is no roller bearing.
     fn printed_rollers(
         &self,
-        catalogue: &[CatalogueEntry],
+        catalogue: &Catalogue,
         problems: &mut Problems<'_>,
     ) -> Option<Option<PrintedRollers>> {
         let rated = self.ratings.as_ref().filter(|own| own.kind.is_some());
@@ -298,7 +301,7 @@ impl BearingInput {
         // a bearing of the user's own comes first
         let named = self.catalogue.as_deref();
         let named = named.filter(|name| catalogue::look_up(catalogue, name).is_err());
-        let found = named.and_then(catalogue::look_up_rollers);
+        let found = named.and_then(|name| catalogue::look_up_rollers(catalogue, name));
         Some(found.map(|(entry, class)| PrintedRollers {
             line: entry.line,
             name: entry.designation.clone(),
@@ -311,7 +314,7 @@ impl BearingInput {
     fn ball_bearing(
         &self,
         freedoms: Freedoms,
-        catalogue: &[CatalogueEntry],
+        catalogue: &Catalogue,
         problems: &mut Problems<'_>,
     ) -> Option<Bearing> {
         let printed = self.identity().printed(catalogue, problems)?;
@@ -554,7 +557,7 @@ impl Identity<'_> {
     /// the bearing is.
     pub fn printed(
         &self,
-        catalogue: &[CatalogueEntry],
+        catalogue: &Catalogue,
         problems: &mut Problems<'_>,
     ) -> Option<Option<Printed>> {
         let printed = match (self.catalogue, self.ratings) {
@@ -586,7 +589,7 @@ impl Identity<'_> {
 
     fn found(
         &self,
-        catalogue: &[CatalogueEntry],
+        catalogue: &Catalogue,
         designation: &str,
         problems: &mut Problems<'_>,
     ) -> Result<Printed, Issue> {

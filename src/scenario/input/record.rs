@@ -204,8 +204,10 @@ impl RecordBearingInput {
     pub fn build(&self, problems: &mut Problems<'_>) -> Option<MeasuredBearing> {
         let rollers = self.catalogue.as_deref();
         let rollers = rollers.filter(|_| self.ratings.is_none() && self.geometry.is_none());
-        let rollers = rollers.filter(|name| catalogue::look_up(&[], name).is_err());
-        if let Some((entry, _)) = rollers.and_then(catalogue::look_up_rollers) {
+        let rollers = rollers.filter(|name| catalogue::look_up(&catalogue::EMPTY, name).is_err());
+        if let Some((entry, _)) =
+            rollers.and_then(|name| catalogue::look_up_rollers(&catalogue::EMPTY, name))
+        {
             let estimate = entry.line.estimate().ok()?;
             let geometry = estimate.geometry(entry.line.contact_angle).ok()?;
             for note in &estimate.notes {
@@ -219,7 +221,7 @@ impl RecordBearingInput {
             has_geometry: self.geometry.is_some(),
             clearance_class: None,
         };
-        let printed = identity.printed(&[], problems)?;
+        let printed = identity.printed(&catalogue::EMPTY, problems)?;
         let name = printed.as_ref().map(|printed| printed.name.clone());
         let mut input = self.geometry.clone().unwrap_or_default();
         if printed.is_none() {

@@ -18,7 +18,7 @@ use super::speed::SpeedInput;
 use super::support::LinearInput;
 use super::unbalance::{self, UnbalanceInput};
 use crate::analysis::SpectrumRequest;
-use crate::bearing::catalogue::CatalogueEntry;
+use crate::bearing::catalogue::Catalogue;
 use crate::bearing::{Housing, MountedBearing, Oil};
 use crate::physics::Race;
 use crate::quasi_static::StaticQuestion;
@@ -473,9 +473,9 @@ impl ScenarioInput {
     }
 
     /// The bearings of the user's catalogue file.
-    fn catalogue(&self, problems: &mut Problems<'_>) -> Option<Vec<CatalogueEntry>> {
+    fn catalogue(&self, problems: &mut Problems<'_>) -> Option<Catalogue> {
         let Some(file) = &self.catalogue_file else {
-            return Some(Vec::new());
+            return Some(Catalogue::default());
         };
         let read = catalogue_file::read(&problems.folder.join(file));
         let refuse = |found: Vec<String>| {

@@ -10,7 +10,7 @@ const SPINDLE_ANGLE: f64 = 15.0;
 
 /// What a line prints and what is found for it.
 pub(super) fn estimated() -> Vec<(&'static str, CatalogueLine, Estimate)> {
-    let printed = CATALOGUE.iter().filter(|entry| entry.maker == "NSK");
+    let printed = CATALOGUE.balls.iter().filter(|entry| entry.maker == "NSK");
     let found = printed.map(|entry| {
         let estimate = entry.line.estimate().expect("balls");
         (entry.designation.as_str(), entry.line, estimate)
