@@ -148,7 +148,7 @@ fn a_file_of_ones_own_may_have_roller_bearings() {
     let folder = tempfile::tempdir().unwrap();
     let rollers = "designation,kind,bore_mm,outside_diameter_mm,width_mm,contact_angle_deg,dynamic_rating_N,\
                    static_rating_N,rollers,roller_diameter_mm,roller_length_mm\n\
-                   MY-N206,cylindrical,30,62,16,0,25000,22700,13,7.5,8\nMY-6406,,30,90,,0,43000,23800,,,\n";
+                   MY-N206,cylindrical,30,62,16,0,29300,28700,13,7.5,8\nMY-6406,,30,90,,0,43000,23800,,,\n";
     fs::write(folder.path().join("own.csv"), rollers).unwrap();
     let named = ["--catalogue", "own.csv", "catalogue", "my-n206", "--json"];
     let output = jeffcott_in(folder.path(), &named);
