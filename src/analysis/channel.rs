@@ -56,6 +56,13 @@ pub enum Channel {
         /// x, y, z, θx or θy.
         freedom: usize,
     },
+    /// Force of an element, from 0, on the shaft likewise, or on the housing that it holds.
+    ElementForce {
+        /// Element.
+        element: usize,
+        /// x, y, z, θx or θy.
+        freedom: usize,
+    },
     /// A quantity of a driven shaft: moments of drive, load, friction and vibration, twist.
     Drive(usize),
     /// What a sensor measured, which no simulation has.
@@ -111,25 +118,27 @@ const DRIVE: [Named<DriveMoments>; 5] = [
 ];
 
 /// Every quantity with its column, in the order in which the tables show them; after those of the shaft those of the
-/// housings and the forces, bearing by bearing.
+/// housings and the forces, bearing by bearing and element by element.
 static ALL: LazyLock<Vec<(Channel, Column)>> = LazyLock::new(|| {
     use Channel::*;
     let of = |quantity: fn(usize) -> Channel| (0..FREEDOMS).map(quantity);
     let bodies = crate::rotor::Body::all().flat_map(|body| Channel::of_body(body, 3));
     let forces = (0..MOST_BEARINGS)
         .flat_map(|bearing| (0..FREEDOMS).map(move |freedom| BearingForce { bearing, freedom }));
+    let elements = (0..MOST_BEARINGS)
+        .flat_map(|element| (0..FREEDOMS).map(move |freedom| ElementForce { element, freedom }));
     let all = [Time, Angle, Speed].into_iter();
     let all = all.chain(of(Displacement)).chain(of(Velocity));
     let all = all.chain(of(Acceleration)).chain(of(Force));
     let all = all.chain([LargestBallLoad, BallsLoaded]);
     let all = all.chain((0..ENERGY.len()).map(Energy));
     let all = all.chain((0..DRIVE.len()).map(Drive));
-    let all = all.chain(bodies).chain(forces);
+    let all = all.chain(bodies).chain(forces).chain(elements);
     all.map(|channel| (channel, channel.column())).collect()
 });
 
-/// Names of the forces of the bearings and of the resonators behind the first, as a regular expression.
-const FURTHER: &str = "^(bearing([2-9]|[1-5][0-9]|6[0-4])_(force_[xyz]|moment_[xy])|\
+/// Names of the forces of elements, and of the bearings and the resonators behind the first, as a regular expression.
+const FURTHER: &str = "^((bearing([2-9]|[1-5][0-9]|6[0-4])|element([1-9]|[1-5][0-9]|6[0-4]))_(force_[xyz]|moment_[xy])|\
                        resonator[2-4]_[xyz](_velocity|_acceleration)?)$";
 
 /// The columns of all sensors so far: a channel is copied around, and its column stays.
@@ -173,6 +182,7 @@ impl Channel {
                 | Self::Force(2)
                 | Self::Body { axis: 2, .. }
                 | Self::BearingForce { freedom: 2, .. }
+                | Self::ElementForce { freedom: 2, .. }
         )
     }
 
@@ -191,13 +201,14 @@ impl Channel {
                     | Self::Drive(_)
                     | Self::Body { .. }
                     | Self::BearingForce { .. }
+                    | Self::ElementForce { .. }
             )
         };
         Self::all().filter(move |channel| !elsewhere(channel))
     }
 
     /// The columns of the table `trace` of a shaft, where no others are asked for: its housings, too, and of several
-    /// bearings the force of each along the axes that the shaft moves along.
+    /// bearings and elements the force of each along the axes that the shaft moves along.
     pub(crate) fn of_trace_of(rotor: &RotorDefinition) -> Vec<Self> {
         let lengths = rotor.shaft.freedoms.lengths();
         let bodies = Self::of_bodies(rotor, lengths);
@@ -212,17 +223,24 @@ impl Channel {
         asked.map_or_else(|| Self::of_trace_of(rotor), timed)
     }
 
-    /// Forces of each of several bearings along the freedoms that move; that of a single one is the total.
+    /// Force of a bearing, from 0, or of an element behind the bearings.
+    pub(crate) fn of_part(rotor: &RotorDefinition, part: usize, freedom: usize) -> Self {
+        match part.checked_sub(rotor.bearings.len()) {
+            None => Self::BearingForce {
+                bearing: part,
+                freedom,
+            },
+            Some(element) => Self::ElementForce { element, freedom },
+        }
+    }
+
+    /// Forces of each of several bearings and elements along the freedoms that move; that of a single one is the total.
     fn of_bearings(rotor: &RotorDefinition) -> impl Iterator<Item = Self> {
-        let bearings = Some(rotor.bearing_count()).filter(|count| *count > 1);
+        let parts = Some(rotor.part_count()).filter(|count| *count > 1);
         let axes = rotor.shaft.freedoms.axes();
-        (0..bearings.unwrap_or(0)).flat_map(move |bearing| {
-            let force = move |freedom: &usize| Self::BearingForce {
-                bearing,
-                freedom: *freedom,
-            };
-            axes.iter().map(force)
-        })
+        let parts =
+            (0..parts.unwrap_or(0)).flat_map(|part| axes.iter().map(move |axis| (part, *axis)));
+        parts.map(|(part, freedom)| Self::of_part(rotor, part, freedom))
     }
 
     /// What a motion is described by beside displacements and forces of the shaft: displacements of its housings, and
@@ -255,12 +273,19 @@ impl Channel {
                     format!("give the bearing a table {key}, or leave it out"),
                 ])
             }
-            Self::BearingForce { bearing, .. } if bearing >= rotor.bearing_count() => Some([
+            Self::BearingForce { bearing, .. } if bearing >= rotor.bearings.len() => Some([
                 format!(
                     "there is no `{self}`: the number of bearings is {}",
-                    rotor.bearing_count()
+                    rotor.bearings.len()
                 ),
                 "bearings count from 1, each of a set by itself".to_owned(),
+            ]),
+            Self::ElementForce { element, .. } if element >= rotor.elements.len() => Some([
+                format!(
+                    "there is no `{self}`: the number of elements is {}",
+                    rotor.elements.len()
+                ),
+                "elements count from 1, apart from the bearings".to_owned(),
             ]),
             _ => None,
         }
@@ -276,6 +301,10 @@ impl Channel {
             Self::Force(freedom) => Self::Force(next(freedom)?),
             Self::BearingForce { bearing, freedom } => Self::BearingForce {
                 bearing,
+                freedom: next(freedom)?,
+            },
+            Self::ElementForce { element, freedom } => Self::ElementForce {
+                element,
                 freedom: next(freedom)?,
             },
             Self::Body {
@@ -317,13 +346,17 @@ impl Channel {
                 ..
             }
         );
-        resonators || matches!(self, Self::BearingForce { bearing: 1.., .. })
+        let parts = matches!(
+            self,
+            Self::BearingForce { bearing: 1.., .. } | Self::ElementForce { .. }
+        );
+        resonators || parts
     }
 
     /// Schema of the names that lists leave out.
     pub(crate) fn further_schema() -> Schema {
         json_schema!({
-            "description": "The same of bearing 2, 3, … in place of 1.",
+            "description": "The same of bearing 2, 3, … or of element 1, 2, … in place of bearing 1.",
             "type": "string",
             "pattern": FURTHER,
         })
@@ -359,6 +392,9 @@ impl Channel {
             Self::Acceleration(freedom) => sample.acceleration?[freedom],
             Self::Force(freedom) => sample.force_on_shaft?[freedom],
             Self::BearingForce { bearing, freedom } => sample.bearing_forces.get(bearing)?[freedom],
+            Self::ElementForce { element, freedom } => {
+                sample.bearing_forces.get(sample.first_element + element)?[freedom]
+            }
             Self::LargestBallLoad => sample.largest_ball_load?,
             Self::BallsLoaded => f64::from(sample.balls_loaded?),
             Self::Energy(term) => (ENERGY[term].2)(&sample.energy?),
@@ -414,6 +450,10 @@ impl Channel {
             Self::BearingForce { bearing, freedom } => {
                 let total = Self::Force(freedom).column();
                 return total.of_part(&format!("bearing{}", bearing + 1));
+            }
+            Self::ElementForce { element, freedom } => {
+                let total = Self::Force(freedom).column();
+                return total.of_part(&format!("element{}", element + 1));
             }
         };
         Column::number(quantity, unit)
@@ -574,7 +614,8 @@ mod tests {
             acceleration: Some([0.0; FREEDOMS]),
             bodies: Some([motion; 2 * MOST_HOUSINGS]),
             force_on_shaft: Some([0.0; FREEDOMS]),
-            bearing_forces: vec![[0.0; FREEDOMS]; MOST_BEARINGS],
+            bearing_forces: vec![[0.0; FREEDOMS]; 2 * MOST_BEARINGS],
+            first_element: MOST_BEARINGS,
             largest_ball_load: Some(0.0),
             balls_loaded: Some(0),
             energy: Some(EnergyBalance::default()),
@@ -586,7 +627,7 @@ mod tests {
         }
         assert_eq!(
             Channel::all().count(),
-            41 + 18 * MOST_HOUSINGS + 5 * MOST_BEARINGS
+            41 + 18 * MOST_HOUSINGS + 10 * MOST_BEARINGS
         );
     }
 

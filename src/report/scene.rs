@@ -7,7 +7,7 @@
 use super::figure::{Axis, Colour, Curve, Figure, GREY, Name, Panel, Point, distinct, ends};
 use super::terminal::{MICRO, MILLI, to_digits};
 use crate::bearing::{Housing, MountedBearing};
-use crate::rotor::{Disc, FlexibleShaft, Load, LoadKind, RotorDefinition};
+use crate::rotor::{Disc, ElementLaw, FlexibleShaft, Load, LoadKind, RotorDefinition};
 
 /// Thickness of a ring at its groove, in ball diameters.
 const RING: f64 = 0.35;
@@ -53,9 +53,11 @@ pub(crate) fn scene_figure(title: &str, rotor: &RotorDefinition) -> Figure {
             drawing.mass(rotor, &scale);
         }
     }
-    for bearing in &rotor.linear_bearings {
-        drawing.spring(MILLI * bearing.position, &scale);
-        drawing.housing(MILLI * bearing.position, bearing.housing.as_ref(), &scale);
+    for (number, element) in (1..).zip(&rotor.elements) {
+        if let Some(position) = element.position {
+            drawing.element(number, MILLI * position, &element.law, &scale);
+            drawing.housing(MILLI * position, element.housing.as_ref(), &scale);
+        }
     }
     for (index, bearing) in rotor.bearings.iter().enumerate() {
         drawing.bearing(index + 1, bearing, &scale);
@@ -89,8 +91,8 @@ impl Scale {
         let bearings = || rotor.bearings.iter();
         let positions = bearings().map(|bearing| bearing.position);
         let positions = positions.chain(rotor.loads.iter().map(|load| load.position));
-        let linear = rotor.linear_bearings.iter();
-        let positions = positions.chain(linear.map(|bearing| bearing.position));
+        let elements = rotor.elements.iter().filter_map(|own| own.position);
+        let positions = positions.chain(elements);
         let positions = positions.map(|position| MILLI * position).chain([0.0]);
         let mut ends = ends(positions).unwrap_or_default();
         let inner = bearings().map(|bearing| radii(bearing)[0]);
@@ -235,7 +237,30 @@ impl Drawing {
         self.label((at, 1.05 * length), text, colour);
     }
 
-    /// A bearing of constant stiffness: springs from the shaft to the ground.
+    /// An element: springs from the shaft to the ground, or a ring about the shaft.
+    fn element(&mut self, number: usize, at: f64, law: &ElementLaw, scale: &Scale) {
+        let half = 0.12 * scale.outer;
+        let across = [at - half, at + half];
+        let name = match law {
+            ElementLaw::Linear(_) | ElementLaw::OverSpeed(_) => {
+                self.spring(at, scale);
+                "element"
+            }
+            ElementLaw::SqueezeFilm(_) => "squeeze film, element",
+            ElementLaw::Rub(_) => "rub, element",
+        };
+        if !matches!(law, ElementLaw::Linear(_) | ElementLaw::OverSpeed(_)) {
+            for side in [1.0, -1.0] {
+                let band = [1.15, 1.5].map(|part| side * part * scale.shaft);
+                self.rectangle(distinct(RINGS), across, band);
+                self.ground(across, band[1], side * half);
+            }
+        }
+        let place = (across[0], -1.15 * scale.outer);
+        self.label(place, format!("{name} {number}"), distinct(RINGS));
+    }
+
+    /// Springs from the shaft to the ground.
     fn spring(&mut self, at: f64, scale: &Scale) {
         let step = (scale.outer - scale.shaft) / 8.0;
         let across = 0.12 * scale.outer;

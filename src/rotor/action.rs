@@ -17,7 +17,7 @@ pub(super) struct Action {
     unbalance: f64,
     /// Power that viscous damping takes, W.
     viscous: f64,
-    /// Power that linear bearings supply whose stiffness is not symmetric, W.
+    /// Power that the rotation supplies through linear elements whose stiffness is not symmetric or follows its speed, W.
     crossing: f64,
     pub moments: Option<DriveMoments>,
 }
@@ -56,12 +56,15 @@ impl Action {
 struct Bearings {
     /// Work per time on the contacts, W.
     power: f64,
-    /// Work per time against the damping of the contacts, W.
+    /// Work per time against the damping of the contacts, and what other laws dissipate, W.
     damping_power: f64,
-    /// Moment that the balls exert on the shaft by way of the cages, and by surfaces that fall under them, N m.
+    /// Moment that the balls exert on the shaft by way of the cages, and by surfaces that fall under them, and that of
+    /// rubs, N m.
     cage_moment: f64,
     /// Friction moment, N m.
     friction: f64,
+    /// Power that the rotation supplies through coefficients that follow its speed, W.
+    supplied: f64,
 }
 
 impl Bearings {
@@ -94,7 +97,7 @@ impl Bearings {
 }
 
 impl Rotor {
-    /// Adds the forces of the bearings.
+    /// Adds the forces of the bearings and of other laws.
     fn bearings_act(&self, state: &[f64], rotation: &Rotation, sum: &mut [f64]) -> Bearings {
         let friction = self.excitation.drive.is_some_and(|drive| drive.friction);
         let mut total = Bearings::default();
@@ -106,6 +109,10 @@ impl Rotor {
             let force = total.add(&bearing, &motion, ratio, friction);
             bearing.attachment.add_force(-1.0, &force, sum);
         }
+        let laws = self.laws_act(&self.instant(state, rotation), sum);
+        total.damping_power += laws.dissipated;
+        total.cage_moment -= laws.resisting;
+        total.supplied = laws.supplied;
         total
     }
 
@@ -150,6 +157,7 @@ impl Rotor {
         loads += excitation.power_of_loads(time, rotation.angle, velocity);
         let unbalance = excitation.power_of_unbalances(&rotation, phases.shaft, velocity);
         let powers = linear.powers(place, velocity, rotation.speed);
+        let supplied = bearings.supplied;
         let moments = excitation.drive.as_ref().map(|drive| {
             let mut along = excitation.unbalances_along(rotation.angle, dofs);
             // masses beside the axis feel the base and the weight
@@ -171,7 +179,7 @@ impl Rotor {
             loads,
             unbalance,
             viscous: powers.viscous,
-            crossing: powers.crossing,
+            crossing: powers.crossing + supplied,
             moments,
         }
     }

@@ -109,7 +109,8 @@ impl Rotor {
         let free = FreeDirections::find(&structure, definition, &supports, &tangent);
         let linear = LinearPart::assemble(&structure, definition, &tangent)?;
         let on_rigid_shaft = structure.is_rigid();
-        let elements = structure.take_elements(definition, supports);
+        let law_damping = structure.law_damping(&rest, definition.speed);
+        let elements = structure.take_elements(supports);
         Ok(Self {
             elements: Elements::new(elements, definition.cage, on_rigid_shaft),
             excitation: structure.take_excitation(definition, speed, constant_force),
@@ -121,6 +122,7 @@ impl Rotor {
                 equilibrium,
                 rest,
                 tangent,
+                law_damping,
                 free,
             },
             structure,
@@ -157,39 +159,37 @@ impl LinearPart {
             },
             circulatory: coefficients(&matrices.circulatory),
             internal_damping: is_damped_inside.then(|| coefficients(&matrices.internal_damping)),
-            crosses: structure.linear.iter().any(|(_, own)| own.crosses()),
+            crosses: structure.elements.iter().any(|(_, own)| match own {
+                Element::Linear(law) => law.crosses(),
+                _ => false,
+            }),
         })
     }
 }
 
 impl Structure {
-    /// Takes its bearings as elements, in the order of the scene.
-    fn take_elements(
-        &mut self,
-        definition: &RotorDefinition,
-        supports: Vec<Support>,
-    ) -> Vec<AttachedElement> {
-        let supports = supports
-            .into_iter()
-            .zip(std::mem::take(&mut self.attachments));
-        let balls = definition.ball_places().into_iter().zip(supports);
-        let balls = balls.map(|(number, (support, attachment))| {
-            let element = Element::BallBearing(Box::new(support));
-            (number, attachment, element)
-        });
-        let linear = std::mem::take(&mut self.linear).into_iter();
-        let linear = definition.linear_bearings.iter().zip(linear);
-        let linear = linear.map(|(own, (attachment, element))| {
-            (own.place, attachment, Element::Linear(Box::new(element)))
-        });
-        let mut elements: Vec<_> = balls.chain(linear).collect();
-        elements.sort_by_key(|(number, ..)| *number);
-        let elements = elements.into_iter();
-        let attached = elements.map(|(_, attachment, element)| AttachedElement {
+    /// Takes its bearings as elements, and behind them its other elements.
+    fn take_elements(&mut self, supports: Vec<Support>) -> Vec<AttachedElement> {
+        let attachments = std::mem::take(&mut self.attachments);
+        let bearings = attachments.into_iter().zip(supports);
+        let bearings = bearings
+            .map(|(attachment, support)| (attachment, Element::BallBearing(Box::new(support))));
+        let all = bearings.chain(std::mem::take(&mut self.elements));
+        let attached = all.map(|(attachment, element)| AttachedElement {
             attachment,
             element,
         });
         attached.collect()
+    }
+
+    /// C of the laws of force that are not linear, at rest in a place, as it meets the degrees of freedom.
+    fn law_damping(&self, place: &[f64], speed: f64) -> DMatrix<f64> {
+        let size = self.coordinates.len();
+        let mut damping = DMatrix::zeros(size, size);
+        for (attachment, law, motion) in self.laws_at_rest(place, speed) {
+            attachment.add_stiffness(&law.slopes(&motion)[1], &mut damping);
+        }
+        damping
     }
 
     /// Takes what drives it from outside at a speed.

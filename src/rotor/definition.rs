@@ -1,10 +1,13 @@
 //! What a shaft is and what acts on it: plain data, before any computation.
 
+use std::f64::consts::TAU;
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Attachment, Body, Drive, FlexibleShaft, LinearBearing, Load, PlaneUnbalance, SpeedPoint,
+    Attachment, Body, Drive, ElementLaw, FlexibleShaft, ForceElement, Load, PlaneUnbalance,
+    SpeedPoint,
 };
 use crate::bearing::{CageMotion, Housing, MountedBearing};
 use crate::physics::Race;
@@ -156,8 +159,8 @@ pub struct RotorDefinition {
     pub(crate) initial: InitialState,
     /// Ball bearings that carry the shaft.
     pub(crate) bearings: Vec<MountedBearing>,
-    /// Bearings of constant stiffness that carry it besides, or instead.
-    pub(crate) linear_bearings: Vec<LinearBearing>,
+    /// Elements that hold it besides, or instead.
+    pub(crate) elements: Vec<ForceElement>,
     /// The shaft that bends, in place of the concentrated mass.
     pub(crate) flexible: Option<FlexibleShaft>,
     /// What the reader of any answer about it should know from the start; no answer depends on it.
@@ -177,7 +180,7 @@ impl RotorDefinition {
             loads: Vec::new(),
             initial: InitialState::default(),
             bearings,
-            linear_bearings: Vec::new(),
+            elements: Vec::new(),
             flexible: None,
             warnings: Vec::new(),
         }
@@ -186,9 +189,9 @@ impl RotorDefinition {
     /// Positions along the shaft at which something sits or acts, m.
     pub(crate) fn positions(&self) -> impl Iterator<Item = f64> {
         let balls = self.bearings.iter().map(|own| own.position);
-        let linear = self.linear_bearings.iter().map(|own| own.position);
+        let elements = self.elements.iter().filter_map(|own| own.position);
         let loads = self.loads.iter().filter(|load| !load.acts_on_mass());
-        balls.chain(linear).chain(loads.map(|load| load.position))
+        balls.chain(elements).chain(loads.map(|load| load.position))
     }
 
     /// What the reader of an answer about it should know: its own warnings first, each once.
@@ -202,16 +205,15 @@ impl RotorDefinition {
         warnings
     }
 
-    /// Number of bearings, those of constant stiffness among them.
-    pub(crate) fn bearing_count(&self) -> usize {
-        self.bearings.len() + self.linear_bearings.len()
+    /// Number of bearings and elements.
+    pub(crate) fn part_count(&self) -> usize {
+        self.bearings.len() + self.elements.len()
     }
 
-    /// Place of each ball bearing among all bearings, from 0, in the order of the scene.
-    pub(crate) fn ball_places(&self) -> Vec<usize> {
-        let is_linear = |place: &usize| self.linear_bearings.iter().any(|own| own.place == *place);
-        let places = (0..self.bearing_count()).filter(|place| !is_linear(place));
-        places.take(self.bearings.len()).collect()
+    /// Whether it turns at the speed of its start for good.
+    pub(crate) fn keeps_its_speed(&self) -> bool {
+        let mut points = self.speed_points.iter();
+        self.drive.is_none() && points.all(|point| point.speed == self.speed)
     }
 
     /// Where the ball bearings sit on the shaft, taken as rigid: its coordinates are x, y, z, θx, θy of the observed point.
@@ -257,34 +259,50 @@ impl RotorDefinition {
         passing.chain(loads).fold(speed, f64::max)
     }
 
-    /// The housings, each with the place of its bearing among all bearings, from 0, in the order of the scene.
+    /// The housings, each with the place of its bearing, from 0, or behind the bearings of its element, in the order of the
+    /// scene.
     pub(crate) fn housings(&self) -> Vec<(usize, Housing)> {
-        let balls = self.ball_places().into_iter().zip(&self.bearings);
-        let balls = balls.map(|(place, own)| (place, own.housing));
-        let linear = self
-            .linear_bearings
-            .iter()
-            .map(|own| (own.place, own.housing));
-        let mut housings: Vec<_> = balls
-            .chain(linear)
-            .filter_map(|(place, own)| Some((place, own?)))
-            .collect();
-        housings.sort_by_key(|(place, _)| *place);
+        let bearings = self.bearings.iter().map(|own| own.housing);
+        let all = bearings.chain(self.elements.iter().map(|own| own.housing));
+        let housings = all.enumerate();
         housings
+            .filter_map(|(place, own)| Some((place, own?)))
+            .collect()
     }
 
-    /// Whether linear bearings, housings or the shaft itself damp it.
+    /// Whether elements, housings or the shaft itself damp it.
     pub(crate) fn is_damped_by_parts(&self) -> bool {
-        let linear = self.linear_bearings.iter().flat_map(|own| own.damping);
+        let mut elements = self.elements.iter();
         let housings = self.housings().into_iter().flat_map(|(_, own)| {
             let resonator = own.resonator.map(|resonator| resonator.damping);
             own.damping.into_iter().chain(resonator)
         });
         let inside = self.flexible.iter().map(|own| own.internal_damping);
-        linear
-            .chain(housings)
-            .chain(inside)
-            .any(|damping| damping > 0.0)
+        elements.any(|own| own.law.damps(self.speed))
+            || housings.chain(inside).any(|damping| damping > 0.0)
+    }
+
+    /// What the reader should know where the speed leaves the table of an element.
+    pub(crate) fn beyond_tables(&self) -> Vec<String> {
+        let points = self.speed_points.iter().map(|point| point.speed);
+        let lowest = points.fold(self.speed, f64::min);
+        let highest = self.highest_speed();
+        let elements = (1..).zip(&self.elements);
+        let beyond = elements.filter_map(|(number, own)| {
+            let ElementLaw::OverSpeed(table) = &own.law else {
+                return None;
+            };
+            let [first, last] = table.speeds();
+            let speed = if highest > last { highest } else { lowest };
+            (highest > last || lowest < first).then(|| {
+                let [speed, first, last] = [speed, first, last].map(|own| own * 60.0 / TAU);
+                format!(
+                    "the coefficients of element {number} reach from {first:.0} to {last:.0} rpm, and the speed goes to {speed:.0} \
+                     rpm: beyond the table those of its nearest row are kept"
+                )
+            })
+        });
+        beyond.collect()
     }
 
     /// Whether the shaft stands and the outer rings of its bearings turn.

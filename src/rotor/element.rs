@@ -1,8 +1,11 @@
 //! What sits between the shaft and a housing or the ground.
 
+use std::sync::Arc;
+
 use fearless_simd::{Level, Simd};
 
-use super::linear_bearing::LinearElement;
+use super::force_law::{ForceLaw, has_event};
+use super::linear_law::LinearLaw;
 use super::phases::Phases;
 use super::point::Attachment;
 use super::{CageMotion, FREEDOMS, Rotation};
@@ -15,7 +18,19 @@ pub(super) enum Element {
     /// A ball bearing. Its force is not linear, and nothing of it is in the linear part.
     BallBearing(Box<Support>),
     /// Springs and dampers of constant coefficients, which are in the linear part.
-    Linear(Box<LinearElement>),
+    Linear(Box<LinearLaw>),
+    /// Any other law of force, nothing of which is in the linear part.
+    Law(Arc<dyn ForceLaw>),
+}
+
+impl Element {
+    /// Its law of force, where it is neither that of a ball bearing nor linear.
+    pub fn law(&self) -> Option<&dyn ForceLaw> {
+        match self {
+            Self::Law(law) => Some(&**law),
+            Self::BallBearing(_) | Self::Linear(_) => None,
+        }
+    }
 }
 
 /// An element in its place.
@@ -68,10 +83,12 @@ pub(super) struct Elements {
     pub cage: CageMotion,
     /// Whether all of them sit between a rigid shaft and the ground, and nothing else is elastic.
     pub on_rigid_shaft: bool,
-    /// Whether the contacts of any bearing are damped.
-    pub contacts_damped: bool,
+    /// Whether any force depends on rates: of bearings with damped contacts, or of other laws.
+    pub by_rate: bool,
     /// Number of balls whose force is not smooth where they lift off.
     pub balls_that_lift_off: usize,
+    /// Number of laws with an event surface.
+    pub law_event_count: usize,
     /// Speed of the first bearing's cage over that of the shaft: its sine is found along with the shaft's, and serves every
     /// cage that turns as fast.
     first_cage_ratio: f64,
@@ -84,12 +101,14 @@ impl Elements {
             level: Level::new(),
             cage,
             on_rigid_shaft,
-            contacts_damped: false,
+            by_rate: false,
             balls_that_lift_off: 0,
+            law_event_count: 0,
             first_cage_ratio: 0.0,
         };
         let damped = elements.supports().any(Support::is_damped);
-        elements.contacts_damped = damped;
+        elements.by_rate = damped || elements.laws().next().is_some();
+        elements.law_event_count = elements.laws().filter(|(_, law)| has_event(*law)).count();
         let lifting = elements.supports().map(Support::balls_that_lift_off);
         elements.balls_that_lift_off = lifting.sum();
         let first = elements.supports().next();
@@ -112,8 +131,26 @@ impl Elements {
                     attachment: &attached.attachment,
                     support,
                 }),
-                Element::Linear(_) => None,
+                Element::Linear(_) | Element::Law(_) => None,
             })
+    }
+
+    /// The other laws of force.
+    pub fn laws(&self) -> impl Iterator<Item = (&Attachment, &dyn ForceLaw)> {
+        self.all
+            .iter()
+            .filter_map(|own| Some((&own.attachment, own.element.law()?)))
+    }
+
+    /// The other laws of force with their motions at an instant.
+    pub fn laws_at<'a>(
+        &'a self,
+        at: &'a Instant<'a>,
+    ) -> impl Iterator<Item = (&'a Attachment, &'a dyn ForceLaw, ElementMotion)> {
+        self.laws().map(|(attachment, law)| {
+            let seen = BearingRotation::at_start(at.rotation.speed);
+            (attachment, law, attachment.motion(at, seen))
+        })
     }
 
     /// The ball bearings by themselves.
@@ -127,7 +164,7 @@ impl Elements {
             .iter_mut()
             .filter_map(|attached| match &mut attached.element {
                 Element::BallBearing(support) => Some((&attached.attachment, &mut **support)),
-                Element::Linear(_) => None,
+                Element::Linear(_) | Element::Law(_) => None,
             })
     }
 
@@ -152,12 +189,12 @@ impl Elements {
         self.bearings().map(|bearing| (bearing, bearing.motion(at)))
     }
 
-    /// Adds −Bᵀ F of every ball bearing to the forces on the degrees of freedom: F holds its inner ring, −F acts on the
+    /// Adds −Bᵀ F of every ball bearing and law to the forces on the degrees of freedom: F holds its inner ring, −F acts on the
     /// shaft. Elements of constant coefficients are in the linear part.
     #[inline(always)]
     pub fn add_forces<S: Simd>(&self, simd: S, at: &Instant<'_>, sum: &mut [f64]) {
-        if self.contacts_damped {
-            return self.add_damped_forces(at, sum);
+        if self.by_rate {
+            return self.add_forces_by_rate(at, sum);
         }
         for bearing in self.bearings() {
             // u = B q, F(u, ψ_c), −Bᵀ F
@@ -168,10 +205,10 @@ impl Elements {
         }
     }
 
-    /// Does the work of [`Elements::add_forces`] where contacts are damped. Out of line, so that the usual path stays
+    /// Does the work of [`Elements::add_forces`] where forces depend on rates. Out of line, so that the usual path stays
     /// short.
     #[inline(never)]
-    fn add_damped_forces(&self, at: &Instant<'_>, sum: &mut [f64]) {
+    fn add_forces_by_rate(&self, at: &Instant<'_>, sum: &mut [f64]) {
         for (bearing, motion) in self.bearings_at(at) {
             let [elastic, damping] =
                 bearing
@@ -180,10 +217,13 @@ impl Elements {
             let force = std::array::from_fn(|axis| elastic[axis] + damping[axis]);
             bearing.attachment.add_force(-1.0, &force, sum);
         }
+        for (attachment, law, motion) in self.laws_at(at) {
+            attachment.add_force(-1.0, &law.force(&motion), sum);
+        }
     }
 
     /// Force +F of a rigid shaft onto all its ball bearings, moments about its centre of mass, N and N m: as
-    /// [`Elements::add_forces`] with the opposite sign, for bearings on the ground without damped contacts.
+    /// [`Elements::add_forces`] with the opposite sign, for bearings on the ground whose forces depend on no rate.
     #[inline(always)]
     pub fn force_of_rigid_shaft<S: Simd>(
         &self,
@@ -223,9 +263,9 @@ impl AttachedElement {
                 let displacement = self.attachment.displacement_by_shaft(shaft);
                 let seen = seen_by(support, rotation, phases);
                 let force = support.force_by(simd, &displacement, &seen);
-                self.attachment.on_shaft(&force)
+                self.attachment.about_observed(&force)
             }
-            Element::Linear(_) => [0.0; FREEDOMS],
+            Element::Linear(_) | Element::Law(_) => [0.0; FREEDOMS],
         }
     }
 
@@ -233,8 +273,8 @@ impl AttachedElement {
     fn motion(&self, at: &Instant<'_>) -> ElementMotion {
         let rotation = match &self.element {
             Element::BallBearing(support) => seen_by(support, at.rotation, &at.phases),
-            // no force of constant coefficients depends on an angle
-            Element::Linear(_) => BearingRotation::at_start(at.rotation.speed),
+            // no other force depends on an angle
+            Element::Linear(_) | Element::Law(_) => BearingRotation::at_start(at.rotation.speed),
         };
         self.attachment.motion(at, rotation)
     }

@@ -19,7 +19,7 @@ pub struct EnergyBalance {
     pub kinetic: f64,
     /// U: of contacts, films, springs, and what is elastic besides.
     pub stored: f64,
-    /// The part of U in all but the ball bearings: in shaft, housings and bearings of constant stiffness.
+    /// The part of U in all but the ball bearings: in shaft, housings and elements.
     pub elastic: f64,
     /// Whether the work on the ball bearings is the change of what they store.
     pub conservative: bool,
@@ -35,12 +35,12 @@ pub struct Works {
     pub loads: f64,
     /// Supplied by the rotation through the unbalance; part of the whole where the shaft is driven.
     pub unbalance: f64,
-    /// Supplied by the rotation of the cages past the displaced shaft, likewise, and by bearings of constant stiffness that is
-    /// not symmetric.
+    /// Supplied by the rotation of the cages past the displaced shaft, likewise, by rubs, and by linear elements whose stiffness
+    /// is not symmetric or follows the speed.
     pub rotation: f64,
     /// Dissipated by viscous damping.
     pub viscous: f64,
-    /// Dissipated in the contacts.
+    /// Dissipated in the contacts of bearings, and by squeeze films, rubs and the damping of elements whose coefficients follow the speed.
     pub contact: f64,
     /// Done on the bearings' contacts, by shaft and cages.
     pub bearings: f64,
@@ -154,7 +154,7 @@ impl Rotor {
             support.stored_energy(&motion.displacement, &motion.rotation)
         });
         let steady = !self.is_driven() && self.excitation.speed.is_constant();
-        let elastic = self.linear.elastic(at.place);
+        let elastic = self.linear.elastic(at.place) + self.energy_of_laws(&at);
         EnergyBalance {
             kinetic: self.kinetic(at.velocity, &rotation),
             stored: elastic + stored.sum::<f64>(),

@@ -22,6 +22,15 @@ pub(crate) struct HarmonicMotion {
 }
 
 impl Rotor {
+    /// `K_t − ωH` and `C + ωG` of the rotor linearised at its static equilibrium, at a speed ω: with the stiffness of all that
+    /// holds it, and the damping of all but the contacts of the balls.
+    pub(super) fn linearised(&self, speed: f64) -> [DMatrix<f64>; 2] {
+        [
+            &self.start.tangent - &self.linear.circulatory.entries * speed,
+            self.linear.by_rate(speed) + &self.start.law_damping,
+        ]
+    }
+
     /// The forced motion where the rotor is linear, turns at a constant speed and all that drives it are harmonics; none at an
     /// undamped resonance, or where nothing holds it.
     pub(crate) fn harmonic_motion(&self) -> Option<HarmonicMotion> {
@@ -37,7 +46,7 @@ impl Rotor {
         for (omega, force) in self.excitation.harmonics(speed, dofs)? {
             let dynamic = self
                 .linear
-                .dynamic_stiffness(&self.start.tangent, omega, speed);
+                .dynamic_stiffness(&self.linearised(speed), omega);
             let response = dynamic.lu().solve(&force)?;
             let velocity = &response * Complex::new(0.0, omega);
             let both = response.iter().chain(&velocity).copied();

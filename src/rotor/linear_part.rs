@@ -91,28 +91,17 @@ impl LinearPart {
         }
     }
 
-    /// Dynamic stiffness `K_t − ΩH − ω² M + iω (C + ΩG)` at an angular frequency ω while the shaft turns at Ω, with K_t the
-    /// stiffness of the whole.
+    /// Dynamic stiffness `A − ω² M + iω B` at an angular frequency ω of what holds by place, A, and by rate, B.
     pub fn dynamic_stiffness(
         &self,
-        tangent: &DMatrix<f64>,
+        [by_place, by_rate]: &[DMatrix<f64>; 2],
         omega: f64,
-        speed: f64,
     ) -> DMatrix<Complex<f64>> {
-        let by_rate = self.by_rate(speed);
         DMatrix::from_fn(self.dofs(), self.dofs(), |row, column| {
             let inertia = omega * omega * self.mass.entries[(row, column)];
-            let rate = by_rate[(row, column)];
-            let turning = speed * self.circulatory.entries[(row, column)];
-            Complex::new(tangent[(row, column)] - turning - inertia, omega * rate)
+            let rate = omega * by_rate[(row, column)];
+            Complex::new(by_place[(row, column)] - inertia, rate)
         })
-    }
-
-    /// `K_t − ω H` and `C + ω G` in coordinates in which the mass is one.
-    pub fn normalised(&self, tangent: &DMatrix<f64>, speed: f64) -> [DMatrix<f64>; 2] {
-        let rate = self.by_rate(speed);
-        let stiffness = tangent - &self.circulatory.entries * speed;
-        [&stiffness, &rate].map(|matrix| self.mass.normalised(matrix))
     }
 
     /// Kinetic energy `½ q̇ᵀ M q̇`, J.

@@ -3,9 +3,9 @@
 use nalgebra::{ArrayStorage, DMatrix};
 
 use super::Rotor;
-use super::element::{AttachedBearing, ElementMotion, seen_by};
+use super::element::{AttachedBearing, ElementMotion, Instant, seen_by};
 use super::excitation::{TIME_STEP, forward_rate};
-use crate::bearing::{Geometry, Matrix5, Support, Vector5};
+use crate::bearing::{BearingRotation, Geometry, Matrix5, Support, Vector5};
 use crate::integrate::System;
 
 /// Steps over which the damping of the contacts is looked at, m and m/s: short against the approach
@@ -46,12 +46,43 @@ impl Rotor {
             let held = self.bearing_force_rate(time, &bearing, &motion, &by_cage_angle);
             bearing.attachment.add_force(-1.0, &held, by_time);
         }
+        self.add_law_slopes(&at, &mut slopes);
+        if rotation.acceleration != 0.0 {
+            self.add_law_force_rates(time, &at, by_time);
+        }
         linear.write_state_matrix(&slopes, jacobian);
         self.excitation.add_force_rates(time, &rotation, by_time);
         let change = rotation.acceleration;
         linear.gyroscopic.add_product(-change, at.velocity, by_time);
         linear.circulatory.add_product(change, at.place, by_time);
         linear.mass.accelerate(by_time);
+    }
+
+    /// Adds the slopes of other laws of force by place and by rate of all coordinates.
+    pub(super) fn add_law_slopes(
+        &self,
+        at: &Instant<'_>,
+        [by_place, by_rate]: &mut [DMatrix<f64>; 2],
+    ) {
+        for (attachment, law, motion) in self.elements.laws_at(at) {
+            let [stiffness, damping] = law.slopes(&motion);
+            attachment.add_stiffness(&stiffness, by_place);
+            attachment.add_stiffness(&damping, by_rate);
+        }
+    }
+
+    /// Adds the rates of change of other forces as the speed changes.
+    fn add_law_force_rates(&self, time: f64, at: &Instant<'_>, by_time: &mut [f64]) {
+        for (attachment, law, motion) in self.elements.laws_at(at) {
+            let rate = forward_rate(|step| {
+                let speed = self.excitation.speed.at(time + step).speed;
+                law.force(&ElementMotion {
+                    rotation: BearingRotation::at_start(speed),
+                    ..motion
+                })
+            });
+            attachment.add_force(-1.0, &rate, by_time);
+        }
     }
 
     /// Adds the slopes of the force onto a bearing in a motion, of contacts and their damping, by place and by rate of all

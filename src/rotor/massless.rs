@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::structure::{Structure, UnbalancedPoint};
-use super::{RotorDefinition, ShaftError};
+use super::{FREEDOMS, RotorDefinition, ShaftError};
 
 impl Structure {
     /// Displacement of the last `count` coordinates by that of the degrees of freedom, `−K_ss⁻¹ K_sd`; none where nothing
@@ -49,7 +49,7 @@ impl Structure {
         forces
     }
 
-    /// Checks that nothing acts on massless coordinates but springs and constant loads; `damping` is C.
+    /// Checks that nothing acts on massless coordinates but springs of constant stiffness and constant loads; `damping` is C.
     ///
     /// # Errors
     /// [`ShaftError::Followers`] names all coordinates where something does.
@@ -70,6 +70,9 @@ impl Structure {
                 place.point.add_force(1.0, &varying, &mut acts);
                 place.point.add_force(1.0, &force, &mut acts);
             }
+        }
+        for (attachment, _) in self.laws() {
+            attachment.add_force_bound(&[1.0; FREEDOMS], &mut acts);
         }
         let first = self.coordinates.len() - self.followers.nrows();
         let names = self.coordinates.iter().zip(acts).skip(first);

@@ -163,7 +163,8 @@ impl Rotor {
     /// static equilibrium, G the gyroscopic coupling of the tilts and ω the speed at t = 0; damping of
     /// the contacts is left out.
     pub(crate) fn modes(&self) -> Vec<Mode> {
-        let matrices = self.linear.normalised(&self.start.tangent, self.speed());
+        let matrices = self.linearised(self.speed());
+        let matrices = matrices.map(|matrix| self.linear.mass.normalised(&matrix));
         let eigenvalues = state_matrix(&matrices).complex_eigenvalues();
         let mut eigenvalues: Vec<Complex<f64>> = eigenvalues
             .iter()

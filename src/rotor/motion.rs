@@ -61,6 +61,8 @@ pub(super) struct Start {
     pub rest: Vec<f64>,
     /// K and the stiffness of the bearings there, of all coordinates.
     pub tangent: DMatrix<f64>,
+    /// C of the laws of force that are not linear there, likewise; those of the contacts are left out.
+    pub law_damping: DMatrix<f64>,
     /// What nothing holds there.
     pub free: FreeDirections,
     /// Whether C follows from the stiffness with the cages turned by half a ball spacing, as nothing holds the shaft before.
@@ -236,7 +238,7 @@ impl Rotor {
                 .add_forces_by_place(rotation.speed, place, force);
         }
         let rest = &self.start.rest;
-        if RIGID && !self.elements.contacts_damped {
+        if RIGID && !self.elements.by_rate {
             let shaft = Point::RIGID_SHAFT;
             let displacement = shaft.displacement(place, rest);
             let elements = &self.elements;

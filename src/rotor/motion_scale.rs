@@ -179,7 +179,7 @@ impl Rotor {
     fn amplitudes(&self, force: DVector<Complex<f64>>, omega: f64, speed: f64) -> Vec<f64> {
         let dynamic = self
             .linear
-            .dynamic_stiffness(&self.start.tangent, omega, speed);
+            .dynamic_stiffness(&self.linearised(speed), omega);
         let response = dynamic.lu().solve(&force);
         response.map_or_else(Vec::new, |response| {
             response.iter().map(|part| part.norm()).collect()

@@ -68,6 +68,7 @@ impl Rotor {
             bodies: self.body_motions(position, velocity),
             force_on_shaft: force,
             bearing_forces: Vec::new(),
+            first_element: contacts.bearings.len(),
             largest_ball_load: has_balls.then_some(contacts.largest_load()),
             balls_loaded: has_balls.then_some(contacts.loaded()),
             energy: self
@@ -91,11 +92,14 @@ impl Rotor {
                     let force = linear.force(&motion.displacement, &motion.rate);
                     [force, [0.0; FREEDOMS]]
                 }
+                Element::Law(law) => [law.force(motion), [0.0; FREEDOMS]],
             };
             let [force, damping] =
-                [force, damping].map(|own_force| own.attachment.on_shaft(&own_force));
-            add(&mut total, &force);
-            add(&mut damped, &damping);
+                [force, damping].map(|own_force| own.attachment.about_observed(&own_force));
+            if own.attachment.on_shaft {
+                add(&mut total, &force);
+                add(&mut damped, &damping);
+            }
             if let Some(on_shaft) = forces.next() {
                 // 0 − 0 is 0, where −0 would be written
                 *on_shaft = std::array::from_fn(|axis| 0.0 - (force[axis] + damping[axis]));
@@ -181,7 +185,7 @@ impl Rotor {
     }
 }
 
-/// Most bearings of a shaft.
+/// Most bearings of a shaft, and most of its elements.
 pub const MOST_BEARINGS: usize = 64;
 
 /// State of the shaft and of its bearings at one instant, SI units. What was not observed is none.
@@ -201,11 +205,14 @@ pub struct Sample {
     pub acceleration: Option<[f64; FREEDOMS]>,
     /// Housings of the first bearings, and what vibrates on them; none where no bearing has one.
     pub bodies: Option<BodyMotions>,
-    /// Force of all bearings on the shaft: x, y, z in N, moments about X and Y through the point of the shaft whose
+    /// Force of all bearings and elements on the shaft: x, y, z in N, moments about X and Y through the point of the shaft whose
     /// displacement is given in N m; none where it is not observed.
     pub force_on_shaft: Option<[f64; FREEDOMS]>,
-    /// The share of every bearing in it, in the order of the scene; empty where it is not observed.
+    /// The share of every bearing in it, in the order of the scene, and behind them the forces of the elements; empty where
+    /// it is not observed.
     pub bearing_forces: Vec<[f64; FREEDOMS]>,
+    /// Place of the first element among them.
+    pub first_element: usize,
     /// Largest load on a ball of any bearing, N; none where no ball is observed, as of a linear bearing.
     pub largest_ball_load: Option<f64>,
     /// Number of balls in contact, all bearings together; likewise.

@@ -113,6 +113,8 @@ pub(crate) struct Attachment {
     facing: f64,
     /// Distance of the inner place from the observed point along the shaft, m.
     position: f64,
+    /// Whether the inner place is one of the shaft, and not of a housing.
+    pub(super) on_shaft: bool,
 }
 
 impl Attachment {
@@ -123,6 +125,15 @@ impl Attachment {
             outer,
             facing: facing.sign(),
             position,
+            on_shaft: true,
+        }
+    }
+
+    /// Between a housing and the ground.
+    pub(super) fn beside_shaft(housing: Place) -> Self {
+        Self {
+            on_shaft: false,
+            ..Self::new(housing, None, Facing::PlusZ, 0.0)
         }
     }
 
@@ -171,7 +182,7 @@ impl Attachment {
 
     /// A force on the inner place as one on the shaft, moments about its observed point.
     #[inline(always)]
-    pub(super) fn on_shaft(&self, force: &Vector5) -> Vector5 {
+    pub(super) fn about_observed(&self, force: &Vector5) -> Vector5 {
         about_origin(&self.turned(force), self.position)
     }
 

@@ -1,16 +1,16 @@
 //! The derivative as what is linear in the degrees of freedom, and forces that few of them decide: those of the ball
-//! bearings and of what drives the shaft from outside.
+//! bearings, of other laws of force and of what drives the shaft from outside.
 //!
 //! ```text
 //! M q̈ + (C + ω G) q̇ + (K − ω H) q = f₀ + w(t, q, q̇)
 //! ```
 //!
 //! with f₀ the constant forces. w acts at bearings, unbalances and varying loads, and depends on the place of the bearings;
-//! on their velocity too where contacts are damped.
+//! on their velocity too where contacts are damped or other laws ask for it.
 
 use nalgebra::DMatrix;
 
-use super::Rotor;
+use super::{Attachment, Rotor};
 use crate::integrate::Separated;
 use crate::numerics::registers::in_wide_registers;
 
@@ -57,12 +57,10 @@ impl Rotor {
             coordinates.dedup();
             coordinates
         };
-        let bearings = self.elements.bearings();
-        let bearings = moving(
-            bearings
-                .flat_map(|own| own.attachment.coordinates())
-                .collect(),
-        );
+        let bearings = self.elements.bearings().map(|own| own.attachment);
+        let laws = self.elements.laws().map(|(attachment, _)| attachment);
+        let bearings = bearings.chain(laws);
+        let bearings = moving(bearings.flat_map(Attachment::coordinates).collect());
         let mut acting = bearings.clone();
         let unbalances = excitation.unbalances.iter().map(|own| own.point);
         let loads = excitation.load_places.iter().map(|own| own.point);
@@ -71,7 +69,7 @@ impl Rotor {
             acting = (0..dofs).collect();
         }
         let mut seen = bearings;
-        if self.elements.contacts_damped {
+        if self.elements.by_rate {
             seen.extend_from_within(..);
             let places = seen.len() / 2;
             seen[places..].iter_mut().for_each(|rate| *rate += dofs);
@@ -79,7 +77,7 @@ impl Rotor {
         (seen, moving(acting))
     }
 
-    /// ∂w/∂x, of the forces `acting` by the states `seen`: of the bearings alone.
+    /// ∂w/∂x, of the forces `acting` by the states `seen`: of bearings and laws alone.
     pub(super) fn few_force_slopes(
         &self,
         time: f64,
@@ -94,6 +92,7 @@ impl Rotor {
         for (bearing, motion) in self.elements.bearings_at(&at) {
             self.add_bearing_slopes(&bearing, &motion, &mut held);
         }
+        self.add_law_slopes(&at, &mut held);
         DMatrix::from_fn(acting.len(), seen.len(), |row, column| {
             let (row, column) = (acting[row], seen[column]);
             -held[column / dofs][(row, column % dofs)]

@@ -4,11 +4,12 @@ use nalgebra::{DMatrix, DVector};
 
 use super::bodies::BodyPoint;
 use super::coordinate::Coordinate;
+use super::element::{Element, ElementMotion};
 use super::flexible::Bending;
-use super::linear_bearing::LinearElement;
+use super::force_law::ForceLaw;
 use super::point::{Attachment, Place, Point};
 use super::static_search::Restoring;
-use super::{Body, FREEDOMS, Freedoms, PlaneUnbalance, RotorDefinition, ShaftError};
+use super::{Body, FREEDOMS, ForceElement, Freedoms, PlaneUnbalance, RotorDefinition, ShaftError};
 use crate::bearing::{BearingRotation, Facing, Support, Vector5};
 
 /// An unbalance at a point of the shaft.
@@ -63,7 +64,7 @@ impl Matrices {
 }
 
 /// What moves, and where bearings and loads act on it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub(super) struct Structure {
     /// Degrees of freedom first, behind them what is held, and last what has no mass and follows.
     pub coordinates: Vec<Coordinate>,
@@ -86,8 +87,8 @@ pub(super) struct Structure {
     pub bodies: Vec<BodyPoint>,
     /// Where the ball bearings sit; with all below, a rotor takes it over into its elements and its excitation.
     pub attachments: Vec<Attachment>,
-    /// The bearings of constant stiffness, and where they sit.
-    pub linear: Vec<(Attachment, LinearElement)>,
+    /// The elements besides them, and where they sit.
+    pub elements: Vec<(Attachment, Element)>,
     /// Where each of the loads acts; accelerations of the base act on all masses.
     pub load_places: Vec<Place>,
     pub unbalances: Vec<UnbalancedPoint>,
@@ -121,7 +122,7 @@ impl Structure {
             followers: DMatrix::zeros(0, 0),
             bodies: Vec::new(),
             attachments: Vec::new(),
-            linear: Vec::new(),
+            elements: Vec::new(),
             load_places: Vec::new(),
             unbalances: Vec::new(),
         }
@@ -217,18 +218,22 @@ impl Structure {
 
     /// Places bearings, loads and unbalances on shaft and housings.
     fn attach(&mut self, definition: &RotorDefinition) {
-        let balls = definition.bearings.iter().zip(definition.ball_places());
-        let balls = balls.map(|(own, number)| self.attachment(own.position, own.facing, number));
-        self.attachments = balls.collect();
-        let linear = definition.linear_bearings.iter();
-        let linear = linear.map(|own| {
-            let attachment = self.attachment(own.position, Facing::PlusZ, own.place);
-            (attachment, own.element())
+        let bearings = definition.bearings.iter().enumerate();
+        let bearings =
+            bearings.map(|(number, own)| self.attachment(own.position, own.facing, number));
+        self.attachments = bearings.collect();
+        let (speed, kept) = (definition.speed, definition.keeps_its_speed());
+        let elements = (definition.bearings.len()..).zip(&definition.elements);
+        let elements = elements.map(|(number, own)| {
+            let attachment = self.element_attachment(own, number);
+            (attachment, own.law.element(speed, kept))
         });
-        self.linear = linear.collect();
-        for (attachment, element) in &self.linear {
-            attachment.add_stiffness(&element.stiffness, &mut self.matrices.stiffness);
-            attachment.add_stiffness(&element.damping, &mut self.matrices.damping);
+        self.elements = elements.collect();
+        for (attachment, element) in &self.elements {
+            if let Element::Linear(law) = element {
+                attachment.add_stiffness(&law.stiffness, &mut self.matrices.stiffness);
+                attachment.add_stiffness(&law.damping, &mut self.matrices.damping);
+            }
         }
         let loads = definition.loads.iter();
         self.load_places = loads.map(|load| self.place_at(load.position)).collect();
@@ -250,13 +255,27 @@ impl Structure {
     /// Where a bearing of the scene sits.
     fn attachment(&self, position: f64, facing: Facing, number: usize) -> Attachment {
         let observed = self.bending.as_ref().map_or(0.0, Bending::observed);
+        let (inner, outer) = (self.place_at(position), self.housing(number));
+        Attachment::new(inner, outer, facing, position - observed)
+    }
+
+    /// Where an element sits that is, or whose housing is, so far behind the bearings.
+    fn element_attachment(&self, element: &ForceElement, number: usize) -> Attachment {
+        let number = element.housing_of.unwrap_or(number);
+        match (element.position, self.housing(number)) {
+            (None, Some(housing)) => Attachment::beside_shaft(housing),
+            (position, _) => self.attachment(position.unwrap_or(0.0), Facing::PlusZ, number),
+        }
+    }
+
+    /// The housing of a bearing, or of an element behind them; none where it sits on the ground.
+    fn housing(&self, number: usize) -> Option<Place> {
         let mut bodies = self.bodies.iter();
-        let housing = bodies.find(|own| own.body == Body::Housing(number));
-        let outer = housing.map(|housing| Place {
+        let housing = bodies.find(|own| own.body == Body::Housing(number))?;
+        Some(Place {
             point: housing.point,
             arm: 0.0,
-        });
-        Attachment::new(self.place_at(position), outer, facing, position - observed)
+        })
     }
 
     /// The place of the shaft at a position along it, m: of a shaft that bends one of its points.
@@ -294,6 +313,7 @@ impl Structure {
         self.coordinates.len() == FREEDOMS
             && self.shaft == Point::RIGID_SHAFT
             && self.attachments.iter().all(grounded)
+            && self.laws().next().is_none()
             && self.matrices.stiffness.iter().all(|entry| *entry == 0.0)
     }
 
@@ -307,6 +327,28 @@ impl Structure {
                 vec![(x, y, 1.0), (tilt_x, tilt_y, 1.0)]
             }
         }
+    }
+
+    /// The laws of force that are not linear.
+    pub fn laws(&self) -> impl Iterator<Item = (&Attachment, &dyn ForceLaw)> {
+        let elements = self.elements.iter();
+        elements.filter_map(|(attachment, element)| Some((attachment, element.law()?)))
+    }
+
+    /// They with their motions at rest in a place of all coordinates.
+    pub fn laws_at_rest<'a>(
+        &'a self,
+        place: &'a [f64],
+        speed: f64,
+    ) -> impl Iterator<Item = (&'a Attachment, &'a dyn ForceLaw, ElementMotion)> {
+        self.laws().map(move |(attachment, law)| {
+            let motion = ElementMotion {
+                displacement: attachment.displacement(place, &[]),
+                rate: [0.0; FREEDOMS],
+                rotation: BearingRotation::at_start(speed),
+            };
+            (attachment, law, motion)
+        })
     }
 
     /// Force onto all that holds the structure, and its slope, with the cages where they start.
@@ -323,12 +365,21 @@ impl Structure {
         force.gemv(1.0, &stiffness, &DVector::from_column_slice(place), 0.0);
         let mut largest_share: f64 = 0.0;
         let rotation = BearingRotation::at_start(speed);
-        for (support, attachment) in supports.iter().zip(&self.attachments) {
+        let bearings = supports.iter().zip(&self.attachments);
+        let bearings = bearings.map(|(support, attachment)| {
             let displacement = attachment.displacement(place, &[]);
             let tangent = support.tangent(&displacement, &rotation);
-            attachment.add_force(1.0, &tangent.force, force.as_mut_slice());
-            attachment.add_stiffness(&tangent.stiffness, &mut stiffness);
-            let share = attachment.at_inner_point(&tangent.force);
+            (attachment, tangent.force, tangent.stiffness)
+        });
+        let laws = self.laws_at_rest(place, speed);
+        let laws = laws.map(|(attachment, law, motion)| {
+            let [stiffness, _] = law.slopes(&motion);
+            (attachment, law.force(&motion), stiffness)
+        });
+        for (attachment, own_force, own_stiffness) in bearings.chain(laws) {
+            attachment.add_force(1.0, &own_force, force.as_mut_slice());
+            attachment.add_stiffness(&own_stiffness, &mut stiffness);
+            let share = attachment.at_inner_point(&own_force);
             for (axis, share) in share.iter().enumerate() {
                 let length = if axis < 3 { 1.0 } else { arm };
                 largest_share = largest_share.max((share / length).abs());

@@ -70,15 +70,18 @@ impl System for Rotor {
     }
 
     fn event_count(&self) -> usize {
-        self.elements.balls_that_lift_off + self.passing_event_count()
+        let bearings = self.elements.balls_that_lift_off + self.passing_event_count();
+        bearings + self.elements.law_event_count
     }
 
     fn events(&self, time: f64, state: &[f64], values: &mut [f64]) {
         let rotation = self.rotation(time, state);
         let at = self.instant(state, &rotation);
-        let (balls, kinks) = values.split_at_mut(self.elements.balls_that_lift_off);
+        let (balls, others) = values.split_at_mut(self.elements.balls_that_lift_off);
+        let (kinks, laws) = others.split_at_mut(others.len() - self.elements.law_event_count);
         self.lift_off_distances(&at, balls);
         self.passing_distances(&at, kinks);
+        self.law_events(&at, laws);
     }
 
     fn force_jump(&self, event: usize, time: f64, distance: f64, rate: &mut [f64]) {
@@ -87,22 +90,42 @@ impl System for Rotor {
             false => self.excitation.speed.at(time).speed,
             true => self.highest_speed(),
         };
-        match event.checked_sub(self.elements.balls_that_lift_off) {
-            None => self.lift_off_jump(event, speed, distance, rate),
-            Some(kink) => self.passing_jump(kink, speed, distance, rate),
+        match self.event_kind(event) {
+            EventKind::LiftOff(ball) => self.lift_off_jump(ball, speed, distance, rate),
+            EventKind::Passing(kink) => self.passing_jump(kink, speed, distance, rate),
+            EventKind::Law(law) => self.law_jump(law, distance, rate),
         }
     }
 
     fn event_exponent(&self, event: usize) -> f64 {
-        let bearing = match event.checked_sub(self.elements.balls_that_lift_off) {
-            None => self.bearing_of_ball(event),
-            Some(kink) => self.bearing_of_kink(kink),
+        let bearing = match self.event_kind(event) {
+            EventKind::LiftOff(ball) => self.bearing_of_ball(ball),
+            EventKind::Passing(kink) => self.bearing_of_kink(kink),
+            EventKind::Law(_) => None,
         };
         bearing.map_or(1.0, |bearing| bearing.support.lift_off_exponent())
     }
 }
 
+/// What an event surface is of, with its number among its like.
+enum EventKind {
+    /// A ball that lifts off.
+    LiftOff(usize),
+    /// A ball that passes a kink of a surface.
+    Passing(usize),
+    /// A law of force that is not smooth there.
+    Law(usize),
+}
+
 impl Rotor {
+    fn event_kind(&self, event: usize) -> EventKind {
+        let Some(behind_balls) = event.checked_sub(self.elements.balls_that_lift_off) else {
+            return EventKind::LiftOff(event);
+        };
+        let law = behind_balls.checked_sub(self.passing_event_count());
+        law.map_or(EventKind::Passing(behind_balls), EventKind::Law)
+    }
+
     /// Has the works integrated beside the motion, so that samples tell of energy.
     pub(crate) fn account_for_energy(&mut self) {
         self.energy = true;
@@ -116,7 +139,8 @@ impl Rotor {
     /// Whether the forces of all bearings are linear in displacement and rate, with coefficients that do not change.
     pub(crate) fn is_linear(&self) -> bool {
         let linear = |support: &Support| !support.follows_cage() && !support.is_damped();
-        !self.is_augmented() && self.elements.supports().all(linear)
+        let only_bearings = self.elements.laws().next().is_none();
+        !self.is_augmented() && only_bearings && self.elements.supports().all(linear)
     }
 
     /// Index of the first work among the states.

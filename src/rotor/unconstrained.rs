@@ -125,7 +125,7 @@ pub(super) struct FreeDirections {
     shares: Vec<f64>,
     /// Least stiffness, tilts by their arm, N/m.
     stiffness: f64,
-    /// Stiffness of a loaded contact, or of the stiffest linear bearing, by its order of magnitude, N/m.
+    /// Stiffness of a loaded contact, or of the stiffest linear element, by its order of magnitude, N/m.
     contact: f64,
 }
 
@@ -137,9 +137,10 @@ impl FreeDirections {
         supports: &[Support],
         stiffness: &DMatrix<f64>,
     ) -> Self {
-        let linear = definition.linear_bearings.iter();
-        let linear = linear.flat_map(|bearing| &bearing.stiffness[..3]);
-        let contact = linear.fold(contact_stiffness(supports), |most, own| most.max(*own));
+        let elements = definition.elements.iter();
+        let linear = elements.filter_map(|own| own.law.linear_at(definition.speed));
+        let stiffest = linear.map(|own| own.stiffness.view((0, 0), (3, 3)).diagonal().max());
+        let contact = stiffest.fold(contact_stiffness(supports), f64::max);
         let dofs = structure.dofs;
         let arm = Support::largest(supports, Geometry::lever);
         let length = |dof: usize| structure.coordinates[dof].length(arm);

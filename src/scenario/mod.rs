@@ -13,6 +13,7 @@
 
 mod axis;
 pub(crate) mod catalogue_file;
+mod coefficients_file;
 pub(crate) mod document;
 mod input;
 pub(crate) mod key;

@@ -153,14 +153,6 @@ impl Node {
             .try_fold(self, |node, step| node.child(step))
     }
 
-    /// Keys of a table; none of anything else.
-    pub fn keys(&self) -> Vec<&str> {
-        match &self.content {
-            Content::Table(entries) => entries.iter().map(|entry| entry.key.as_str()).collect(),
-            _ => Vec::new(),
-        }
-    }
-
     /// Place of the value of a path; of a value that is missing, the innermost table that
     /// should hold it. The whole file has no place.
     pub fn locate(&self, path: &str) -> Option<Range<usize>> {

@@ -1,6 +1,6 @@
 //! Keys and words that scenarios do not have or have no longer, each with the way there is.
 
-const REMOVED: [(&str, &str); 8] = [
+const REMOVED: [(&str, &str); 9] = [
     (
         "step",
         "steps follow from the error: tolerance = 1e-8; how often is written, `sample_rate` in [output] says",
@@ -13,6 +13,10 @@ const REMOVED: [(&str, &str); 8] = [
         "study",
         "write a study file with `base`, the name of this one, ask = \"bearing\" and an `[[axis]]` with `key` and values; \
          `jeffcott study` answers it",
+    ),
+    (
+        "linear",
+        "springs and dampers stand in an `[[element]]` of their own: [element.linear]",
     ),
     ("tsit5", "\"verner76\" takes its place"),
     ("dprkn8", "\"exponential\" takes its place"),

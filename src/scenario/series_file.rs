@@ -1,4 +1,4 @@
-//! A load series in a CSV file: times and values with their units in the header.
+//! A load series in a CSV file: times and values with their units in the header; columns of numbers of any CSV file.
 
 use std::path::Path;
 
@@ -16,6 +16,22 @@ const COLUMNS: [&str; 5] = ["x_N", "y_N", "z_N", "tilt_x_N_m", "tilt_y_N_m"];
 /// # Errors
 /// What is wrong with the file. Rows count from the first below the header.
 pub(super) fn read(path: &Path) -> Result<(Vec<f64>, Vec<SeriesComponent>), String> {
+    let (mut columns, mut values) = read_columns(path, columns)?;
+    let times = values.remove(0);
+    for (column, values) in columns.iter_mut().zip(values) {
+        column.values = values;
+    }
+    Ok((times, columns))
+}
+
+/// What `check` makes of the header of a CSV file of numbers, and its columns.
+///
+/// # Errors
+/// What is wrong with the file. Rows count from the first below the header.
+pub(super) fn read_columns<T>(
+    path: &Path,
+    check: impl FnOnce(&[&str]) -> Result<T, String>,
+) -> Result<(T, Vec<Vec<f64>>), String> {
     let known = std::fs::metadata(path).map_err(|error| format!("it cannot be read: {error}"))?;
     if !known.is_file() {
         return Err("it is not a file".to_owned());
@@ -35,9 +51,21 @@ pub(super) fn read(path: &Path) -> Result<(Vec<f64>, Vec<SeriesComponent>), Stri
         .from_path(path)
         .map_err(not_csv)?;
     let header = reader.headers().map_err(not_csv)?.clone();
-    let header: Vec<&str> = header.iter().collect();
-    let mut columns = columns(&header)?;
-    let mut times = Vec::new();
+    // a file from a spreadsheet may begin with a byte order mark
+    let header = header
+        .iter()
+        .map(|name| name.trim_start_matches('\u{feff}'));
+    let header: Vec<&str> = header.collect();
+    if let [first] = &header[..]
+        && first.contains(';')
+    {
+        let commas = first.replace(',', ".").replace(';', ",");
+        return Err(format!(
+            "semicolons part its columns: write commas between them and points in numbers, as in `{commas}`"
+        ));
+    }
+    let checked = check(&header)?;
+    let mut columns = vec![Vec::new(); header.len()];
     for (index, record) in reader.records().enumerate() {
         let (record, row) = (record.map_err(not_csv)?, index + 1);
         let (found, expected) = (record.len(), header.len());
@@ -46,27 +74,17 @@ pub(super) fn read(path: &Path) -> Result<(Vec<f64>, Vec<SeriesComponent>), Stri
                 "row {row} has {found} entries, the header {expected}"
             ));
         }
-        let mut values = record.iter().zip(&header);
-        let mut number = || values.next().map_or(Ok(0.0), |pair| number(pair, row));
-        times.push(number()?);
-        for column in &mut columns {
-            column.values.push(number()?);
+        for (pair, column) in record.iter().zip(&header).zip(&mut columns) {
+            column.push(number(pair, row)?);
         }
     }
-    Ok((times, columns))
+    Ok((checked, columns))
 }
 
 /// The empty columns that a header promises.
 fn columns(header: &[&str]) -> Result<Vec<SeriesComponent>, String> {
-    // a file from a spreadsheet may begin with a byte order mark
-    let first = header.first().unwrap_or(&"").trim_start_matches('\u{feff}');
-    if header.len() == 1 && first.contains(';') {
-        let commas = first.replace(',', ".").replace(';', ",");
-        return Err(format!(
-            "semicolons part its columns: write commas between them and points in numbers, as in `{commas}`"
-        ));
-    }
-    if first != TIME {
+    let first = header.first().unwrap_or(&"");
+    if *first != TIME {
         return Err(format!("its first column must be `{TIME}`, not `{first}`"));
     }
     let known = COLUMNS.join(", ");

@@ -87,7 +87,8 @@ pub(crate) fn assembled_warnings(definition: &RotorDefinition, rotor: &Rotor) ->
     let unbalance = unbalance(definition, rotor).into_iter();
     let inertia = inertia_left_out(rotor).into_iter();
     let doubtful = unbalance.chain(overdamped(definition)).chain(inertia);
-    doubtful.chain(bearings(rotor)).collect()
+    let tables = definition.beyond_tables();
+    doubtful.chain(tables).chain(bearings(rotor)).collect()
 }
 
 /// A damping ratio that no shaft on rolling bearings has: most often percent.

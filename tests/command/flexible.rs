@@ -59,7 +59,7 @@ impl Scene {
 /// A bearing of constant stiffness in N/m.
 fn linear(position: &str, stiffness: &str) -> String {
     format!(
-        "[[bearing]]\nposition = \"{position}\"\nlinear = {{ stiffness = {{ x = \"{stiffness} N/m\", y = \"{stiffness} \
+        "[[element]]\nposition = \"{position}\"\nlinear = {{ stiffness = {{ x = \"{stiffness} N/m\", y = \"{stiffness} \
          N/m\" }} }}\n"
     )
 }

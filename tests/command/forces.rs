@@ -10,7 +10,7 @@ use crate::support::{column, done, jeffcott_in, told};
 
 const SPEED: &str = "[speed]\nconstant = \"3600 rpm\"\n";
 /// `K u + C u̇` in closed form.
-const SPRING: &str = "[[bearing]]\nlinear = { stiffness = { x = \"3750 N/mm\", y = \"3750 N/mm\" }, damping = { x = \
+const SPRING: &str = "[[element]]\nlinear = { stiffness = { x = \"3750 N/mm\", y = \"3750 N/mm\" }, damping = { x = \
                       \"1500 N s/m\", y = \"1500 N s/m\" } }\n";
 const SHAFT: &str =
     "[shaft]\nmass = \"60 kg\"\neccentricity = \"20 um\"\nfreedoms = \"radial\"\ngravity = true\n";
@@ -74,33 +74,33 @@ fn mean(values: &[f64]) -> f64 {
 }
 
 #[test]
-fn a_linear_bearing_alone_bears_weight_and_unbalance() {
-    let time = "[time]\nduration = \"1.5 s\"\nsettle = \"1.2 s\"\n[[spectrum]]\nchannels = [\"force\", \"bearing1_force_y\"]\n\
-                window = \"rectangular\"\n[[spectrum]]\nkind = \"whirl\"\nchannels = [\"bearing1_force_x\", \
-                \"bearing1_force_y\"]\n";
+fn a_linear_element_alone_bears_weight_and_unbalance() {
+    let time = "[time]\nduration = \"1.5 s\"\nsettle = \"1.2 s\"\n[[spectrum]]\nchannels = [\"force\", \"element1_force_y\"]\n\
+                window = \"rectangular\"\n[[spectrum]]\nkind = \"whirl\"\nchannels = [\"element1_force_x\", \
+                \"element1_force_y\"]\n";
     let scene = Scene::new(&[SHAFT, SPRING, SPEED, time]);
-    scene.ask(&["run", "--channels", "force_y,bearing1_force_y"]);
+    scene.ask(&["run", "--channels", "force_y,element1_force_y"]);
     let total = scene.column("trace.csv", "force_y_N");
-    assert_eq!(total, scene.column("trace.csv", "bearing1_force_y_N"));
+    assert_eq!(total, scene.column("trace.csv", "element1_force_y_N"));
     close(mean(&total[total.len() - 128..]), WEIGHT, 1e-5);
     let frequencies = scene.column("spectrum_peak.csv", "f_Hz");
     let bin = frequencies
         .iter()
         .position(|frequency| (frequency - 60.0).abs() < 1e-6);
     let bin = bin.expect("the shaft frequency");
-    for name in ["force_x", "force_y", "bearing1_force_y"] {
+    for name in ["force_x", "force_y", "element1_force_y"] {
         let amplitudes = scene.column("spectrum_peak.csv", &format!("{name}_peak_N"));
         close(amplitudes[bin], FIRST_ORDER, 1e-5);
     }
-    let turning = scene.column("spectrum_whirl_peak.csv", "bearing1_force_x_iy_peak_N");
+    let turning = scene.column("spectrum_whirl_peak.csv", "element1_force_x_iy_peak_N");
     let largest = turning
         .iter()
         .fold(0.0, |most: f64, value| most.max(*value));
     close(largest, FIRST_ORDER, 1e-2);
-    for number in ["bearing1_force_y_mean_N", "force_y_mean_N"] {
+    for number in ["element1_force_y_mean_N", "force_y_mean_N"] {
         close(scene.study(number).expect("a number")[1], WEIGHT, 1e-5);
     }
-    for number in ["bearing1_force_x_order_1_N", "force_x_order_1_N"] {
+    for number in ["element1_force_x_order_1_N", "force_x_order_1_N"] {
         let found = scene.study(number).expect("a number");
         close(found[1], FIRST_ORDER, 1e-4);
         close(found[0], 0.5 * FIRST_ORDER, 1e-4);
@@ -108,7 +108,7 @@ fn a_linear_bearing_alone_bears_weight_and_unbalance() {
 }
 
 #[test]
-fn bearings_count_in_the_order_of_the_file() {
+fn bearings_and_elements_count_apart() {
     let balls = "[[bearing]]\ncatalogue = \"7205C\"\npreload = \"300 N\"\n";
     let time = "[damping]\nratio = 0.1\n[time]\nduration = \"0.05 s\"\nsettle = \"0 s\"\n";
     let undamped = SPRING
@@ -121,19 +121,19 @@ fn bearings_count_in_the_order_of_the_file() {
     scene.ask(&["run"]);
     let of = |name: &str| scene.column("trace.csv", name);
     let (y, total) = (of("y_m"), of("force_y_N"));
-    let [spring, balls] = ["bearing1_force_y_N", "bearing2_force_y_N"].map(of);
+    let [spring, balls] = ["element1_force_y_N", "bearing1_force_y_N"].map(of);
     for row in 0..y.len() {
         close(spring[row], -3.75e6 * y[row], 1e-9);
         close(spring[row] + balls[row], total[row], 1e-9);
     }
-    let refused = scene.study("bearing3_force_y_mean_N");
-    refused.expect_err("two bearings");
+    let refused = scene.study("bearing2_force_y_mean_N");
+    refused.expect_err("one bearing");
     let output = jeffcott_in(
         scene.0.path(),
-        &["run", "scene.toml", "--channels", "bearing3_force_y"],
+        &["run", "scene.toml", "--channels", "bearing2_force_y"],
     );
     assert_eq!(output.status.code(), Some(2), "{}", told(&output));
-    assert!(told(&output).contains("number of bearings is 2"));
+    assert!(told(&output).contains("number of bearings is 1"));
 }
 
 #[test]

@@ -57,7 +57,7 @@ fn a_run_up_is_mapped_and_a_later_run_without_maps_leaves_none() {
 }
 
 /// 5 kg on 1.974 N/µm, 100 Hz, ζ = 0.02, eccentricity 0.5 mm. The largest |r| by `solve_ivp` of SciPy, DOP853 at 1e-10.
-const RUN_UP: &str = "[shaft]\nmass = \"5 kg\"\neccentricity = \"0.5 mm\"\n[[bearing]]\n\
+const RUN_UP: &str = "[shaft]\nmass = \"5 kg\"\neccentricity = \"0.5 mm\"\n[[element]]\n\
     linear = { stiffness = { x = \"1.9739208802178716e6 N/m\", y = \"1.9739208802178716e6 N/m\" }, \
     damping = { x = \"125.66370614359172 N s/m\", y = \"125.66370614359172 N s/m\" } }\n\
     [speed]\nfrom = \"0 rpm\"\nto = \"9000 rpm\"\nover = \"3 s\"\n[initial]\nfrom = \"zero\"\n\
@@ -118,9 +118,9 @@ fn a_run_up_tells_its_largest_motion_and_tracks_it() {
 /// 10 kg with 100 g mm on two bearings of constant stiffness, five revolutions kept, which repeat to 1e-9.
 const FIVE_REVOLUTIONS: &str = "[shaft]\nmass = \"10 kg\"\ngravity = true\nfreedoms = \"all\"\n\
     inertia_transverse = \"0.1 kg m^2\"\ninertia_polar = \"0.05 kg m^2\"\n[[unbalance]]\namount = \"100 g mm\"\n\
-    [[bearing]]\nposition = \"-100 mm\"\nlinear = { stiffness = { x = \"50 N/um\", y = \"50 N/um\", z = \"10 N/um\" }, \
+    [[element]]\nposition = \"-100 mm\"\nlinear = { stiffness = { x = \"50 N/um\", y = \"50 N/um\", z = \"10 N/um\" }, \
     damping = { x = \"500 N s/m\", y = \"500 N s/m\", z = \"500 N s/m\" } }\n\
-    [[bearing]]\nposition = \"100 mm\"\nlinear = { stiffness = { x = \"50 N/um\", y = \"50 N/um\" }, \
+    [[element]]\nposition = \"100 mm\"\nlinear = { stiffness = { x = \"50 N/um\", y = \"50 N/um\" }, \
     damping = { x = \"500 N s/m\", y = \"500 N s/m\" } }\n\
     [speed]\nconstant = \"3000 rpm\"\n[time]\nduration = \"0.5 s\"\nsettle = \"0.4 s\"\n";
 
@@ -149,8 +149,8 @@ fn what_repeats_has_settled_whatever_the_revolutions() {
 /// A disc of 45.36 kg on a shaft of hardly any mass: a mode at 16 Hz, and those of the shaft from 31 kHz to 6 MHz.
 const LIGHT_SHAFT: &str = "[shaft]\nmaterial = { youngs_modulus = \"30e6 psi\", density = \"1 kg/m^3\" }\n\
     [[shaft.section]]\nlength = \"30 in\"\nouter_diameter = \"1 in\"\n[[disc]]\nmass = \"100 lb\"\nposition = \"15 in\"\n\
-    [[bearing]]\nposition = \"0 in\"\nlinear = { stiffness = { x = \"1e10 N/m\", y = \"1e10 N/m\" } }\n\
-    [[bearing]]\nposition = \"30 in\"\nlinear = { stiffness = { x = \"1e10 N/m\", y = \"1e10 N/m\" } }\n\
+    [[element]]\nposition = \"0 in\"\nlinear = { stiffness = { x = \"1e10 N/m\", y = \"1e10 N/m\" } }\n\
+    [[element]]\nposition = \"30 in\"\nlinear = { stiffness = { x = \"1e10 N/m\", y = \"1e10 N/m\" } }\n\
     [speed]\nconstant = \"1200 rpm\"\n";
 
 #[test]

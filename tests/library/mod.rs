@@ -10,6 +10,7 @@ mod architecture;
 mod bearing_state;
 mod campaign;
 mod deep_groove;
+mod elements;
 mod endings;
 mod equilibrium;
 mod hard_cases;

@@ -25,10 +25,10 @@ material = { density = "7800 kg/m^3" }
 [[unbalance]]
 amount = "1000 g mm"
 position = "0.2666667 m"
-[[bearing]]
+[[element]]
 position = "0 m"
 linear = { stiffness = { x = "5e7 N/m", y = "7e7 N/m" }, damping = { x = "500 N s/m", y = "700 N s/m" } }
-[[bearing]]
+[[element]]
 position = "0.4 m"
 linear = { stiffness = { x = "5e7 N/m", y = "7e7 N/m" }, damping = { x = "500 N s/m", y = "700 N s/m" } }
 [speed]
@@ -120,7 +120,7 @@ fn z_that_is_written_as_free_is_held_too_where_nothing_acts_on_it() {
 fn two_springs(freedoms: &str, along_z: &str) -> String {
     let bearing = |position: &str| {
         format!(
-            "[[bearing]]\nposition = \"{position}\"\nlinear = {{ stiffness = {{ x = \"1e6 N/m\", y = \"4e6 N/m\"{along_z} \
+            "[[element]]\nposition = \"{position}\"\nlinear = {{ stiffness = {{ x = \"1e6 N/m\", y = \"4e6 N/m\"{along_z} \
              }} }}\n"
         )
     };
@@ -221,7 +221,7 @@ fn warned(text: &str, part: &str) -> bool {
 fn undamped_is_warned_of_where_a_mode_is_undamped() {
     let text = |damping: &str| {
         format!(
-            "[shaft]\nmass = \"5 kg\"\n[[bearing]]\nlinear = {{ stiffness = {{ x = \"1e7 N/m\", y = \"1e7 N/m\" }}{damping} \
+            "[shaft]\nmass = \"5 kg\"\n[[element]]\nlinear = {{ stiffness = {{ x = \"1e7 N/m\", y = \"1e7 N/m\" }}{damping} \
              }}\n[speed]\nconstant = \"1500 rpm\"\n[time]\nduration = \"0.4 s\"\nsettle = \"0.2 s\"\n"
         )
     };
@@ -242,7 +242,7 @@ fn far_positions_are_judged_by_all_bearings() {
     let text = |position: &str| {
         let bearing = |position: &str| {
             format!(
-                "[[bearing]]\nposition = \"{position}\"\nlinear = {{ stiffness = {{ x = \"1e7 N/m\", y = \"1e7 N/m\" }} }}\n"
+                "[[element]]\nposition = \"{position}\"\nlinear = {{ stiffness = {{ x = \"1e7 N/m\", y = \"1e7 N/m\" }} }}\n"
             )
         };
         format!(
@@ -286,7 +286,7 @@ fn a_preload_of_all_bearings_the_same_way_is_warned_of() {
 fn jeffcott(at_bearings: &str, more: &str) -> String {
     let bearing = |position: &str| {
         format!(
-            "[[bearing]]\nposition = \"{position}\"\nlinear = {{ stiffness = {{ x = \"5e3 N/m\", y = \"5e3 N/m\" }}{at_bearings} \
+            "[[element]]\nposition = \"{position}\"\nlinear = {{ stiffness = {{ x = \"5e3 N/m\", y = \"5e3 N/m\" }}{at_bearings} \
              }}\n"
         )
     };
@@ -369,7 +369,7 @@ fn what_moves_a_massless_place_by_itself_is_refused_all_at_once() {
 /// ω² of [[k/m, −k/m], [−k/M, (k + K)/M]]: 168.319 and 673.011 Hz, and where the shaft's weight puts it.
 #[test]
 fn a_linear_bearing_stands_in_a_housing() {
-    let rigid = "[shaft]\nmass = \"10 kg\"\ngravity = true\n[[bearing]]\nlinear = { stiffness = { x = \"50 N/um\", y = \"50 \
+    let rigid = "[shaft]\nmass = \"10 kg\"\ngravity = true\n[[element]]\nlinear = { stiffness = { x = \"50 N/um\", y = \"50 \
                  N/um\" } }\nhousing = { mass = \"5 kg\", stiffness = { x = \"20 N/um\", y = \"20 N/um\" } }\n[speed]\n\
                  constant = \"3000 rpm\"\n";
     for (found, expected) in frequencies(rigid).chunks(2).zip([168.319, 673.011]) {
@@ -397,7 +397,7 @@ fn a_linear_bearing_stands_in_a_housing() {
     // the same halved, on a shaft that bends and has no mass
     let bearing = |position: &str| {
         format!(
-            "[[bearing]]\nposition = \"{position}\"\nlinear = {{ stiffness = {{ x = \"25 N/um\", y = \"25 N/um\" }} }}\nhousing \
+            "[[element]]\nposition = \"{position}\"\nlinear = {{ stiffness = {{ x = \"25 N/um\", y = \"25 N/um\" }} }}\nhousing \
              = {{ mass = \"2.5 kg\", stiffness = {{ x = \"10 N/um\", y = \"10 N/um\" }} }}\n"
         )
     };
@@ -419,7 +419,7 @@ fn a_linear_bearing_stands_in_a_housing() {
 /// Of `xy` alone the axes are inclined by 45°: ω² = (k ± k_xy)/m.
 #[test]
 fn an_inclined_stiffness_has_principal_axes() {
-    let text = "[shaft]\nmass = \"4 kg\"\n[[bearing]]\nlinear = { stiffness = { x = \"3.5e7 N/m\", y = \"3.5e7 N/m\", xy = \
+    let text = "[shaft]\nmass = \"4 kg\"\n[[element]]\nlinear = { stiffness = { x = \"3.5e7 N/m\", y = \"3.5e7 N/m\", xy = \
                 \"-9e6 N/m\" } }\n[speed]\nconstant = \"0 rpm\"\n";
     for (found, square) in frequencies(text).iter().zip([2.6e7 / 4.0, 4.4e7 / 4.0]) {
         close(*found, f64::sqrt(square) / TAU, 1e-12);
@@ -429,7 +429,7 @@ fn an_inclined_stiffness_has_principal_axes() {
 /// `m s² + c s + k ∓ i q = 0` with k_xy = q = −k_yx: the forward whirl grows where q > c ω. Its energy comes from the rotation.
 #[test]
 fn a_circulatory_stiffness_drives_a_forward_whirl_and_its_energy_closes() {
-    let text = "[shaft]\nmass = \"2 kg\"\neccentricity = \"2 um\"\n[[bearing]]\nlinear = { stiffness = { x = \"1e6 N/m\", y = \
+    let text = "[shaft]\nmass = \"2 kg\"\neccentricity = \"2 um\"\n[[element]]\nlinear = { stiffness = { x = \"1e6 N/m\", y = \
                 \"1e6 N/m\", xy = \"2e5 N/m\", yx = \"-2e5 N/m\" }, damping = { x = \"100 N s/m\", y = \"100 N s/m\", xy = \"30 \
                 N s/m\", yx = \"-30 N s/m\" } }\n[speed]\nconstant = \"3000 rpm\"\n[output]\nenergy = true\n[integrator]\n\
                 verify = false\n[time]\nduration = \"0.05 s\"\nsettle = \"0 s\"\n";
@@ -491,7 +491,7 @@ fn critical_speeds_on_inclined_springs_are_those_of_other_programs() {
     });
     let bearing = |position: &str| {
         format!(
-            "[[bearing]]\nposition = \"{position}\"\nlinear = {{ stiffness = {{ x = \"3.503e7 N/m\", y = \"3.503e7 N/m\", xy = \
+            "[[element]]\nposition = \"{position}\"\nlinear = {{ stiffness = {{ x = \"3.503e7 N/m\", y = \"3.503e7 N/m\", xy = \
              \"-8.756e6 N/m\" }} }}\n"
         )
     };
@@ -527,7 +527,7 @@ fn critical_speeds_on_inclined_springs_are_those_of_other_programs() {
 fn a_very_light_shaft_leaves_the_modes_of_its_disc_their_digits() {
     let bearing = |position: &str| {
         format!(
-            "[[bearing]]\nposition = \"{position}\"\nlinear = {{ stiffness = {{ x = \"1e10 N/m\", y = \"1e10 N/m\" }} }}\n"
+            "[[element]]\nposition = \"{position}\"\nlinear = {{ stiffness = {{ x = \"1e10 N/m\", y = \"1e10 N/m\" }} }}\n"
         )
     };
     let scene = |inertia: &str| {

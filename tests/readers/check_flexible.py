@@ -64,7 +64,7 @@ def export(rotor, name):
 
 
 def linear(position, stiffness, damping):
-    return f"""[[bearing]]
+    return f"""[[element]]
 position = "{position} m"
 linear = {{ stiffness = {{ x = "{stiffness} N/m", y = "{stiffness} N/m" }}, damping = {{ x = "{damping} N s/m", y = "{damping} N s/m" }} }}
 """

@@ -212,7 +212,7 @@ impl Structure {
             bodies: Vec::new(),
             followers: DMatrix::zeros(0, 0),
             attachments: Vec::new(),
-            linear: Vec::new(),
+            elements: Vec::new(),
             load_places: Vec::new(),
             unbalances: Vec::new(),
             bending: Some(Bending {

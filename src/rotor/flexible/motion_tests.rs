@@ -12,8 +12,8 @@ use crate::integrate::{Counters, Grid, Integration, Method, Settings, States, Sy
 use crate::physics::{BeamElement, Material};
 use crate::rotor::load::{Harmonic, HarmonicRate};
 use crate::rotor::{
-    Damping, Disc, Drive, FlexibleShaft, Freedoms, LinearBearing, Load, LoadKind, PlaneUnbalance,
-    PointUnbalance, Rotor, RotorDefinition, Shaft, Whirl,
+    Damping, Disc, Drive, ElementLaw, FlexibleShaft, ForceElement, Freedoms, LinearLaw, Load,
+    LoadKind, PlaneUnbalance, PointUnbalance, Rotor, RotorDefinition, Shaft, Whirl,
 };
 
 const STEEL: Material = Material {
@@ -381,18 +381,28 @@ fn moments_of_the_bearings_are_about_the_observed_point() {
     }
 }
 
+/// Springs and dampers on the ground.
+fn linear_element(position: f64, stiffness: [f64; 5], damping: [f64; 5]) -> ForceElement {
+    ForceElement {
+        position: Some(position),
+        housing_of: None,
+        housing: None,
+        law: ElementLaw::Linear(Box::new(LinearLaw::new(
+            (stiffness, [0.0; 2]),
+            (damping, [0.0; 2]),
+        ))),
+    }
+}
+
 #[test]
 fn all_bearings_of_a_shaft_that_bends_balance_its_inertia() {
     let mut definition = everything();
     definition.damping = Damping::Undamped;
-    let springs = |place, position| LinearBearing {
-        place,
-        position,
-        stiffness: [4e6, 3e6, 2e6, 5e3, 7e3],
-        damping: [300.0, 200.0, 100.0, 0.5, 0.4],
-        ..LinearBearing::default()
+    let springs = |position| {
+        let damping = [300.0, 200.0, 100.0, 0.5, 0.4];
+        linear_element(position, [4e6, 3e6, 2e6, 5e3, 7e3], damping)
     };
-    definition.linear_bearings = vec![springs(0, 0.02), springs(3, 0.3)];
+    definition.elements = vec![springs(0.02), springs(0.3)];
     let rotor = Rotor::assemble(&definition).expect("a rotor");
     let (mut state, dofs) = (rotor.start_state(), rotor.dofs());
     for (index, value) in state.iter_mut().enumerate() {
@@ -510,15 +520,10 @@ fn laval(density: f64, internal_damping: f64) -> RotorDefinition {
         internal_damping,
         ..FlexibleShaft::default()
     };
-    let pin = |place, position| LinearBearing {
-        place,
-        position,
-        stiffness: [1e12, 1e12, 1e9, 0.0, 0.0],
-        ..LinearBearing::default()
-    };
+    let pin = |position| linear_element(position, [1e12, 1e12, 1e9, 0.0, 0.0], [0.0; 5]);
     RotorDefinition {
         bearings: Vec::new(),
-        linear_bearings: vec![pin(0, 0.0), pin(1, 0.8)],
+        elements: vec![pin(0.0), pin(0.8)],
         loads: Vec::new(),
         ..on_bearings(flexible)
     }

@@ -12,7 +12,7 @@ use super::oil::OilInput;
 use super::ratings::RatingsInput;
 use super::roller::{PrintedRollers, RollerInput};
 use super::settings::{ContactChoice, ModelInput};
-use super::support::{HousingInput, LinearInput};
+use super::support::HousingInput;
 use crate::bearing::catalogue::{CATALOGUE, Catalogue};
 use crate::bearing::{
     Bearing, BearingError, ClearanceClass, ContactDamping, ContactLaw, Estimate, Facing, Geometry,
@@ -42,8 +42,6 @@ pub struct BearingInput {
     pub position: Quantity<Length>,
     /// Rollers in place of balls: what their bearing is, or what differs from that of `catalogue` or `ratings`.
     pub roller: Option<RollerInput>,
-    /// Constant stiffness and damping in place of balls; of the other keys only `position` and `housing` belong to it.
-    pub linear: Option<LinearInput>,
     /// Makes a set of two bearings of this one, symmetric about the position and `spacing` apart:
     /// "back-to-back", "face-to-face" or "tandem".
     pub arrangement: Option<Arrangement>,
@@ -170,20 +168,9 @@ impl BearingInput {
         std::iter::repeat_n(oil, self.count())
     }
 
-    /// Number of ball bearings: two of a set.
+    /// Number of bearings: two of a set.
     pub fn count(&self) -> usize {
-        if self.linear.is_some() {
-            0
-        } else if self.arrangement.is_some() {
-            2
-        } else {
-            1
-        }
-    }
-
-    /// Number of bearings, whether of balls or linear.
-    pub fn all(&self) -> usize {
-        self.count().max(1)
+        1 + usize::from(self.arrangement.is_some())
     }
 
     /// The mounted bearing, or both of a set, as far as nothing contradicts it.

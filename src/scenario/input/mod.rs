@@ -4,6 +4,7 @@
 mod bearing;
 mod components;
 mod damping;
+mod element;
 mod fit;
 mod flexible;
 mod geometry;

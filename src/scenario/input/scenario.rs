@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::bearing::{BearingInput, no_race_control, warn_where_unheld};
 use super::components::{InitialInput, StaticInput};
 use super::damping::{self, DampingInput};
+use super::element::{self, ElementInput};
 use super::flexible::{self, DiscInput, check_position};
 use super::load::{self, LoadContext, LoadInput};
 use super::output::{Output, Turning};
@@ -15,7 +16,6 @@ use super::settings::{ContactChoice, IntegratorInput, MachineInput, ModelInput, 
 use super::shaft::{ShaftInput, TorsionInput};
 use super::spectrum::{self, Recorded, SpectrumInput};
 use super::speed::SpeedInput;
-use super::support::LinearInput;
 use super::unbalance::{self, UnbalanceInput};
 use crate::analysis::SpectrumRequest;
 use crate::bearing::catalogue::Catalogue;
@@ -23,11 +23,9 @@ use crate::bearing::{Housing, MountedBearing, Oil};
 use crate::physics::Race;
 use crate::quasi_static::StaticQuestion;
 use crate::rotor::{
-    Disc, Drive, FlexibleShaft, Freedoms, InitialState, LinearBearing, Load, LoadKind,
+    Disc, Drive, FlexibleShaft, ForceElement, Freedoms, InitialState, Load, LoadKind,
     MOST_BEARINGS, MOST_HOUSINGS, RotorDefinition, Shaft,
 };
-use crate::scenario::key::entry;
-use crate::scenario::node::Node;
 use crate::scenario::problems::Problems;
 use crate::scenario::{Issue, catalogue_file};
 use crate::simulate::{Model, MotionAnalysis};
@@ -71,9 +69,13 @@ pub struct ScenarioInput {
     /// shows the columns.
     #[schemars(extend("examples" = ["bearings.csv"]))]
     pub catalogue_file: Option<String>,
-    /// The bearings that carry the shaft, one `[[bearing]]` for each, at least one.
-    #[schemars(extend("minItems" = 1, "examples" = [[{ "catalogue": "7205C" }]]))]
+    /// The rolling bearings that carry the shaft, one `[[bearing]]` for each; without any, elements must.
+    #[serde(default)]
+    #[schemars(extend("examples" = [[{ "catalogue": "7205C" }]]))]
     pub bearing: Vec<BearingInput>,
+    /// What holds, damps or rubs the shaft besides them, one `[[element]]` for each.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub element: Vec<ElementInput>,
     /// Which physics to simulate.
     #[serde(default)]
     pub model: ModelInput,
@@ -191,9 +193,15 @@ impl ScenarioInput {
 
     /// Refuses more of a kind than any machine has, before room is made for them.
     fn check_counts(&self, problems: &mut Problems<'_>) -> Option<()> {
-        let bearings = self.bearing.iter().map(BearingInput::all).sum();
+        let bearings = self.bearing.iter().map(BearingInput::count).sum();
+        if self.bearing.is_empty() && self.element.is_empty() {
+            let message = "nothing carries the shaft: it has neither a bearing nor an element";
+            let help = "for instance: [[bearing]] with catalogue = \"7205C\"";
+            problems.refuse(Issue::new("bearing", message).help(help));
+        }
         let counts = [
             ("bearing", bearings, MOST_BEARINGS),
+            ("element", self.element.len(), MOST_BEARINGS),
             ("load", self.load.len(), MOST_LOADS),
             ("spectrum", self.spectrum.len(), MOST_SPECTRA),
             ("unbalance", self.unbalance.len(), MOST_LOADS),
@@ -274,12 +282,10 @@ impl ScenarioInput {
         let speed = self.speed.build(problems)?;
         let mut points = speed.points();
         let bearings = bearings?;
-        let holds =
-            |bearing: &BearingInput| bearing.linear.as_ref().is_some_and(LinearInput::holds_z);
-        let held = !freedoms.moves(AXIAL) || self.bearing.iter().any(holds);
+        let held = !freedoms.moves(AXIAL) || self.element.iter().any(ElementInput::holds_z);
         if self.time.is_some() && !held && !loads.iter().any(pushes) {
-            let last = self.bearing.iter().rposition(|own| own.linear.is_none());
-            warn_where_unheld(&bearings, last.unwrap_or(0), problems);
+            let last = self.bearing.len().saturating_sub(1);
+            warn_where_unheld(&bearings, last, problems);
         }
         if let Some(flexible) = flexible.as_mut().filter(|_| self.shaft.massless) {
             flexible.discs.extend(bearings.iter().map(Disc::inner_ring));
@@ -301,10 +307,15 @@ impl ScenarioInput {
             damping,
             loads,
             initial,
-            linear_bearings: self.linear_bearings(freedoms, problems),
+            elements: self.elements(freedoms, problems)?,
             flexible,
             ..RotorDefinition::new(shaft, bearings)
         };
+        let housings = rotor.housings().into_iter().map(|(place, _)| place);
+        element::check_housings(&rotor.elements, &housings.collect::<Vec<_>>(), problems);
+        for warning in rotor.beyond_tables() {
+            problems.warn(warning);
+        }
         if rotor.flexible.is_none() {
             let text = self.shaft.unbalance.as_deref();
             rotor.shaft.unbalance = unbalance::build(text, &self.unbalance, &rotor, problems);
@@ -324,64 +335,34 @@ impl ScenarioInput {
         initial: &InitialState,
         problems: &mut Problems<'_>,
     ) -> Freedoms {
-        let holds =
-            |bearing: &BearingInput| bearing.linear.as_ref().is_none_or(LinearInput::holds_z);
         let acts = |load: &Load| {
             let constant = load.as_constant().map_or(0.0, |parts| parts[AXIAL]);
             let varying = load.kind.main_vibration().amplitude[AXIAL];
             [constant, varying, load.kind.static_part()[AXIAL]] != [0.0; 3]
         };
         let starts = [initial.displacement[AXIAL], initial.velocity[AXIAL]] != [None; 2];
-        let held = self.bearing.iter().any(holds) || loads.iter().any(acts) || starts;
+        let holds = !self.bearing.is_empty() || self.element.iter().any(ElementInput::holds_z);
+        let held = holds || loads.iter().any(acts) || starts;
         if held || !freedoms.moves(AXIAL) {
             return freedoms;
         }
         problems.warn(format!(
             "no bearing holds the shaft along z and nothing acts that way: z is held, as with freedoms = \"{}\"; a \
-             `stiffness` along z in `[bearing.linear]` lets it move",
+             `stiffness` along z in `[element.linear]` lets it move",
             freedoms.without_z().name()
         ));
         freedoms.without_z()
     }
 
-    /// Bearings of constant stiffness.
-    fn linear_bearings(
+    /// The elements, as far as nothing contradicts them.
+    fn elements(
         &self,
         freedoms: Freedoms,
         problems: &mut Problems<'_>,
-    ) -> Vec<LinearBearing> {
-        let mut found = Vec::new();
-        for (index, bearing) in self.bearing.iter().enumerate() {
-            let Some(linear) = &bearing.linear else {
-                continue;
-            };
-            let path = entry("bearing", index);
-            let keys = problems.node(&path).map(Node::keys).unwrap_or_default();
-            // a scenario that was written out, as a study does, names these
-            let of_none = bearing.first_ball.si() == 0.0 && bearing.clearance_change.si() == 0.0;
-            let has_place = |key: &str| match key {
-                "linear" | "position" | "housing" => true,
-                "first_ball" | "clearance_change" => of_none,
-                _ => false,
-            };
-            for key in keys.into_iter().filter(|key| !has_place(key)) {
-                let message = format!("`{key}` has no meaning in a bearing of constant stiffness");
-                let issue = Issue::new(format!("{path}.{key}"), message)
-                    .help("leave it out, or leave out [bearing.linear]");
-                problems.refuse(issue.against(format!("{path}.linear")));
-            }
-            let place = self.bearing[..index].iter().map(BearingInput::all).sum();
-            let housing = problems.inside(&path, |problems| {
-                problems.given("housing", &bearing.housing, |housing, problems| {
-                    problems.take(housing.build(freedoms))
-                })
-            });
-            found.push(LinearBearing {
-                housing: housing.flatten(),
-                ..linear.build(place, bearing.position.si())
-            });
-        }
-        found
+    ) -> Option<Vec<ForceElement>> {
+        problems.each("element", &self.element, |element, problems| {
+            element.build(freedoms, problems)
+        })
     }
 
     /// Refuses what lies off a shaft that bends.
@@ -394,12 +375,15 @@ impl ScenarioInput {
         let mut mounted = bearings.iter();
         for (index, bearing) in self.bearing.iter().enumerate() {
             let path = format!("bearing[{}].position", index + 1);
-            if bearing.linear.is_some() {
-                check_position(shaft, &path, bearing.position.si(), problems);
-            }
             // those of a set lie on both sides of its position
             for own in mounted.by_ref().take(bearing.count()) {
                 check_position(shaft, &path, own.position, problems);
+            }
+        }
+        for (index, element) in self.element.iter().enumerate() {
+            if let Some(position) = &element.position {
+                let path = format!("element[{}].position", index + 1);
+                check_position(shaft, &path, position.si(), problems);
             }
         }
         for (index, load) in self.load.iter().enumerate() {
@@ -450,14 +434,9 @@ impl ScenarioInput {
         problems: &mut Problems<'_>,
     ) -> Option<Vec<MountedBearing>> {
         let catalogue = self.catalogue(problems)?;
-        let sets = problems.each(
-            "bearing",
-            &self.bearing,
-            |bearing, problems| match bearing.linear {
-                None => bearing.build(&self.model, freedoms, &catalogue, problems),
-                Some(_) => Some(Vec::new()),
-            },
-        );
+        let sets = problems.each("bearing", &self.bearing, |bearing, problems| {
+            bearing.build(&self.model, freedoms, &catalogue, problems)
+        });
         let contact_damping = damping::contact(self.damping.as_ref());
         let has_rollers = |own: &MountedBearing| own.bearing.geometry.rollers().is_some();
         if !contact_damping.is_none() && sets.iter().flatten().flatten().any(has_rollers) {
@@ -489,10 +468,10 @@ impl ScenarioInput {
 
     /// Warns where the centre of mass or a load stands far outside the bearings: most often a unit mistaken.
     fn warn_of_far_positions(&self, bearings: &[MountedBearing], problems: &mut Problems<'_>) {
-        let linear = self.bearing.iter().filter(|own| own.linear.is_some());
-        let linear = linear.map(|own| own.position.si());
+        let elements = self.element.iter();
+        let elements = elements.filter_map(|own| Some(own.position.as_ref()?.si()));
         let positions = bearings.iter().map(|bearing| bearing.position);
-        let positions = positions.chain(linear);
+        let positions = positions.chain(elements);
         let first = positions.clone().fold(f64::INFINITY, f64::min);
         let last = positions.fold(f64::NEG_INFINITY, f64::max);
         let diameters = bearings.iter();
@@ -522,13 +501,8 @@ impl ScenarioInput {
 
     /// Refuses what turns with a shaft that stands while the outer rings of its bearings turn.
     fn check_standing_shaft(&self, rotor: &RotorDefinition, problems: &mut Problems<'_>) {
-        let balls = || {
-            self.bearing
-                .iter()
-                .enumerate()
-                .filter(|(_, own)| own.linear.is_none())
-        };
-        let Some((index, _)) = balls().find(|(_, own)| own.rotating_ring == Race::Outer) else {
+        let mut bearings = self.bearing.iter();
+        let Some(index) = bearings.position(|own| own.rotating_ring == Race::Outer) else {
             return;
         };
         let flexible = rotor.flexible.as_ref();
@@ -558,7 +532,9 @@ impl ScenarioInput {
             ),
             (
                 "a bearing whose inner ring turns",
-                balls().any(|(_, own)| own.rotating_ring == Race::Inner),
+                self.bearing
+                    .iter()
+                    .any(|own| own.rotating_ring == Race::Inner),
                 "give all bearings the same rotating_ring",
             ),
         ];

@@ -145,12 +145,9 @@ fn part_columns(rotor: &RotorDefinition) -> Vec<NumberColumn> {
         .into_iter()
         .map(|own| [own; 2])
         .collect();
-    if rotor.bearing_count() == 1 {
+    if rotor.part_count() == 1 {
         let axes = rotor.shaft.freedoms.axes().iter();
-        let only = |freedom| Channel::BearingForce {
-            bearing: 0,
-            freedom,
-        };
+        let only = |freedom| Channel::of_part(rotor, 0, freedom);
         parts.extend(axes.map(|freedom| [only(*freedom), Channel::Force(*freedom)]));
     }
     for part in parts {

@@ -4,7 +4,9 @@ use std::f64::consts::TAU;
 
 use crate::bearing::{ContactDamping, ContactLaw, MountedBearing};
 use crate::rotor::load::{Harmonic, HarmonicRate};
-use crate::rotor::{Damping, Freedoms, LinearBearing, Load, LoadKind, RotorDefinition, Sample};
+use crate::rotor::{
+    Damping, ElementLaw, ForceElement, Freedoms, LinearLaw, Load, LoadKind, RotorDefinition, Sample,
+};
 use crate::simulate::RecordedRun;
 
 use crate::tests::support::{assert_near, back_to_back_pair, model, rotor, shaft};
@@ -14,17 +16,23 @@ const ECCENTRICITY: f64 = 20e-6;
 const GRAVITY: f64 = 9.80665;
 
 /// Away from the centre of mass, with tilts of its own.
-const SPRINGS: LinearBearing = LinearBearing {
-    place: 0,
-    position: -0.12,
-    stiffness: [4e6, 3e6, 2e6, 5e3, 7e3],
-    damping: [300.0, 200.0, 100.0, 0.5, 0.4],
-    cross_stiffness: [0.0; 2],
-    cross_damping: [0.0; 2],
-    housing: None,
-};
+const POSITION: f64 = -0.12;
+const STIFFNESS: [f64; 5] = [4e6, 3e6, 2e6, 5e3, 7e3];
+const DAMPING: [f64; 5] = [300.0, 200.0, 100.0, 0.5, 0.4];
 
-/// An unbalanced shaft with weight between linear bearings, the first of which comes before the balls of others.
+fn springs(position: f64) -> ForceElement {
+    ForceElement {
+        position: Some(position),
+        housing_of: None,
+        housing: None,
+        law: ElementLaw::Linear(Box::new(LinearLaw::new(
+            (STIFFNESS, [0.0; 2]),
+            (DAMPING, [0.0; 2]),
+        ))),
+    }
+}
+
+/// An unbalanced shaft with weight on ball bearings between springs and dampers.
 fn mixed(freedoms: Freedoms, law: ContactLaw) -> RotorDefinition {
     let mut shaft = shaft(freedoms);
     (shaft.eccentricity, shaft.gravity) = (ECCENTRICITY, true);
@@ -39,11 +47,6 @@ fn mixed(freedoms: Freedoms, law: ContactLaw) -> RotorDefinition {
             contact_damping,
             ..bearing
         });
-    let last = LinearBearing {
-        place: 3,
-        position: 0.2,
-        ..SPRINGS
-    };
     let shaken = LoadKind::Harmonic(Harmonic {
         amplitude: [30.0, 20.0, 10.0, 0.3, 0.2],
         rate: HarmonicRate::Frequency(210.0),
@@ -55,7 +58,7 @@ fn mixed(freedoms: Freedoms, law: ContactLaw) -> RotorDefinition {
             kind: shaken,
             position: 0.0,
         }],
-        linear_bearings: vec![SPRINGS, last],
+        elements: vec![springs(POSITION), springs(0.2)],
         ..rotor(shaft, pair.collect())
     }
 }
@@ -112,16 +115,15 @@ fn the_bearings_of_a_rigid_shaft_balance_its_inertia() {
 }
 
 #[test]
-fn a_linear_bearing_presses_by_where_its_place_is() {
+fn a_linear_element_presses_by_where_its_place_is() {
     for sample in recorded(mixed(Freedoms::All, ContactLaw::Hertz)) {
         let [x, y, z, tilt_x, tilt_y] = sample.displacement;
         let [vx, vy, vz, rate_x, rate_y] = sample.velocity;
-        for (place, arm) in [(0, -0.12), (3, 0.2)] {
+        for (place, arm) in [(2, POSITION), (3, 0.2)] {
             let u = [x + arm * tilt_y, y - arm * tilt_x, z, tilt_x, tilt_y];
             let v = [vx + arm * rate_y, vy - arm * rate_x, vz, rate_x, rate_y];
-            let own: [f64; 5] = std::array::from_fn(|axis| {
-                -SPRINGS.stiffness[axis] * u[axis] - SPRINGS.damping[axis] * v[axis]
-            });
+            let own: [f64; 5] =
+                std::array::from_fn(|axis| -STIFFNESS[axis] * u[axis] - DAMPING[axis] * v[axis]);
             let [f_x, f_y, f_z, m_x, m_y] = own;
             let expected = [f_x, f_y, f_z, m_x - arm * f_y, m_y + arm * f_x];
             for (axis, expected) in expected.into_iter().enumerate() {
@@ -138,11 +140,11 @@ fn springs_press_by_a_tilt_that_is_held() {
     let mut shaft = shaft(Freedoms::Radial);
     (shaft.gravity, shaft.held_tilt) = (true, [1e-3, 0.0]);
     let definition = RotorDefinition {
-        linear_bearings: vec![SPRINGS],
+        elements: vec![springs(POSITION)],
         damping: Damping::Undamped,
         ..rotor(shaft, Vec::new())
     };
-    let rest = 1e-3 * SPRINGS.position - 5.0 * GRAVITY / SPRINGS.stiffness[1];
+    let rest = 1e-3 * POSITION - 5.0 * GRAVITY / STIFFNESS[1];
     for sample in recorded(definition) {
         assert_near("rest", sample.displacement[1], rest, 1e-12);
         let [_, y, ..] = sample.force_on_shaft.expect("observed");

@@ -186,7 +186,7 @@ fn scene((contact, film): (&str, bool), bends: bool, housed: bool, beside: bool)
     let linear = match beside {
         false => "",
         true => {
-            "[[bearing]]\nposition = \"60 mm\"\nlinear = { stiffness = { x = \"50 N/um\", y = \"80 N/um\", z = \"20 N/um\" } }\n"
+            "[[element]]\nposition = \"60 mm\"\nlinear = { stiffness = { x = \"50 N/um\", y = \"80 N/um\", z = \"20 N/um\" } }\n"
         }
     };
     format!(

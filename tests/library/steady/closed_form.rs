@@ -101,10 +101,10 @@ width = "30 mm"
 [[unbalance]]
 amount = "100 g mm"
 position = "200 mm"
-[[bearing]]
+[[element]]
 position = "0 mm"
 linear = { stiffness = { x = "1e7 N/m", y = "2e7 N/m" }, damping = { x = "500 N s/m", y = "500 N s/m" } }
-[[bearing]]
+[[element]]
 position = "400 mm"
 linear = { stiffness = { x = "1e7 N/m", y = "2e7 N/m" }, damping = { x = "500 N s/m", y = "500 N s/m" } }
 [speed]
