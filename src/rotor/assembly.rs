@@ -54,6 +54,18 @@ pub enum RotorError {
         /// The pitch radius, m.
         pitch_radius: f64,
     },
+    /// At rest the shaft stands where a squeeze film has no room for it.
+    #[error(
+        "at rest the ring of a squeeze film damper stands {:.1} µm beside its middle, and its clearance is {:.1} µm: hold it with \
+         stiffer springs, or centre it by a preload",
+        1e6 * distance, 1e6 * clearance
+    )]
+    FilmAtRest {
+        /// Distance from the middle, m.
+        distance: f64,
+        /// Radial clearance, m.
+        clearance: f64,
+    },
     /// The times of a speed profile do not rise.
     #[error("speed point {number} stands at {time} s; it must come after {before} s")]
     SpeedTimes {
@@ -111,8 +123,10 @@ impl Rotor {
         let on_rigid_shaft = structure.is_rigid();
         let law_damping = structure.law_damping(&rest, definition.speed);
         let elements = structure.take_elements(supports);
+        let elements = Elements::new(elements, definition.cage, on_rigid_shaft);
+        check_walls(&elements, &rest)?;
         Ok(Self {
-            elements: Elements::new(elements, definition.cage, on_rigid_shaft),
+            elements,
             excitation: structure.take_excitation(definition, speed, constant_force),
             linear,
             start: Start {
@@ -284,6 +298,21 @@ fn range(name: &'static str, value: f64, fits: bool, rule: &'static str) -> Resu
     } else {
         Err(RotorError::Range { name, value, rule })
     }
+}
+
+/// Refuses a static equilibrium at coordinates that a law of force cannot reach.
+fn check_walls(elements: &Elements, rest: &[f64]) -> Result<(), RotorError> {
+    for (attachment, law) in elements.laws() {
+        let [x, y, ..] = attachment.displacement(rest, &[]);
+        let distance = x.hypot(y);
+        if let Some(clearance) = law.wall().filter(|wall| distance >= *wall) {
+            return Err(RotorError::FilmAtRest {
+                distance,
+                clearance,
+            });
+        }
+    }
+    Ok(())
 }
 
 /// Checks a definition and builds its bearings.

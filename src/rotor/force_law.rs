@@ -86,6 +86,11 @@ pub(super) trait ForceLaw: fmt::Debug + Send + Sync {
         0.0
     }
 
+    /// Distance from the middle that the shaft cannot reach, m; none of a law that holds anywhere.
+    fn wall(&self) -> Option<f64> {
+        None
+    }
+
     /// How far past its event surface a displacement is, m; none of a law without one. The force is proportional to it.
     fn past_event(&self, _displacement: &Vector5) -> Option<f64> {
         None

@@ -174,4 +174,8 @@ impl ForceLaw for SqueezeFilm {
         ]);
         [stiffness, film.damping()]
     }
+
+    fn wall(&self) -> Option<f64> {
+        Some(self.clearance)
+    }
 }

@@ -312,3 +312,22 @@ fn a_damper_sits_under_a_housing() {
             .contains("stands in no housing")
     );
 }
+
+/// 200 N on a spring of 1 N/µm: 0.2 mm, and the film has a clearance of 0.1 mm.
+#[test]
+fn a_film_that_the_shaft_leaves_at_rest_is_refused() {
+    let load = "[[load]]\nconstant = { y = \"-200 N\" }\n";
+    let text = laval("1 um", 300.0, &[SPRING, FILM, load]);
+    let refused = match Scenario::from_toml(&text) {
+        Err(error) => error.render(false),
+        Ok(scenario) => {
+            let model = scenario.model.expect("a motion");
+            let refused = Rotor::assemble(&model.rotor).expect_err("no room");
+            refused.to_string()
+        }
+    };
+    assert!(
+        refused.contains("200.0 µm beside its middle, and its clearance is 100.0 µm"),
+        "{refused}"
+    );
+}
