@@ -17,6 +17,7 @@ mod jobs;
 mod new;
 mod pace;
 mod removed;
+mod response;
 mod run;
 mod steady;
 mod study;
@@ -54,6 +55,7 @@ enum Verb {
     Steady(steady::Arguments),
     Bearing(bearing::Arguments),
     Campbell(campbell::Arguments),
+    Response(response::Arguments),
     Analyze(analyze::Arguments),
     Study(study::Arguments),
     Accuracy(accuracy::Arguments),
@@ -126,6 +128,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Steady(arguments) => steady::run(&arguments),
         Verb::Bearing(arguments) => bearing::run(&arguments),
         Verb::Campbell(arguments) => campbell::run(&arguments),
+        Verb::Response(arguments) => response::run(&arguments),
         Verb::Analyze(arguments) => analyze::run(&arguments),
         Verb::Study(arguments) => study::run(&arguments),
         Verb::Accuracy(arguments) => accuracy::run(&arguments),

@@ -13,6 +13,7 @@ mod film;
 pub(crate) mod findings;
 mod folder;
 mod histories;
+mod linear_response;
 pub(crate) mod many;
 mod measured;
 mod motion;
@@ -46,6 +47,7 @@ pub(crate) use findings::{Findings, versioned};
 pub(crate) use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole};
 #[cfg(test)]
 pub(crate) use histories::Histories;
+pub(crate) use linear_response::linear_response_findings;
 pub(crate) use response::{ResponseError, response_findings};
 pub(crate) use roller_catalogue::{
     add_roller_table, roller_entry_json, roller_entry_text, roller_estimate_json,

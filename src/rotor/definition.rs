@@ -161,6 +161,8 @@ pub struct RotorDefinition {
     pub(crate) bearings: Vec<MountedBearing>,
     /// Elements that hold it besides, or instead.
     pub(crate) elements: Vec<ForceElement>,
+    /// Further positions along the shaft whose motion is asked for, or where forces act, m.
+    pub(crate) points: Vec<f64>,
     /// The shaft that bends, in place of the concentrated mass.
     pub(crate) flexible: Option<FlexibleShaft>,
     /// What the reader of any answer about it should know from the start; no answer depends on it.
@@ -181,6 +183,7 @@ impl RotorDefinition {
             initial: InitialState::default(),
             bearings,
             elements: Vec::new(),
+            points: Vec::new(),
             flexible: None,
             warnings: Vec::new(),
         }
@@ -191,7 +194,9 @@ impl RotorDefinition {
         let balls = self.bearings.iter().map(|own| own.position);
         let elements = self.elements.iter().filter_map(|own| own.position);
         let loads = self.loads.iter().filter(|load| !load.acts_on_mass());
-        balls.chain(elements).chain(loads.map(|load| load.position))
+        let further = self.points.iter().copied();
+        let loads = loads.map(|load| load.position);
+        balls.chain(elements).chain(loads).chain(further)
     }
 
     /// What the reader of an answer about it should know: its own warnings first, each once.
@@ -280,6 +285,14 @@ impl RotorDefinition {
         let inside = self.flexible.iter().map(|own| own.internal_damping);
         elements.any(|own| own.law.damps(self.speed))
             || housings.chain(inside).any(|damping| damping > 0.0)
+    }
+
+    /// Whether an unbalance turns with it.
+    pub(crate) fn is_unbalanced(&self) -> bool {
+        match &self.flexible {
+            None => self.shaft.is_unbalanced(),
+            Some(flexible) => !flexible.unbalances.is_empty(),
+        }
     }
 
     /// What the reader should know where the speed leaves the table of an element.

@@ -279,7 +279,7 @@ impl Structure {
     }
 
     /// The place of the shaft at a position along it, m: of a shaft that bends one of its points.
-    fn place_at(&self, position: f64) -> Place {
+    pub fn place_at(&self, position: f64) -> Place {
         match &self.bending {
             None => Place {
                 point: self.shaft,

@@ -5,6 +5,7 @@ pub(crate) mod accuracy;
 pub(crate) mod campbell;
 mod contact_choice;
 mod fidelity;
+pub(crate) mod linear_response;
 pub(crate) mod many;
 pub(crate) mod plan;
 

@@ -17,6 +17,7 @@ mod hard_cases;
 mod imperfect;
 mod integrate;
 mod laws;
+mod linear_response;
 mod lines;
 mod measurement;
 mod motion;

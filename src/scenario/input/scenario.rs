@@ -505,14 +505,11 @@ impl ScenarioInput {
         let Some(index) = bearings.position(|own| own.rotating_ring == Race::Outer) else {
             return;
         };
-        let flexible = rotor.flexible.as_ref();
-        let unbalanced = rotor.shaft.is_unbalanced()
-            || flexible.is_some_and(|shaft| !shaft.unbalances.is_empty());
         let is_sprocket = |load: &Load| matches!(load.kind, LoadKind::Sprocket(_));
         let found = [
             (
                 "an unbalance",
-                unbalanced,
+                rotor.is_unbalanced(),
                 "give what turns with the ring as a `[[load]]` with order = 1",
             ),
             (

@@ -1,0 +1,333 @@
+//! The linear response: tables, Bode and polar diagrams, resonances.
+
+use std::f64::consts::TAU;
+
+use nalgebra::Complex;
+use serde_json::{Value, json};
+
+use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
+use super::terminal::{Lines, MICRO, MILLI, PER_MINUTE, significant, to_digits};
+use super::{FileSet, Findings};
+use crate::rotor::{FREEDOM_NAMES, Pickup};
+use crate::scenario::Scenario;
+use crate::study::linear_response::{LinearResponse, LinearResponseQuestion, Resonance};
+use crate::table::{Column, Table};
+
+/// Height of a plot, px.
+const HEIGHT: u32 = 240;
+
+/// The response with its resonances; `operating` is the highest speed of the scenario, rad/s.
+pub fn linear_response_findings(
+    scenario: &Scenario,
+    question: &LinearResponseQuestion,
+    response: &LinearResponse,
+    operating: f64,
+) -> Findings {
+    let told = Told {
+        question,
+        response,
+        operating,
+    };
+    let mut warnings = response.warnings.clone();
+    warnings.extend(
+        response
+            .resonances
+            .iter()
+            .filter_map(|own| told.too_near(own)),
+    );
+    let found = json!({
+        "at": question.at.iter().enumerate().map(|(index, own)| told.point(index, own)).collect::<Value>(),
+        "by": question.by.map_or_else(|| json!("unbalance"), |own| point_json(&own)),
+        "speed_rad_s": question.by.map(|_| question.rotor.speed),
+        "resonances": response.resonances.iter().map(|own| told.resonance(own)).collect::<Value>(),
+        "reduction_error": response.reduction_error,
+        "warnings": warnings,
+    });
+    let title = &scenario.title;
+    let (resonances, shown) = told.resonances();
+    let mut text = Lines::titled(title);
+    match question.by {
+        None => text.line(
+            "response to",
+            "the unbalances, linear about the static equilibrium",
+        ),
+        Some(by) => text.line(
+            "response to",
+            format!(
+                "a force of 1 N along {}, linear about the static equilibrium at {:.0} 1/min",
+                place(&by),
+                PER_MINUTE * question.rotor.speed
+            ),
+        ),
+    }
+    if response.resonances.is_empty() {
+        text.put("no resonance in the range\n");
+    } else {
+        let shown: Vec<_> = shown
+            .iter()
+            .map(|(head, name)| (*head, name.as_str()))
+            .collect();
+        text.show(&resonances, &shown, 5);
+    }
+    if let Some(error) = response.reduction_error {
+        text.line(
+            "error",
+            format!("with fewer modes of bending {error:.1e} of the largest motion apart"),
+        );
+    }
+    Findings {
+        tables: vec![
+            ("frequency_response", told.table()),
+            ("resonances", resonances),
+        ],
+        figures: vec![told.bode(title), told.polar(title)],
+        ..Findings::new(
+            FileSet::sealed("frequency_response.json"),
+            scenario,
+            found,
+            text,
+        )
+    }
+}
+
+/// `x at 250 mm`.
+fn place(pickup: &Pickup) -> String {
+    let position = to_digits(MILLI * pickup.position, 6);
+    format!("{} at {position} mm", FREEDOM_NAMES[pickup.axis])
+}
+
+fn point_json(pickup: &Pickup) -> Value {
+    json!({ "position_m": pickup.position, "direction": FREEDOM_NAMES[pickup.axis] })
+}
+
+/// What is told of a response.
+struct Told<'a> {
+    question: &'a LinearResponseQuestion,
+    response: &'a LinearResponse,
+    operating: f64,
+}
+
+impl Told<'_> {
+    /// Name of a pickup in columns: its direction and the number of its position.
+    fn name(&self, index: usize) -> String {
+        let at = &self.question.at;
+        let mut positions: Vec<f64> = Vec::new();
+        for own in &at[..=index] {
+            if !positions.contains(&own.position) {
+                positions.push(own.position);
+            }
+        }
+        let own = positions
+            .iter()
+            .position(|known| *known == at[index].position);
+        format!("{}_{}", FREEDOM_NAMES[at[index].axis], own.unwrap_or(0) + 1)
+    }
+
+    fn point(&self, index: usize, pickup: &Pickup) -> Value {
+        let mut point = point_json(pickup);
+        point["column"] = json!(self.name(index));
+        point
+    }
+
+    fn separation(&self, own: &Resonance) -> Option<(f64, Option<f64>)> {
+        let of_unbalance = self.question.by.is_none() && self.operating > 0.0;
+        of_unbalance.then(|| own.separation(self.operating))
+    }
+
+    fn resonance(&self, own: &Resonance) -> Value {
+        let (margin, asked) = self
+            .separation(own)
+            .map_or((None, None), |(own, asked)| (Some(own), asked));
+        json!({
+            "column": self.name(own.pickup),
+            (self.first_column().name()): self.own_unit(own.peak),
+            "amplitude": own.amplitude,
+            "amplification_factor": own.amplification,
+            "separation_margin": margin,
+            "separation_margin_asked": asked,
+        })
+    }
+
+    /// A warning where a resonance is nearer to the operating speeds than API 617 asks.
+    fn too_near(&self, own: &Resonance) -> Option<String> {
+        let (margin, asked) = self.separation(own)?;
+        let asked = asked.filter(|asked| margin < *asked)?;
+        Some(format!(
+            "the resonance of {} at {:.0} 1/min is {:.1} % away from the highest speed of the scenario, {:.0} 1/min, where API 617 \
+             asks for {:.1} %",
+            place(&self.question.at[own.pickup]),
+            PER_MINUTE * own.peak,
+            100.0 * margin,
+            PER_MINUTE * self.operating,
+            100.0 * asked
+        ))
+    }
+
+    /// Hz of a force, rad/s of a speed.
+    fn own_unit(&self, value: f64) -> f64 {
+        if self.question.by.is_some() {
+            value / TAU
+        } else {
+            value
+        }
+    }
+
+    fn first_column(&self) -> Column {
+        match self.question.by {
+            Some(_) => Column::frequency(),
+            None => Column::number("speed", "rad/s"),
+        }
+    }
+
+    /// The responses: of a force receptance, mobility and accelerance, of unbalances the motion.
+    fn table(&self) -> Table<'static> {
+        let mut table = Table::of(&self.response.points)
+            .column(self.first_column(), |(value, _)| self.own_unit(*value));
+        for index in 0..self.question.at.len() {
+            let name = self.name(index);
+            let kinds: &[(&str, &'static str, i32)] = match self.question.by {
+                Some(_) => &[
+                    ("_receptance", "m/N", 0),
+                    ("_mobility", "m/s/N", 1),
+                    ("_accelerance", "m/s^2/N", 2),
+                ],
+                None => &[("", "m", 0)],
+            };
+            for (what, unit, rates) in kinds {
+                let quantity = format!("{name}{what}");
+                let column = match what.is_empty() {
+                    true => Column::measure(quantity.clone(), "amplitude", *unit),
+                    false => Column::number(quantity.clone(), *unit),
+                };
+                // a rate is iω times as large
+                let motion = move |(value, motions): &(f64, Option<Vec<Complex<f64>>>)| {
+                    let motion = motions.as_ref()?[index];
+                    Some(motion * Complex::new(0.0, *value).powi(*rates))
+                };
+                table = table
+                    .column(column, move |row| Some(motion(row)?.norm()))
+                    .column(Column::phase(quantity), move |row| Some(motion(row)?.arg()));
+            }
+        }
+        table.end()
+    }
+
+    /// The resonances, and which of their columns people are shown under which heads.
+    fn resonances(&self) -> (Table<'static>, Vec<(&'static str, String)>) {
+        let by_force = self.question.by.is_some();
+        let amplitude = match by_force {
+            true => Column::number("receptance", "m/N"),
+            false => Column::number("amplitude", "m"),
+        };
+        let mut shown = vec![
+            ("place", "place".to_owned()),
+            ("resonance", self.first_column().quantity.into_owned()),
+            ("amplitude", amplitude.quantity.to_string()),
+            ("amplification\nfactor", "amplification_factor".to_owned()),
+        ];
+        let mut table = Table::of(&self.response.resonances)
+            .word("column", |own| self.name(own.pickup))
+            .word("place", |own| place(&self.question.at[own.pickup]))
+            .column(self.first_column(), |own| self.own_unit(own.peak))
+            .column(amplitude, |own| own.amplitude)
+            .number("amplification_factor", "", |own| own.amplification);
+        if !by_force {
+            shown.push(("margin", "separation_margin".to_owned()));
+            shown.push(("margin by\nAPI 617", "separation_margin_asked".to_owned()));
+            table = table
+                .number("separation_margin", "", |own| Some(self.separation(own)?.0))
+                .number("separation_margin_asked", "", |own| self.separation(own)?.1);
+        }
+        (table.end(), shown)
+    }
+
+    fn names(&self) -> Vec<Name> {
+        Name::each(self.question.at.iter().map(place))
+    }
+
+    /// A curve for each pickup through points made of values and motions.
+    fn curves(&self, point: impl Fn(f64, Complex<f64>) -> Point) -> Vec<Curve> {
+        let pickups = 0..self.question.at.len();
+        let curve = |index: usize| {
+            let all = self.response.points.iter();
+            let points =
+                all.filter_map(|(value, motions)| Some(point(*value, motions.as_ref()?[index])));
+            Curve::line(distinct(index), points.collect())
+        };
+        pickups.map(curve).collect()
+    }
+
+    fn axis(&self) -> (Axis, f64) {
+        let (label, factor) = match self.question.by {
+            Some(_) => (("frequency", "Hz"), 1.0 / TAU),
+            None => (("speed", "1/min"), PER_MINUTE),
+        };
+        let [from, to] = self.question.range.map(|end| factor * end);
+        (Axis::over(label, from..to), factor)
+    }
+
+    fn unit(&self) -> &'static str {
+        if self.question.by.is_some() {
+            "µm/N"
+        } else {
+            "µm"
+        }
+    }
+
+    /// Amplitude and phase over speed or frequency.
+    fn bode(&self, title: &str) -> Figure {
+        let (axis, factor) = self.axis();
+        let curves = self.curves(|value, motion| (factor * value, MICRO * motion.norm()));
+        let heights: Vec<f64> = curves
+            .iter()
+            .flat_map(|own| &own.points)
+            .map(|own| own.1)
+            .collect();
+        let amplitudes = Panel {
+            curves,
+            ..Panel::new(
+                axis.clone(),
+                Axis::logarithmic(("amplitude", self.unit()), heights),
+                HEIGHT,
+            )
+        };
+        let phases = Panel {
+            curves: self.curves(|value, motion| (factor * value, motion.arg().to_degrees())),
+            ..Panel::new(axis, Axis::over(("phase", "deg"), -180.0..180.0), HEIGHT)
+        };
+        Figure::new("bode", title, 1, vec![amplitudes, phases]).with_names(self.names())
+    }
+
+    /// Every motion as a point of the plane, with the resonances named.
+    fn polar(&self, title: &str) -> Figure {
+        let curves = self.curves(|_, motion| (MICRO * motion.re, MICRO * motion.im));
+        let points = curves.iter().flat_map(|own| &own.points);
+        let most = points.map(|own| own.0.hypot(own.1)).fold(0.0, f64::max);
+        let most = if most > 0.0 { 1.1 * most } else { 1.0 };
+        let label = |part: &str| (format!("{part} part"), self.unit());
+        let (_, factor) = self.axis();
+        let peaks = self.response.resonances.iter().filter_map(|own| {
+            let nearest = self
+                .response
+                .points
+                .iter()
+                .min_by(|a, b| (a.0 - own.peak).abs().total_cmp(&(b.0 - own.peak).abs()))?;
+            let motion = nearest.1.as_ref()?[own.pickup];
+            Some((
+                (MICRO * motion.re, MICRO * motion.im),
+                significant(factor * own.peak),
+            ))
+        });
+        let panel = Panel {
+            peaks: peaks.collect(),
+            curves,
+            aspect: Some(1.0),
+            ..Panel::new(
+                Axis::over(label("real"), -most..most),
+                Axis::over(label("imaginary"), -most..most),
+                0,
+            )
+        };
+        Figure::new("polar", title, 1, vec![panel]).with_names(self.names())
+    }
+}

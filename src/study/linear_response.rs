@@ -1,0 +1,328 @@
+//! The response of the linearised shaft: to a harmonic force at a point over its frequency, or to its unbalances over the speed.
+
+use std::f64::consts::FRAC_1_SQRT_2;
+
+use nalgebra::Complex;
+
+use crate::numerics::root::root;
+use crate::rotor::{Pickup, Rotor, RotorDefinition, RotorError};
+use crate::simulate::{finer_modes, speed_warnings};
+
+/// A question about the linear response.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LinearResponseQuestion {
+    /// The shaft; a force acts on it at the speed of its start, of its unbalances that speed is left out.
+    pub rotor: RotorDefinition,
+    /// Where it is looked at.
+    pub at: Vec<Pickup>,
+    /// Where a harmonic force acts; without one the unbalances act.
+    pub by: Option<Pickup>,
+    /// First and last angular frequency of the force, or speed, rad/s.
+    pub range: [f64; 2],
+    /// Number of them, at least 3.
+    pub count: usize,
+}
+
+/// Motions of some pickups as complex amplitudes, m and rad, or of a force per N or N m.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LinearResponse {
+    /// Angular frequencies of the force, or speeds, rad/s, with the motion of every pickup; none at an undamped resonance.
+    pub points: Vec<(f64, Option<Vec<Complex<f64>>>)>,
+    /// Resonances, by pickup and speed or frequency.
+    pub resonances: Vec<Resonance>,
+    /// Of a shaft that bends: largest difference from the response with fewer modes of bending, of the largest motion of the
+    /// pickup.
+    pub reduction_error: Option<f64>,
+    /// What the reader should know.
+    pub warnings: Vec<String>,
+}
+
+/// A peak of the response.
+///
+/// `AF = N/(N₂ − N₁)`, with N₁ and N₂ where the amplitude is 1/√2 of that of the peak at N.
+///
+/// Source: API Standard 617, 7th edition (2002), chapter 1, 2.6.2.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Resonance {
+    /// Number of the pickup, from 0.
+    pub pickup: usize,
+    /// N, rad/s.
+    pub peak: f64,
+    /// Amplitude there, m or rad.
+    pub amplitude: f64,
+    /// Amplification factor AF; none where the range ends, or another peak begins, before the amplitude has fallen that far.
+    pub amplification: Option<f64>,
+}
+
+/// Amplification factor below which a resonance counts as critically damped.
+const CRITICALLY_DAMPED: f64 = 2.5;
+
+impl Resonance {
+    /// Separation margin from an operating speed in rad/s, and the margin that is asked for, as parts of that speed.
+    ///
+    /// ```text
+    /// below:  min(0.17 (1 − 1/(AF − 1.5)), 0.16)      above:  min(0.10 + 0.17 (1 − 1/(AF − 1.5)), 0.26)
+    /// ```
+    ///
+    /// and none where AF < 2.5. Source: API Standard 617, 7th edition (2002), chapter 1, 2.6.2.10.
+    pub fn separation(&self, operating: f64) -> (f64, Option<f64>) {
+        let margin = (self.peak - operating).abs() / operating;
+        let asked = self.amplification.map(|factor| {
+            let part = 0.17 * (1.0 - 1.0 / (factor - 1.5));
+            match factor {
+                factor if factor < CRITICALLY_DAMPED => 0.0,
+                _ if self.peak < operating => part.min(0.16),
+                _ => (0.10 + part).min(0.26),
+            }
+        });
+        (margin, asked)
+    }
+}
+
+/// Why there is no response.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum LinearResponseError {
+    /// The shaft cannot be assembled at a speed.
+    #[error("at {speed} rad/s: {source}")]
+    Rotor {
+        /// The speed, rad/s.
+        speed: f64,
+        /// Why.
+        source: RotorError,
+    },
+    /// A force on a place without mass.
+    #[error(
+        "nothing has a mass at {:.3} mm, where the force is to act: give the shaft a mass there, as by a disc",
+        1e3 * position
+    )]
+    Massless {
+        /// The position, m.
+        position: f64,
+    },
+}
+
+impl LinearResponseQuestion {
+    /// Linearises the shaft about its static equilibrium, of the unbalances at every speed anew, and finds the resonances.
+    ///
+    /// # Errors
+    /// [`LinearResponseError`] where the shaft has no equilibrium at a speed, or a force acts where nothing has a mass.
+    pub fn solve(&self) -> Result<LinearResponse, LinearResponseError> {
+        let coarse = Solver::new(self, false)?;
+        let finer = coarse.modes.map(|_| Solver::new(self, true)).transpose()?;
+        let solver = finer.as_ref().unwrap_or(&coarse);
+        let points = self
+            .values()
+            .map(|value| Ok((value, solver.motions(value)?)));
+        let points = points.collect::<Result<Vec<_>, _>>()?;
+        let reduction_error = match &finer {
+            Some(_) => Some(self.difference(&coarse, &points)?),
+            None => None,
+        };
+        let mut resonances = Vec::new();
+        for pickup in 0..self.at.len() {
+            solver.add_resonances(pickup, &points, &mut resonances)?;
+        }
+        let fastest = match self.by {
+            Some(_) => self.rotor.speed,
+            None => self.range[1],
+        };
+        let warnings = speed_warnings(&self.rotor.at_constant_speed(fastest));
+        Ok(LinearResponse {
+            points,
+            resonances,
+            reduction_error,
+            warnings: self.rotor.warnings_with(warnings),
+        })
+    }
+
+    fn values(&self) -> impl Iterator<Item = f64> {
+        let ([from, to], last) = (self.range, self.count - 1);
+        let step = (to - from) / last as f64;
+        (0..=last).map(move |index| {
+            if index == last {
+                to
+            } else {
+                from + index as f64 * step
+            }
+        })
+    }
+
+    /// Largest difference of a response from some points, of the largest motion of the same pickup.
+    fn difference(
+        &self,
+        solver: &Solver<'_>,
+        points: &[(f64, Option<Vec<Complex<f64>>>)],
+    ) -> Result<f64, LinearResponseError> {
+        let mut sizes = vec![[0.0_f64; 2]; self.at.len()];
+        for (value, found) in points {
+            let other = solver.motions(*value)?;
+            let pairs = found.iter().flatten().zip(other.iter().flatten());
+            for ([apart, size], (found, other)) in sizes.iter_mut().zip(pairs) {
+                *apart = apart.max((found - other).norm());
+                *size = size.max(found.norm());
+            }
+        }
+        let parts = sizes.into_iter().filter(|[_, size]| *size > 0.0);
+        Ok(parts.map(|[apart, size]| apart / size).fold(0.0, f64::max))
+    }
+}
+
+/// A question with so many modes of bending.
+struct Solver<'a> {
+    question: &'a LinearResponseQuestion,
+    rotor: RotorDefinition,
+    /// At the speed that a force acts at.
+    assembled: Rotor,
+    modes: Option<usize>,
+}
+
+impl<'a> Solver<'a> {
+    fn new(question: &'a LinearResponseQuestion, finer: bool) -> Result<Self, LinearResponseError> {
+        let mut rotor = question.rotor.clone();
+        let pickups = question.at.iter().chain(&question.by);
+        rotor.points.extend(pickups.map(|pickup| pickup.position));
+        let highest = match question.by {
+            Some(_) => rotor.speed,
+            None => question.range[1],
+        };
+        let mut assembled = at_speed(&rotor, highest)?;
+        let modes = assembled.bending_modes();
+        if let Some(modes) = modes {
+            let modes = if finer { finer_modes(modes) } else { modes };
+            rotor = rotor.with_modes(modes);
+            assembled = at_speed(&rotor, highest)?;
+        }
+        let refused = question
+            .by
+            .filter(|by| !assembled.linear_model().has_mass(*by));
+        match refused {
+            Some(Pickup { position, .. }) => Err(LinearResponseError::Massless { position }),
+            None => Ok(Self {
+                question,
+                rotor,
+                assembled,
+                modes,
+            }),
+        }
+    }
+
+    /// Motions of all pickups at a frequency of the force, or a speed, in rad/s.
+    fn motions(&self, value: f64) -> Result<Option<Vec<Complex<f64>>>, LinearResponseError> {
+        let at = &self.question.at;
+        Ok(match self.question.by {
+            Some(by) => self.assembled.linear_model().to_force(value, by, at),
+            None => at_speed(&self.rotor, value)?
+                .linear_model()
+                .to_unbalance(at),
+        })
+    }
+
+    /// Amplitude of a pickup; infinite at an undamped resonance.
+    fn amplitude(&self, pickup: usize, value: f64) -> Result<f64, LinearResponseError> {
+        let motions = self.motions(value)?;
+        Ok(motions.map_or(f64::INFINITY, |own| own[pickup].norm()))
+    }
+
+    /// Adds the peaks of a pickup.
+    fn add_resonances(
+        &self,
+        pickup: usize,
+        points: &[(f64, Option<Vec<Complex<f64>>>)],
+        resonances: &mut Vec<Resonance>,
+    ) -> Result<(), LinearResponseError> {
+        let amplitudes = points.iter().map(|(value, motions)| {
+            let amplitude = motions
+                .as_ref()
+                .map_or(f64::INFINITY, |own| own[pickup].norm());
+            (*value, amplitude)
+        });
+        let amplitudes: Vec<_> = amplitudes.collect();
+        for middle in 1..amplitudes.len().max(1) - 1 {
+            let [before, own, after] = [0, 1, 2].map(|step| amplitudes[middle + step - 1].1);
+            if !(own > before && own >= after) {
+                continue;
+            }
+            let ends = [amplitudes[middle - 1].0, amplitudes[middle + 1].0];
+            let (peak, amplitude) = self.highest(pickup, ends)?;
+            let below = amplitudes[..middle].iter().rev();
+            let above = amplitudes[middle + 1..].iter();
+            let sides = [
+                self.half_power(pickup, (peak, amplitude), below)?,
+                self.half_power(pickup, (peak, amplitude), above)?,
+            ];
+            let amplification = match sides {
+                [Some(low), Some(high)] if amplitude.is_finite() => Some(peak / (high - low)),
+                _ => None,
+            };
+            resonances.push(Resonance {
+                pickup,
+                peak,
+                amplitude,
+                amplification,
+            });
+        }
+        Ok(())
+    }
+
+    /// The highest amplitude between two values, by the golden section.
+    fn highest(&self, pickup: usize, ends: [f64; 2]) -> Result<(f64, f64), LinearResponseError> {
+        const GOLDEN: f64 = 0.618_033_988_749_894_9;
+        let [mut low, mut high] = ends;
+        let inner =
+            |low: f64, high: f64| [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
+        let mut places = inner(low, high);
+        let mut heights = [
+            self.amplitude(pickup, places[0])?,
+            self.amplitude(pickup, places[1])?,
+        ];
+        while high - low > FOUND * high {
+            if heights[0] > heights[1] {
+                high = places[1];
+                places = [inner(low, high)[0], places[0]];
+                heights = [self.amplitude(pickup, places[0])?, heights[0]];
+            } else {
+                low = places[0];
+                places = [places[1], inner(low, high)[1]];
+                heights = [heights[1], self.amplitude(pickup, places[1])?];
+            }
+        }
+        let best = usize::from(heights[1] > heights[0]);
+        Ok((places[best], heights[best]))
+    }
+
+    /// Where the amplitude has fallen to 1/√2 of a peak on one of its sides; none where it rises above the peak before.
+    fn half_power<'b>(
+        &self,
+        pickup: usize,
+        (peak, amplitude): (f64, f64),
+        side: impl Iterator<Item = &'b (f64, f64)>,
+    ) -> Result<Option<f64>, LinearResponseError> {
+        let level = FRAC_1_SQRT_2 * amplitude;
+        let mut before = (peak, amplitude);
+        for next in side {
+            if next.1 > amplitude {
+                return Ok(None);
+            }
+            if next.1 <= level {
+                let mut sides = [before, *next];
+                sides.sort_by(|a, b| a.0.total_cmp(&b.0));
+                let (ends, values) = (sides.map(|own| own.0), sides.map(|own| own.1 - level));
+                // what cannot be assembled between two speeds where it can is no root
+                let height = |value: f64| self.amplitude(pickup, value).unwrap_or(f64::NAN) - level;
+                return Ok(root(height, ends, values, FOUND * peak));
+            }
+            before = *next;
+        }
+        Ok(None)
+    }
+}
+
+/// Part of a frequency to which peaks and sides are found: the amplitude about a peak is flat.
+const FOUND: f64 = 1e-7;
+
+/// The shaft at a constant speed in rad/s.
+fn at_speed(rotor: &RotorDefinition, speed: f64) -> Result<Rotor, LinearResponseError> {
+    Rotor::assemble(&rotor.at_constant_speed(speed))
+        .map_err(|source| LinearResponseError::Rotor { speed, source })
+}

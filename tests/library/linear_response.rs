@@ -1,0 +1,206 @@
+//! The linear response: against closed forms, `steady` and a peer's numbers.
+
+use std::f64::consts::TAU;
+use std::sync::atomic::{AtomicBool, AtomicU64};
+
+use nalgebra::Complex;
+
+use crate::analysis::Channel;
+use crate::rotor::Pickup;
+use crate::scenario::Scenario;
+use crate::steady::{SteadyQuestion, steady};
+use crate::study::linear_response::{LinearResponse, LinearResponseQuestion, Resonance};
+use crate::tests::support::assert_near;
+
+/// 5 kg, 10 µm beside the axis, on 1 N/µm and 200 N s/m.
+const LAVAL: &str = "[shaft]\nmass = \"5 kg\"\neccentricity = \"10 um\"\nfreedoms = \"radial\"\n[speed]\nconstant = \"300 rad/s\"\n\
+                     [[element]]\nlinear = { stiffness = { x = \"1 N/um\", y = \"1 N/um\" }, damping = { x = \"200 N s/m\", y = \"200 N \
+                     s/m\" } }\n";
+
+fn across(position: f64) -> Vec<Pickup> {
+    [0, 1].map(|axis| Pickup { position, axis }).to_vec()
+}
+
+#[track_caller]
+fn asked(text: &str, at: Vec<Pickup>, by: Option<Pickup>, range: [f64; 2]) -> LinearResponse {
+    let scenario = Scenario::from_toml(text);
+    let scenario = scenario.unwrap_or_else(|error| panic!("{}", error.render(false)));
+    let question = LinearResponseQuestion {
+        rotor: scenario.question.rotor,
+        at,
+        by,
+        range,
+        count: 101,
+    };
+    question.solve().unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn dynamic(omega: f64) -> Complex<f64> {
+    Complex::new(1e6 - 5.0 * omega * omega, 200.0 * omega)
+}
+
+/// x = m e ω²/D, y a quarter turn behind; its peak at ω_n/√(1 − 2ζ²), and half power where the closed form has it.
+#[test]
+fn the_unbalance_of_a_laval_rotor_answers_in_closed_form() {
+    let found = asked(LAVAL, across(0.0), None, [100.0, 900.0]);
+    for (speed, motions) in &found.points {
+        let expected = 5.0 * 1e-5 * speed * speed / dynamic(*speed);
+        let [x, y] = motions.as_ref().expect("damped")[..] else {
+            panic!("two pickups");
+        };
+        assert!(
+            (x - expected).norm() < 1e-12 * expected.norm(),
+            "{x} {expected}"
+        );
+        let behind = x * Complex::new(0.0, -1.0);
+        assert!(
+            (y - behind).norm() < 1e-12 * expected.norm(),
+            "{y} {behind}"
+        );
+    }
+    let (natural, ratio) = (f64::sqrt(2e5), 200.0 / (2.0 * f64::sqrt(5e6)));
+    let peak = natural / (1.0 - 2.0 * ratio * ratio).sqrt();
+    assert_eq!(found.resonances.len(), 2);
+    for own in &found.resonances {
+        assert_near("peak", own.peak, peak, 1e-6 * peak);
+        // |x|² = e² r⁴/((1 − r²)² + 4ζ²r²) = ½ of the peak: u² (1 − c) − u (2 − 4ζ²) + 1 = 0 with u = r², c = 2 e²/peak²
+        let largest = 1.0 / (2.0 * ratio * (1.0 - ratio * ratio).sqrt());
+        let (a, b) = (1.0 - 2.0 / (largest * largest), 2.0 - 4.0 * ratio * ratio);
+        let root = (b * b - 4.0 * a).sqrt();
+        let [low, high] = [(b - root) / (2.0 * a), (b + root) / (2.0 * a)].map(f64::sqrt);
+        let factor = peak / natural / (high - low);
+        assert_near(
+            "AF",
+            own.amplification.expect("both sides"),
+            factor,
+            1e-5 * factor,
+        );
+    }
+}
+
+/// A force along y: receptance 1/D on y, nothing on x.
+#[test]
+fn a_force_answers_in_closed_form() {
+    let by = Pickup {
+        position: 0.0,
+        axis: 1,
+    };
+    let found = asked(LAVAL, across(0.0), Some(by), [10.0, 900.0]);
+    for (omega, motions) in &found.points {
+        let expected = dynamic(*omega).inv();
+        let [x, y] = motions.as_ref().expect("damped")[..] else {
+            panic!("two pickups");
+        };
+        assert!(
+            (y - expected).norm() < 1e-12 * expected.norm(),
+            "{y} {expected}"
+        );
+        assert!(x.norm() < 1e-15 * expected.norm());
+    }
+}
+
+const BENDING: &str = r#"
+[shaft]
+[[shaft.section]]
+length = "500 mm"
+outer_diameter = "30 mm"
+[[disc]]
+position = "200 mm"
+outer_diameter = "200 mm"
+width = "40 mm"
+[[unbalance]]
+amount = "0.2 g mm"
+position = "200 mm"
+[[bearing]]
+catalogue = "7205C"
+position = "20 mm"
+preload = "200 N"
+[[bearing]]
+catalogue = "7205C"
+position = "480 mm"
+facing = "-z"
+preload = "200 N"
+[damping]
+ratio = 0.03
+[speed]
+constant = "3000 rpm"
+[model]
+cage = "frozen"
+[integrator]
+tolerance = 1e-10
+verify = false
+[time]
+duration = "0.5 s"
+settle = "0.2 s"
+"#;
+
+/// Balls after Hertz under a small unbalance: the motion of the whole equations is the linear one but for its size squared.
+#[test]
+fn small_motions_on_ball_bearings_are_those_of_steady() {
+    let scenario = Scenario::from_toml(BENDING).expect("a scenario");
+    let model = scenario.model.as_ref().expect("a motion");
+    let (stop, integrated) = (AtomicBool::new(false), AtomicU64::new(0));
+    let whole = steady(&SteadyQuestion {
+        model,
+        multiple: None,
+        stop: &stop,
+        integrated: &integrated,
+    });
+    let whole = whole.unwrap_or_else(|error| panic!("{error}"));
+    let speed = 50.0 * TAU;
+    let found = asked(BENDING, across(0.2), None, [speed, 2.0 * speed]);
+    let motions = found.points[0].1.as_ref().expect("damped");
+    for (axis, motion) in motions.iter().enumerate() {
+        let exact = whole.lines.amplitude(Channel::Displacement(axis), 50.0);
+        let exact = exact.expect("a channel");
+        println!("{:e} m: {:e}", exact, motion.norm() / exact - 1.0);
+        assert_near("amplitude", motion.norm(), exact, 1e-6 * exact);
+    }
+    assert!(found.reduction_error.expect("it bends") < 1e-3);
+}
+
+/// Maxwell and Betti: without rotation the motion at one place by a force at another is that at the other by a force at the
+/// one.
+#[test]
+fn receptances_of_a_standing_shaft_are_reciprocal() {
+    let text = BENDING.replace("3000 rpm", "0 rpm");
+    let text = text.split("[integrator]").next().expect("a scene");
+    let places = [
+        Pickup {
+            position: 0.1,
+            axis: 1,
+        },
+        Pickup {
+            position: 0.37,
+            axis: 1,
+        },
+    ];
+    let [one, other] = [(places[0], places[1]), (places[1], places[0])]
+        .map(|(at, by)| asked(text, vec![at], Some(by), [10.0, 3000.0]));
+    for ((_, one), (_, other)) in one.points.iter().zip(&other.points) {
+        let [one, other] = [one, other].map(|own| own.as_ref().expect("damped")[0]);
+        assert!((one - other).norm() < 1e-9 * one.norm(), "{one} {other}");
+    }
+}
+
+/// The margins of API 617: none below AF 2.5, 17 (1 − 1/(AF − 1.5)) % and 10 % more above the range, with their limits.
+#[test]
+fn separation_margins_are_those_of_api_617() {
+    let at = |peak: f64, factor: f64| Resonance {
+        pickup: 0,
+        peak,
+        amplitude: 1.0,
+        amplification: Some(factor),
+    };
+    for (own, margin, asked) in [
+        (at(160.0, 5.0), 0.2, 0.17 * (1.0 - 1.0 / 3.5)),
+        (at(160.0, 50.0), 0.2, 0.16),
+        (at(260.0, 5.0), 0.3, 0.10 + 0.17 * (1.0 - 1.0 / 3.5)),
+        (at(260.0, 90.0), 0.3, 0.26),
+        (at(190.0, 2.4), 0.05, 0.0),
+    ] {
+        let (found, due) = own.separation(200.0);
+        assert_near("margin", found, margin, 1e-12);
+        assert_near("asked", due.expect("a factor"), asked, 1e-12);
+    }
+}
