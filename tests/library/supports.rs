@@ -461,9 +461,10 @@ fn a_circulatory_stiffness_drives_a_forward_whirl_and_its_energy_closes() {
     assert!(energy.relative_residual < 1e-6, "{energy:?}");
 }
 
-/// Critical speeds by elements of an independent program, springs inclined by 45°: Nelson's rotor of 18 sections.
+/// Critical speeds by elements of independent programs, on springs inclined by 45° and on isotropic ones: Nelson's rotor of 18
+/// sections (H. D. Nelson & J. M. McVaugh, *J. Eng. Ind.* 98 (1976) 593–600), with shear.
 #[test]
-fn critical_speeds_on_inclined_springs_are_those_of_other_programs() {
+fn critical_speeds_of_nelsons_rotor_are_those_of_other_programs() {
     let sections = [
         (1.27, 1.02, 0.0),
         (3.81, 2.04, 0.0),
@@ -489,35 +490,42 @@ fn critical_speeds_on_inclined_springs_are_those_of_other_programs() {
             "[[shaft.section]]\nlength = \"{length} cm\"\nouter_diameter = \"{outer} cm\"\ninner_diameter = \"{inner} cm\"\n"
         )
     });
-    let bearing = |position: &str| {
-        format!(
-            "[[element]]\nposition = \"{position}\"\nlinear = {{ stiffness = {{ x = \"3.503e7 N/m\", y = \"3.503e7 N/m\", xy = \
-             \"-8.756e6 N/m\" }} }}\n"
-        )
-    };
-    let rotor = scenario(&format!(
-        "[shaft]\nmodes = 14\nfreedoms = \"radial\"\nmaterial = {{ youngs_modulus = \"207.8 GPa\", poisson_ratio = 0.3, density = \"7806 \
+    let inclined = "x = \"3.503e7 N/m\", y = \"3.503e7 N/m\", xy = \"-8.756e6 N/m\"";
+    let isotropic = "x = \"4.378e7 N/m\", y = \"4.378e7 N/m\"";
+    let six = [13_841.0, 16_374.0, 39_275.0, 47_326.0, 59_131.0, 91_377.0];
+    let two = [15_359.0, 17_008.0];
+    for (stiffness, expected, to, count) in [
+        (inclined, &six[..], 95_000.0, 20),
+        (isotropic, &two, 20_000.0, 3),
+    ] {
+        let bearing = |position: &str| {
+            format!(
+                "[[element]]\nposition = \"{position}\"\nlinear = {{ stiffness = {{ {stiffness} }} }}\n"
+            )
+        };
+        let rotor = scenario(&format!(
+            "[shaft]\nmodes = 14\nfreedoms = \"radial\"\nmaterial = {{ youngs_modulus = \"207.8 GPa\", poisson_ratio = 0.3, density = \"7806 \
          kg/m^3\" }}\n{}[[disc]]\nposition = \"8.89 cm\"\nmass = \"1.401 kg\"\ninertia_transverse = \"0.00136 kg m^2\"\n\
          inertia_polar = \"0.00203 kg m^2\"\n{}{}[speed]\nconstant = \"10000 rpm\"\n",
-        sections.concat(),
-        bearing("16.51 cm"),
-        bearing("28.7 cm")
-    ));
-    let rpm = TAU / 60.0;
-    let question = CampbellQuestion {
-        rotor: rotor.question.rotor,
-        from: 0.0,
-        to: 95_000.0 * rpm,
-        count: 20,
-        orders: vec![1.0],
-    };
-    let campbell = question.solve().expect("a diagram");
-    let found = campbell.critical_speeds.iter().map(|own| own.speed / rpm);
-    let expected = [13_841.0, 16_374.0, 39_275.0, 47_326.0, 59_131.0, 91_377.0];
-    let found: Vec<_> = found.collect();
-    assert_eq!(found.len(), expected.len(), "{found:?}");
-    for (found, expected) in found.into_iter().zip(expected) {
-        close(found, expected, 1e-4);
+            sections.concat(),
+            bearing("16.51 cm"),
+            bearing("28.7 cm")
+        ));
+        let rpm = TAU / 60.0;
+        let question = CampbellQuestion {
+            rotor: rotor.question.rotor,
+            from: 0.0,
+            to: to * rpm,
+            count,
+            orders: vec![1.0],
+        };
+        let campbell = question.solve().expect("a diagram");
+        let found = campbell.critical_speeds.iter().map(|own| own.speed / rpm);
+        let found: Vec<_> = found.collect();
+        assert_eq!(found.len(), expected.len(), "{found:?}");
+        for (found, expected) in found.into_iter().zip(expected) {
+            close(found, *expected, 1e-4);
+        }
     }
 }
 
