@@ -22,6 +22,7 @@ pub use crate::report::table::{CsvTable, Origin};
 pub use crate::rotor::{Freedoms, MotionScale, Rotor, StaticProblem};
 pub use crate::scenario::TableFormat;
 pub use crate::scenario::document::written;
+pub use crate::scenario::fit_file::{load_fit, parse_fit};
 pub use crate::scenario::key::{frequency, method, speed, time, tolerance};
 pub use crate::scenario::study_file::{StudyFile, load_study, parse_study};
 pub use crate::simulate::passes::BareRun;

@@ -16,6 +16,7 @@
 //! | [`report`] | results → CSV, JSON, Parquet, SVG, pages; comparison of results |
 //! | [`scenario`] | text → checked, typed model; units; every message |
 //! | `measurement` | what sensors measured in, what is found of it out: by the code that runs are analysed by |
+//! | `fit` | answers at values of keys: how they change with each, and which values explain what was measured |
 //! | [`study`] | many questions: one number varied, many runs, natural frequencies over the speed, speed against error, the contact law that a scene needs |
 //! | [`mod@steady`] | a model in, the motion that it settles to out |
 //! | [`mod@simulate`] | a model in, a run out |
@@ -116,6 +117,7 @@ pub mod bearing;
 #[cfg(feature = "command")]
 #[doc(hidden)]
 pub mod cli;
+mod fit;
 mod integrate;
 #[cfg(feature = "command")]
 #[doc(hidden)]

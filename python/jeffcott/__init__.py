@@ -9,7 +9,8 @@
 
 A scenario (a file, a text or a dict) answers by `run`, `steady`, `bearing`, `campbell` and `accuracy`; `study` and
 `sweep` make many runs of it, on threads or on any executor of `concurrent.futures`; `compare` tells whether two results
-are the same; a `Bearing` is asked by itself; `analyze` finds out what is in a record of sensors.
+are the same; a `Bearing` is asked by itself; `analyze` finds out what is in a record of sensors, and `fit` which values
+of a scenario explain what was measured.
 
 Values with a dimension are given as text with a unit, "6 kg"; results are in SI units (m, N, s, rad), and the name of a
 column ends with its unit, as `x_velocity_m_s`. What is wrong with a scenario is a `ScenarioError` with all its problems;
@@ -20,6 +21,7 @@ Python warning of the class `ModelWarning`.
 from ._bearing import Bearing, catalogue
 from ._compare import Comparison, compare
 from ._errors import ModelWarning, Problem, RunError, ScenarioError
+from ._fit import Fit, fit
 from ._jeffcott import (
     CheckedScenario,
     Findings,
@@ -54,6 +56,7 @@ __all__ = [
     "Error",
     "Figure",
     "Findings",
+    "Fit",
     "ModelWarning",
     "Problem",
     "Response",
@@ -73,6 +76,7 @@ __all__ = [
     "analyze",
     "catalogue",
     "compare",
+    "fit",
     "study",
     "sweep",
 ]

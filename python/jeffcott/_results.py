@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, Self
@@ -302,7 +302,29 @@ class Run(Result):
         return Table(name, self._source.estimated(asked.checked))
 
 
-class Steady(Result):
+class Differentiable(Result):
+    """A result whose numbers can be differentiated by quantities of its scenario."""
+
+    def __init__(self, source: _Source, again: Callable[[list[str]], _Source]) -> None:
+        super().__init__(source)
+        self._again = again
+
+    def sensitivity(self, *keys: str) -> Table:
+        """How its numbers change with quantities of the scenario, as "shaft.mass" or "bearing[*].preload".
+
+        A row a number and a key: derivative in SI units, per cent per per cent, and the errors of both, by two step sizes.
+        """
+        if not keys:
+            raise ValueError("name at least one key, as \"shaft.mass\"")
+        found = self._again([str(key) for key in keys])
+        name = next(name for name in found.tables() if name.endswith("_sensitivity"))
+        return Table(name, found.table(name) or [])
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (*super().__reduce__()[1], self._again)
+
+
+class Steady(Differentiable):
     """The motion that a shaft settles to."""
 
     @property
@@ -353,7 +375,7 @@ class Response(Result):
         return self.table("response_specials")
 
 
-class Statics(Result):
+class Statics(Differentiable):
     """Where a shaft stands: equilibrium, stiffness, every ball."""
 
     @property
@@ -388,7 +410,7 @@ class Statics(Result):
         return self.table("balls")
 
 
-class Campbell(Result):
+class Campbell(Differentiable):
     """Natural frequencies over the speed, and critical speeds."""
 
     @property

@@ -6,12 +6,13 @@ import json
 import os
 import re
 from collections.abc import Iterable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from . import _results as results
 from ._errors import ScenarioError, warn
-from ._jeffcott import CheckedScenario
+from ._jeffcott import CheckedScenario, Findings
 from ._progress import Progress, told
 
 if TYPE_CHECKING:
@@ -283,7 +284,8 @@ class Scenario:
     def bearing(self) -> results.Statics:
         """Where the shaft stands, without motion: equilibrium, stiffness, every ball. Of many values `sweep` with
         `ask="bearing"` answers it."""
-        return self._answer(results.Statics(self.checked.bearing()))
+        again = partial(_bearing, self.copy())
+        return self._answer(results.Statics(again([]), again))
 
     def steady(
         self,
@@ -297,8 +299,8 @@ class Scenario:
         `period`: how many periods of the forcing it takes; otherwise one, or those of a stable motion beside it.
         """
         asked = self._with_integrator(tolerance, verify)
-        found = asked.checked.steady(None if period is None else whole("period", period, 1, 64))
-        return asked._answer(results.Steady(found))
+        again = partial(_steady, asked.copy(), None if period is None else whole("period", period, 1, 64))
+        return asked._answer(results.Steady(again([]), again))
 
     def response(
         self,
@@ -338,8 +340,8 @@ class Scenario:
         """
         ends, speeds = (text_of(start), None if to is None else text_of(to)), whole("count", count, 2, 100_000)
         highest = None if highest_frequency is None else text_of(highest_frequency)
-        found = self.checked.campbell(ends, speeds, [str(order) for order in orders], highest)
-        return self._answer(results.Campbell(found))
+        again = partial(_campbell, self.copy(), ends, speeds, [str(order) for order in orders], highest)
+        return self._answer(results.Campbell(again([]), again))
 
     def accuracy(
         self,
@@ -362,6 +364,25 @@ class Scenario:
         from ._study import sweep
 
         return sweep(self, axes, **settings)
+
+
+def _bearing(scenario: Scenario, keys: list[str]) -> Findings:
+    return scenario.checked.bearing(keys)
+
+
+def _steady(scenario: Scenario, period: int | None, keys: list[str]) -> Findings:
+    return scenario.checked.steady(period, keys)
+
+
+def _campbell(
+    scenario: Scenario,
+    ends: tuple[str, str | None],
+    count: int,
+    orders: list[str],
+    highest: str | None,
+    keys: list[str],
+) -> Findings:
+    return scenario.checked.campbell(ends, count, orders, highest, keys)
 
 
 def told_before(tree: dict[str, Any], folder: str | None, told: frozenset[str] | None) -> Scenario:

@@ -78,6 +78,11 @@ impl Findings {
         Ok(self.0.figure(name))
     }
 
+    /// The text of a further file; None where there is none of this name.
+    fn file(&self, name: &str) -> Option<&str> {
+        self.0.file(name)
+    }
+
     fn __repr__(&self) -> String {
         format!("<Findings {}>", self.0.document["title"])
     }

@@ -5,6 +5,7 @@ mod answer;
 mod arrow;
 mod compare;
 mod errors;
+mod fit;
 mod record;
 mod scenario;
 mod study;
@@ -21,6 +22,8 @@ mod _jeffcott {
     use crate::arrow::arrow_stream;
     #[pymodule_export]
     use crate::compare::compare;
+    #[pymodule_export]
+    use crate::fit::fit;
     #[pymodule_export]
     use crate::record::analyze;
     #[pymodule_export]

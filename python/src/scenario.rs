@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicU64;
 
 use jeffcott::ask::{
     self, AccuracyQuestion, AskError, BearingQuestion, CampbellQuestion, Followed, Order,
-    ResponseQuestion, RunQuestion, SteadyQuestion,
+    ResponseQuestion, RunQuestion, Sensitivity, SteadyQuestion,
 };
 use jeffcott::bearing::CATALOGUE;
 use jeffcott::internals::{frequency, method, speed, time, tolerance, written};
@@ -44,6 +44,12 @@ impl CheckedScenario {
 
     fn format(&self) -> Format {
         format(self.json)
+    }
+
+    /// By which keys the answer to a question is differentiated.
+    fn sensitivity(&self, py: Python<'_>, keys: &[String]) -> PyResult<Option<Sensitivity>> {
+        let asked = Sensitivity::new(&self.scenario, keys, self.folder());
+        asked.map_err(|error| ask_error(py, &error))
     }
 
     /// Answers a question about it with the lock of the interpreter released.
@@ -135,15 +141,22 @@ impl CheckedScenario {
     }
 
     /// Where the shaft stands.
-    fn bearing(&self, py: Python<'_>) -> PyResult<Findings> {
-        let question = BearingQuestion::new(&self.scenario, None, None);
+    fn bearing(&self, py: Python<'_>, sensitivity: Vec<String>) -> PyResult<Findings> {
+        let mut question = BearingQuestion::new(&self.scenario, None, None);
+        question.sensitivity = self.sensitivity(py, &sensitivity)?;
         Self::answer(py, None, |_| question.answer())
     }
 
     /// The motion that it settles to.
-    fn steady(&self, py: Python<'_>, period: Option<u32>) -> PyResult<Findings> {
+    fn steady(
+        &self,
+        py: Python<'_>,
+        period: Option<u32>,
+        sensitivity: Vec<String>,
+    ) -> PyResult<Findings> {
         let question = SteadyQuestion::new(&self.scenario, period);
-        let question = question.map_err(|error| ask_error(py, &error))?;
+        let mut question = question.map_err(|error| ask_error(py, &error))?;
+        question.sensitivity = self.sensitivity(py, &sensitivity)?;
         Self::answer(py, None, |watch| {
             question.answer(watch.stop, &AtomicU64::new(0))
         })
@@ -179,6 +192,7 @@ impl CheckedScenario {
         count: usize,
         orders: Vec<String>,
         highest: Option<String>,
+        sensitivity: Vec<String>,
     ) -> PyResult<Findings> {
         let refused = |issue| issue_error(py, &issue);
         let to = ends
@@ -192,7 +206,8 @@ impl CheckedScenario {
         let orders = orders.map_err(PyValueError::new_err)?;
         let question =
             CampbellQuestion::new(&self.scenario, range, count, &orders, highest.transpose()?);
-        let question = question.map_err(|error| ask_error(py, &error))?;
+        let mut question = question.map_err(|error| ask_error(py, &error))?;
+        question.sensitivity = self.sensitivity(py, &sensitivity)?;
         Self::answer(py, None, |_| question.answer())
     }
 

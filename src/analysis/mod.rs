@@ -22,6 +22,7 @@ pub(crate) use causes::other_causes;
 pub(crate) use causes::{
     BearingFrequencies, LineSurfaces, Precision, Sources, causes, nearest_cause,
 };
+pub(crate) use channel::BodyQuantity;
 pub use channel::Channel;
 pub(crate) use estimation::estimate;
 pub(crate) use estimation::{

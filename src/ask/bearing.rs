@@ -1,7 +1,10 @@
 //! Where the shaft rests.
 
-use super::AskError;
-use crate::quasi_static::quasi_static;
+use std::sync::atomic::AtomicBool;
+
+use super::{AskError, Sensitivity};
+use crate::fit::Question;
+use crate::quasi_static::{StaticQuestion, quasi_static};
 use crate::report::{Findings, answer_findings};
 use crate::scenario::Scenario;
 
@@ -11,6 +14,8 @@ pub struct BearingQuestion<'a> {
     scenario: &'a Scenario,
     /// Angles that shaft and cages have turned by, rad.
     turned: Option<(f64, Option<f64>)>,
+    /// By what the answer is differentiated.
+    pub sensitivity: Option<Sensitivity>,
 }
 
 impl<'a> BearingQuestion<'a> {
@@ -19,7 +24,11 @@ impl<'a> BearingQuestion<'a> {
     pub fn new(scenario: &'a Scenario, shaft: Option<f64>, cage: Option<f64>) -> Self {
         let is_turned = shaft.or(cage).is_some();
         let turned = is_turned.then(|| (shaft.unwrap_or(0.0), cage));
-        Self { scenario, turned }
+        Self {
+            scenario,
+            turned,
+            sensitivity: None,
+        }
     }
 
     /// Equilibrium, stiffness and every ball.
@@ -27,11 +36,19 @@ impl<'a> BearingQuestion<'a> {
     /// # Errors
     /// [`AskError::Failed`] where there is no equilibrium.
     pub fn answer(&self) -> Result<Findings, AskError> {
-        let mut question = self.scenario.question.clone();
-        if let Some((shaft, cage)) = self.turned {
-            question.turn(shaft, cage);
-        }
+        let turned = |mut question: StaticQuestion| {
+            if let Some((shaft, cage)) = self.turned {
+                question.turn(shaft, cage);
+            }
+            question
+        };
+        let question = turned(self.scenario.question.clone());
         let found = quasi_static(&question).map_err(AskError::failed)?;
-        Ok(answer_findings(self.scenario, &question, &found))
+        let mut findings = answer_findings(self.scenario, &question, &found);
+        if let Some(asked) = &self.sensitivity {
+            let question = |question, _| Question::Bearing(turned(question));
+            findings.add_sensitivity(&asked.answer(question, &AtomicBool::new(false))?);
+        }
+        Ok(findings)
     }
 }

@@ -2,9 +2,12 @@
 
 use std::f64::consts::TAU;
 use std::str::FromStr;
+use std::sync::atomic::AtomicBool;
 
-use super::AskError;
+use super::{AskError, Sensitivity};
+use crate::fit::Question;
 use crate::physics::BallPass;
+use crate::quasi_static::StaticQuestion;
 use crate::report::{Findings, campbell_findings};
 use crate::rotor::{CageMotion, RotorDefinition};
 use crate::scenario::{Issue, Scenario};
@@ -54,6 +57,8 @@ pub struct CampbellQuestion<'a> {
     named: Vec<(f64, String)>,
     /// Frequency up to which branches are shown, Hz.
     highest: Option<f64>,
+    /// By what the answer is differentiated.
+    pub sensitivity: Option<Sensitivity>,
 }
 
 impl<'a> CampbellQuestion<'a> {
@@ -102,6 +107,7 @@ impl<'a> CampbellQuestion<'a> {
             },
             named,
             highest,
+            sensitivity: None,
         })
     }
 
@@ -112,7 +118,16 @@ impl<'a> CampbellQuestion<'a> {
     pub fn answer(&self) -> Result<Findings, AskError> {
         let found = self.question.solve().map_err(AskError::failed)?;
         let (found, rotor) = (found.up_to(self.highest), &self.question.rotor);
-        Ok(campbell_findings(self.scenario, rotor, &found, &self.named))
+        let mut findings = campbell_findings(self.scenario, rotor, &found, &self.named);
+        if let Some(asked) = &self.sensitivity {
+            let question = |statics: StaticQuestion, _| {
+                let mut critical = self.question.clone();
+                critical.rotor = statics.rotor.clone();
+                Question::Campbell(Box::new(statics.rotor), Some(Box::new(critical)))
+            };
+            findings.add_sensitivity(&asked.answer(question, &AtomicBool::new(false))?);
+        }
+        Ok(findings)
     }
 }
 

@@ -8,9 +8,11 @@ mod accuracy;
 mod analyze;
 mod bearing;
 mod campbell;
+mod fit;
 mod linear_response;
 mod response;
 mod run;
+mod sensitivity;
 mod steady;
 mod study;
 
@@ -26,9 +28,11 @@ pub use accuracy::AccuracyQuestion;
 pub use analyze::{AnalyzeQuestion, record_setting};
 pub use bearing::BearingQuestion;
 pub use campbell::{CampbellQuestion, Order};
+pub use fit::FitQuestion;
 pub use linear_response::{COUNTS, LinearRange, LinearResponseQuestion, Place};
 pub use response::{Followed, ResponseQuestion};
 pub use run::RunQuestion;
+pub use sensitivity::Sensitivity;
 pub use steady::SteadyQuestion;
 pub use study::{Asked, Making, StudyQuestion, StudyWatch, merge};
 

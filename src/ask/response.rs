@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64};
 
 use super::{AskError, motion};
 use crate::report::{Findings, ResponseError, response_findings};
-use crate::scenario::{Issue, OpenNumber, Scenario};
+use crate::scenario::{Issue, OpenScenario, Scenario};
 use crate::simulate::Model;
 use crate::steady::{self, Response, response, response_warnings};
 use crate::study::Variable;
@@ -26,7 +26,7 @@ pub struct Followed<'a> {
 pub struct ResponseQuestion<'a> {
     scenario: &'a Scenario,
     model: &'a Model,
-    number: OpenNumber,
+    number: OpenScenario,
     variable: Variable,
     ends: [f64; 2],
     /// Periods of the forcing that the motion takes.
@@ -56,7 +56,7 @@ impl<'a> ResponseQuestion<'a> {
         folder: &Path,
     ) -> Result<Self, AskError> {
         let model = motion(scenario)?;
-        let number = OpenNumber::new(scenario, followed.key, folder)?;
+        let number = OpenScenario::new(scenario, [followed.key], folder)?;
         let (first, variable) = number.value(followed.from)?;
         let (last, _) = number.value(followed.to)?;
         if first == last {

@@ -2,7 +2,8 @@
 
 use std::sync::atomic::{AtomicBool, AtomicU64};
 
-use super::{AskError, motion};
+use super::{AskError, Sensitivity, motion};
+use crate::fit::Question;
 use crate::report::{Findings, steady_findings};
 use crate::scenario::Scenario;
 use crate::simulate::Model;
@@ -15,6 +16,8 @@ pub struct SteadyQuestion<'a> {
     model: &'a Model,
     /// Periods of the forcing that the motion takes; one, or those of a stable motion beside it, where it is left out.
     multiple: Option<u32>,
+    /// By what the answer is differentiated.
+    pub sensitivity: Option<Sensitivity>,
 }
 
 impl<'a> SteadyQuestion<'a> {
@@ -27,6 +30,7 @@ impl<'a> SteadyQuestion<'a> {
             scenario,
             model: motion(scenario)?,
             multiple,
+            sensitivity: None,
         })
     }
 
@@ -42,6 +46,15 @@ impl<'a> SteadyQuestion<'a> {
             integrated,
         };
         let found = steady::steady(&question).map_err(AskError::failed)?;
-        Ok(steady_findings(self.scenario, self.model, &found))
+        let mut findings = steady_findings(self.scenario, self.model, &found);
+        if let Some(asked) = &self.sensitivity {
+            // of the motion that was found, also where its period is a multiple
+            let question = |_, model: Option<Model>| {
+                let model = model.unwrap_or_else(|| self.model.clone());
+                Question::Steady(model, Some(found.multiple))
+            };
+            findings.add_sensitivity(&asked.answer(question, stop)?);
+        }
+        Ok(findings)
     }
 }

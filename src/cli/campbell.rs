@@ -4,7 +4,7 @@ use std::io;
 
 use super::Outcome;
 use super::jobs::Files;
-use crate::ask::{CampbellQuestion, Order};
+use crate::ask::{AskError, CampbellQuestion, Order};
 use crate::scenario;
 use crate::study::campbell::MOST_SPEEDS;
 
@@ -41,6 +41,9 @@ pub struct Arguments {
     /// and "bsf" for those of the bearings with their cages as in a run that starts at the lowest speed
     #[arg(long, value_name = "A,B", value_delimiter = ',', default_value = "1")]
     orders: Vec<Order>,
+    /// Keys of the scenario that the numbers of the answer are differentiated by, as "bearing[*].preload,shaft.mass"
+    #[arg(long, value_name = "KEY,KEY", value_delimiter = ',')]
+    sensitivity: Vec<String>,
 }
 
 /// Checks all files and the range, then answers them in turn.
@@ -52,7 +55,11 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let (orders, highest) = (&arguments.orders, arguments.highest_frequency);
     arguments.files.answer(
         &jobs,
-        |job| CampbellQuestion::new(&job.scenario, range, count, orders, highest),
+        |job| {
+            let mut question = CampbellQuestion::new(&job.scenario, range, count, orders, highest)?;
+            question.sensitivity = job.sensitivity(&arguments.sensitivity)?;
+            Ok::<_, AskError>(question)
+        },
         |job, question| job.write(&question.answer()?),
     )
 }

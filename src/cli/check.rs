@@ -17,7 +17,7 @@ use crate::rotor::RotorDefinition;
 use crate::scenario::{self, Issue, Loaded, ScenarioError};
 use crate::study::many::Shard;
 
-/// Checks scenario, study and record files without running them; shows all that is wrong, and what a run takes. A scenario whose
+/// Checks scenario, study, fit and record files without running them; shows all that is wrong, and what a run takes. A scenario whose
 /// shaft cannot be built, or has no equilibrium, is wrong as well.
 ///
 /// The memory is somewhat more than a run turns out to take. How long a run takes its progress tells.
@@ -28,7 +28,7 @@ use crate::study::many::Shard;
                         Exit code: 0 all files are right, 2 a file is wrong."
 )]
 pub struct Arguments {
-    /// Scenario, study or record files, .toml or .json; "-" is standard input
+    /// Scenario, study, fit or record files, .toml or .json; "-" is standard input
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Draw the shaft of the scenario to scale, with all its parts
@@ -126,6 +126,12 @@ fn check(file: &Path, settings: &[String]) -> Result<Checked, ScenarioError> {
                 scene: None,
             }
         }
+        Loaded::Fit(fit) => Checked {
+            title: fit.title,
+            warnings: fit.warnings,
+            demand: None,
+            scene: None,
+        },
         Loaded::Record(record) => Checked {
             title: record.about.title,
             warnings: record.about.warnings,

@@ -11,7 +11,7 @@ use super::{Outcome, terminal};
 use crate::report::write_whole;
 use crate::scenario;
 
-/// Prints the JSON Schema of scenario, study or record files, for editors.
+/// Prints the JSON Schema of scenario, study, fit or record files, for editors.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Example:\n  jeffcott schema > scenario.schema.json")]
 pub struct Schema {
@@ -21,6 +21,9 @@ pub struct Schema {
     /// That of files that describe a record
     #[arg(long, conflicts_with = "study")]
     record: bool,
+    /// That of fit files
+    #[arg(long, conflicts_with_all = ["study", "record"])]
+    fit: bool,
 }
 
 /// Prints what lets a shell complete verbs, options and their values.
@@ -49,9 +52,10 @@ pub struct Manual {
 
 /// Prints the schema.
 pub fn schema(arguments: &Schema) -> io::Result<Outcome> {
-    let schema = match (arguments.study, arguments.record) {
-        (true, _) => scenario::study_schema(),
-        (_, true) => scenario::record_schema(),
+    let schema = match arguments {
+        Schema { study: true, .. } => scenario::study_schema(),
+        Schema { record: true, .. } => scenario::record_schema(),
+        Schema { fit: true, .. } => scenario::fit_schema(),
         _ => scenario::schema(),
     };
     terminal::print(&format!("{schema:#}\n"))?;

@@ -10,6 +10,7 @@ use std::time::Instant;
 use serde_json::{Value, json};
 
 use super::{Outcome, terminal};
+use crate::ask::{AskError, Sensitivity};
 use crate::report::{self, Findings, WrittenFindings};
 use crate::scenario::{self, STDIN, STDIN_NAME, Scenario};
 
@@ -250,6 +251,14 @@ impl Job {
     /// Folder that the files which its scenario names are looked for from.
     pub fn base(&self) -> &Path {
         self.file.parent().unwrap_or(Path::new(""))
+    }
+
+    /// By which keys of its scenario the answer is differentiated.
+    ///
+    /// # Errors
+    /// [`AskError::Asked`] where there is no such number.
+    pub fn sensitivity(&self, keys: &[String]) -> Result<Option<Sensitivity>, AskError> {
+        Sensitivity::new(&self.scenario, keys, self.base())
     }
 
     /// Writes the files of what was found, and answers with it after telling its warnings.

@@ -13,6 +13,7 @@ mod compare;
 mod demand;
 mod describe;
 mod estimate;
+mod fit;
 mod jobs;
 mod new;
 mod pace;
@@ -58,6 +59,7 @@ enum Verb {
     Response(response::Arguments),
     Analyze(analyze::Arguments),
     Study(study::Arguments),
+    Fit(fit::Arguments),
     Accuracy(accuracy::Arguments),
     Check(check::Arguments),
     Compare(compare::Arguments),
@@ -131,6 +133,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Response(arguments) => response::run(&arguments),
         Verb::Analyze(arguments) => analyze::run(&arguments),
         Verb::Study(arguments) => study::run(&arguments),
+        Verb::Fit(arguments) => fit::run(&arguments),
         Verb::Accuracy(arguments) => accuracy::run(&arguments),
         Verb::Check(arguments) => check::run(&arguments),
         Verb::Compare(arguments) => compare::run(&arguments),

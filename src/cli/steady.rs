@@ -55,11 +55,19 @@ pub struct Arguments {
     /// Leave out the motions of doubled period
     #[arg(long, requires = "over")]
     no_doubled: bool,
+    /// Keys of the scenario that the numbers of the answer are differentiated by, as "bearing[*].preload,shaft.mass"
+    #[arg(
+        long,
+        value_name = "KEY,KEY",
+        value_delimiter = ',',
+        conflicts_with = "over"
+    )]
+    sensitivity: Vec<String>,
 }
 
 /// A motion, or a branch of them.
 enum Question<'a> {
-    Motion(SteadyQuestion<'a>),
+    Motion(Box<SteadyQuestion<'a>>),
     Branch(Box<ResponseQuestion<'a>>),
 }
 
@@ -82,7 +90,9 @@ impl Arguments {
         let scenario = &job.scenario;
         let Self { over, from, to, .. } = self;
         let Some(((key, from), to)) = over.as_ref().zip(from.as_ref()).zip(to.as_ref()) else {
-            return SteadyQuestion::new(scenario, self.period).map(Question::Motion);
+            let mut question = SteadyQuestion::new(scenario, self.period)?;
+            question.sensitivity = job.sensitivity(&self.sensitivity)?;
+            return Ok(Question::Motion(Box::new(question)));
         };
         let followed = Followed { key, from, to };
         let mut question = ResponseQuestion::new(scenario, &followed, job.base())?;

@@ -115,7 +115,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
 }
 
 /// What was found, with its files, after telling its warnings.
-fn answered(found: WrittenFindings) -> Answer {
+pub(super) fn answered(found: WrittenFindings) -> Answer {
     let title = found.document["title"].as_str().unwrap_or_default();
     for warning in found.warnings() {
         terminal::tell(&format!("warning: {title}: {warning}\n"));
@@ -124,7 +124,11 @@ fn answered(found: WrittenFindings) -> Answer {
 }
 
 /// Shows the answer, or tells why there is none.
-fn show(path: &Path, json: bool, answer: Result<Answer, Failure>) -> io::Result<Outcome> {
+pub(super) fn show(
+    path: &Path,
+    json: bool,
+    answer: Result<Answer, Failure>,
+) -> io::Result<Outcome> {
     let (mut answers, name) = (Answers::new(json, 1), name_of(path));
     match answer {
         Ok(answer) => answers.take(answer)?,
@@ -150,7 +154,7 @@ fn show(path: &Path, json: bool, answer: Result<Answer, Failure>) -> io::Result<
 }
 
 /// What keeps a study from being made as it is asked for.
-fn wrong(message: String) -> AskError {
+pub(super) fn wrong(message: String) -> AskError {
     Issue::new("", message).into()
 }
 

@@ -28,6 +28,8 @@ pub struct Findings {
     pub(super) figures: Vec<Figure>,
     /// What the page shows in motion.
     pub(super) film: Option<Value>,
+    /// Names and contents of further files.
+    pub(super) files: Vec<(&'static str, String)>,
     /// The document that seals the files.
     pub document: Value,
     /// What people read.
@@ -56,6 +58,7 @@ impl Findings {
             long_tables: Vec::new(),
             figures: Vec::new(),
             film: None,
+            files: Vec::new(),
             document,
             text,
             incomplete: false,
@@ -95,6 +98,12 @@ impl Findings {
         found.map(Figure::svg)
     }
 
+    /// The text of a further file by its name; none where no file is called so.
+    pub fn file(&self, name: &str) -> Option<&str> {
+        let found = self.files.iter().find(|(known, _)| *known == name);
+        found.map(|(_, text)| text.as_str())
+    }
+
     /// Writes tables, figures and page into a folder, and the document last.
     ///
     /// # Errors
@@ -116,6 +125,9 @@ impl Findings {
     ) -> Result<WrittenFindings, ReportError> {
         for (stem, table) in self.tables() {
             files.extend(folder.write_table(stem, table)?);
+        }
+        for (name, content) in &self.files {
+            files.push(folder.write(name, content.as_bytes())?);
         }
         for figure in self.drawn().filter(|_| self.output.figures) {
             files.push(folder.write_figure(figure)?);

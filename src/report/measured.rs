@@ -40,6 +40,7 @@ pub fn measured_findings(file: &RecordDescription, found: &Measured) -> Findings
         long_tables: long_tables(found),
         figures: figures(&file.title, found),
         film: None,
+        files: Vec::new(),
         document: document(&file.title, &file.echo, RecordSummary::new(file, found)),
         text,
         incomplete: false,

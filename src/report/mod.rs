@@ -11,6 +11,7 @@ mod estimate;
 mod figure;
 mod film;
 pub(crate) mod findings;
+mod fit;
 mod folder;
 mod histories;
 mod linear_response;
@@ -26,6 +27,7 @@ mod run_report;
 pub(crate) mod run_tables;
 mod run_up;
 pub(crate) mod scene;
+mod sensitivity;
 mod shaft_shapes;
 mod spectra;
 pub(crate) mod statics;
@@ -44,6 +46,7 @@ pub(crate) use error::FileAction;
 pub use error::ReportError;
 pub(crate) use estimate::{entry_json, entry_text, estimate_json, estimate_text};
 pub(crate) use findings::{Findings, versioned};
+pub(crate) use fit::fit_findings;
 pub(crate) use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole};
 #[cfg(test)]
 pub(crate) use histories::Histories;
@@ -63,6 +66,7 @@ pub use run_report::RunReport;
 pub(crate) use run_tables::{
     TraceCsv, ball_columns, ball_row, event_columns, event_row, trace_columns,
 };
+pub(crate) use sensitivity::SensitivityTable;
 pub(crate) use spectra::spectrum_figure;
 pub use spectra::write_spectrum;
 pub(crate) use statics::answer_findings;

@@ -14,11 +14,10 @@ use super::terminal::{
 };
 use super::text::reduction_text;
 use super::{FileSet, Findings};
-use crate::analysis::{Channel, Line, nearest_cause};
-use crate::rotor::Rotor;
+use crate::analysis::{Channel, Line};
 use crate::scenario::Scenario;
 use crate::shooting::Multipliers;
-use crate::simulate::{Model, line_causes};
+use crate::simulate::Model;
 use crate::steady::{Base, MotionRange, Stability, Steady, SteadyLine, SteadyLines};
 use crate::table::{Column, Table};
 
@@ -32,7 +31,7 @@ pub fn steady_findings(scenario: &Scenario, model: &Model, steady: &Steady) -> F
     let tolerance = model.integrator.tolerance;
     let measured = steady.measured.as_ref();
     let measured = measured.map(|error| with_keys(error, json!({ "tolerance": tolerance })));
-    let causes = causes(model);
+    let causes = steady.lines.causes(model);
     let further = json!({
         "stable": steady.is_stable(),
         "neutral": steady.stability == Stability::Neutral,
@@ -85,22 +84,10 @@ fn line_table(steady: &Steady, speed: f64, causes: &[Line]) -> Table<'static> {
     table.end()
 }
 
-/// What can cause lines.
-fn causes(model: &Model) -> Vec<Line> {
-    let rotor = Rotor::assemble(&model.rotor);
-    rotor.map_or_else(|_| Vec::new(), |rotor| line_causes(model, &rotor))
-}
-
-/// Part of its frequency within which a line is that of its cause.
-const NEAR: f64 = 1e-4;
-
 /// What causes a line; nothing where that is not known.
 fn name_of(line: &SteadyLine, causes: &[Line]) -> String {
-    let moves = line.multiples != [0, 0];
-    let cause = moves.then(|| nearest_cause(line.frequency, NEAR * line.frequency, causes));
-    cause
-        .flatten()
-        .map_or_else(String::new, |line| line.kind.to_string())
+    let cause = line.cause(causes);
+    cause.map_or_else(String::new, |line| line.kind.to_string())
 }
 
 /// Height of a plot, px.

@@ -112,7 +112,14 @@ impl Document {
 
     /// Whether it is a study file: it names the scenario that it starts from.
     pub fn is_study(&self) -> bool {
-        self.root.find("base").is_some() && self.root.find("shaft").is_none()
+        self.root.find("base").is_some() && self.root.find("shaft").is_none() && !self.is_fit()
+    }
+
+    /// Whether it is a fit file: something is sought, or was measured.
+    pub fn is_fit(&self) -> bool {
+        let named = ["unknown", "observation"];
+        named.iter().any(|table| self.root.find(table).is_some())
+            && self.root.find("shaft").is_none()
     }
 
     /// Whether it describes a record of sensors.

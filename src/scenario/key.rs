@@ -1,7 +1,6 @@
 //! Keys of a scenario by their paths: which there are, and which values each can have, in a file or on a command line.
 
 use std::borrow::Cow;
-use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -13,9 +12,8 @@ use super::problems::Problems;
 use super::quantity::{Dimension, Parsed};
 use super::reader::Range;
 use super::schema::schema;
-use super::{Issue, Scenario, quantity, questions, reader, without};
+use super::{Issue, quantity, reader};
 use crate::integrate::Method;
-use crate::rotor::RotorDefinition;
 use crate::study::Variable;
 
 /// A key whose value may be another one than that of the file, or several that change together.
@@ -70,7 +68,7 @@ impl JsonSchema for KeyPaths {
 }
 
 /// Every key of a number outside some tables; lists have as many entries as `given` has.
-fn number_keys(given: &Value, left_out: &[&str]) -> Vec<Key> {
+pub(super) fn number_keys(given: &Value, left_out: &[&str]) -> Vec<Key> {
     let mut keys = all_keys(given, left_out);
     keys.retain(|key| !key.is_text());
     keys
@@ -192,6 +190,13 @@ impl Key {
             schema,
             dimension: Dimension::from_key(schema).first().copied(),
         }
+    }
+
+    /// Its value in a scenario; none where none is written, or where several keys have different ones.
+    pub fn value_in<'a>(&self, scenario: &'a Value) -> Option<&'a Value> {
+        let mut values = self.paths.iter().map(|path| value_at(scenario, path));
+        let first = values.next()??;
+        values.all(|value| value == Some(first)).then_some(first)
     }
 
     /// Sets its value in a scenario.
@@ -330,6 +335,15 @@ impl Key {
     }
 }
 
+/// The value of a path, where there is one.
+fn value_at<'a>(tree: &'a Value, path: &str) -> Option<&'a Value> {
+    let mut steps = path.split(['.', '[']);
+    steps.try_fold(tree, |place, step| match index(step) {
+        Some(index) => place.get(index),
+        None => place.get(step),
+    })
+}
+
 /// Sets the value of a path, making the tables that lead there.
 pub(super) fn set_value(tree: &mut Value, path: &str, value: &Value) {
     let mut place = tree;
@@ -348,78 +362,6 @@ pub(super) fn set_value(tree: &mut Value, path: &str, value: &Value) {
         };
     }
     *place = value.clone();
-}
-
-/// Tables whose numbers a motion that repeats does not depend on.
-const LEFT_OUT: [&str; 5] = ["static", "initial", "time", "integrator", "output"];
-
-/// A checked scenario with one number left open.
-#[derive(Debug, Clone, PartialEq)]
-pub struct OpenNumber {
-    base: Value,
-    folder: PathBuf,
-    key: Key,
-}
-
-impl OpenNumber {
-    /// The scenario with the number at a path open, for instance `speed.constant` or `bearing[*].preload`; the files
-    /// that it names are in `folder`.
-    ///
-    /// # Errors
-    /// [`Issue`] where there is no such number, where it is a whole number, and where the law of the
-    /// contacts may change with it.
-    pub fn new(scenario: &Scenario, path: &str, folder: &Path) -> Result<Self, Issue> {
-        let known = number_keys(&scenario.echo, &LEFT_OUT);
-        let key = find(&known, &[path.to_owned()], path).map_err(|issue| Issue {
-            message: format!("{} that its motion depends on", issue.message),
-            ..issue
-        })?;
-        if key.is_whole() {
-            let message =
-                format!("`{path}` is a whole number: it does not change little by little");
-            return Err(Issue::new(path, message));
-        }
-        if scenario.contact_choice.is_some() {
-            let message = format!(
-                "contact = \"auto\" may choose another law at another value of `{path}`: set the law \
-                 that it chose here"
-            );
-            return Err(Issue::new(path, message));
-        }
-        Ok(Self {
-            base: without(&scenario.echo, &["output"]),
-            folder: folder.to_owned(),
-            key,
-        })
-    }
-
-    /// A value as it is written in a scenario, in SI units, and the number that varies, shown in the unit
-    /// that it was written in.
-    ///
-    /// # Errors
-    /// [`Issue`] where the text is none.
-    pub fn value(&self, text: &str) -> Result<(f64, Variable), Issue> {
-        let path = &self.key.path;
-        let value = self.key.typed(text, path).map_err(|issue| Issue {
-            message: format!("`{text}` is no value of `{path}`: {}", issue.message),
-            ..issue
-        })?;
-        Ok((self.key.si(&value), self.key.variable(&value)))
-    }
-
-    /// The rotor at a value in SI units.
-    ///
-    /// # Errors
-    /// [`Issue`] with what is wrong with it there.
-    pub fn rotor(&self, si: f64) -> Result<RotorDefinition, Issue> {
-        let (mut scenario, value) = (self.base.clone(), self.key.written(si));
-        self.key.set(&mut scenario, &value);
-        let asked = questions(&scenario, &self.folder).map_err(|issue| Issue {
-            message: format!("with {} = {value}: {}", self.key.path, issue.message),
-            ..issue
-        });
-        Ok(asked?.motion()?.rotor)
-    }
 }
 
 /// The number in SI units that the key of a path can have; in it `load[]` stands for any load. `name` is what messages

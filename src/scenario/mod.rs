@@ -15,10 +15,13 @@ mod axis;
 pub(crate) mod catalogue_file;
 mod coefficients_file;
 pub(crate) mod document;
+pub(crate) mod fit_file;
 mod input;
 pub(crate) mod key;
 mod matrices_file;
 mod node;
+mod observation;
+mod open;
 mod problems;
 mod quantity;
 mod reader;
@@ -43,16 +46,19 @@ use super::quasi_static::StaticQuestion;
 use super::simulate::{Model, RecordedRun, SimulateError};
 use super::study::ContactChoice;
 use document::Document;
+use fit_file::check_fit;
 use input::{Questions, RatingsInput, ScenarioInput};
 use node::Node;
 use problems::Problems;
 
 pub(crate) use document::{STDIN, STDIN_NAME};
+pub(crate) use fit_file::{Balance, FitFile, fit_schema, load_fit};
 pub(crate) use input::Output;
 #[doc(hidden)]
 pub use input::TableFormat;
 pub use key::methods;
-pub(crate) use key::{OpenNumber, frequency, method, number, speed, time, tolerance};
+pub(crate) use key::{frequency, method, number, speed, time, tolerance};
+pub(crate) use open::OpenScenario;
 pub use problems::{Issue, ScenarioError};
 use record_file::check_record;
 pub(crate) use record_file::{
@@ -122,11 +128,13 @@ pub(crate) enum Loaded {
     Scenario(Box<Scenario>),
     /// A study.
     Study(Box<StudyFile>),
+    /// A fit.
+    Fit(Box<FitFile>),
     /// A record of sensors.
     Record(Box<MeasuredFile>),
 }
 
-/// Reads and checks a scenario, study or record file with some values in place of its own.
+/// Reads and checks a scenario, study, fit or record file with some values in place of its own.
 ///
 /// # Errors
 /// As [`load`].
@@ -134,6 +142,9 @@ pub(crate) fn load_any(path: &Path, settings: &[String]) -> Result<Loaded, Scena
     let document = Document::open(path)?.with(settings)?;
     if document.is_study() {
         return check_study(&document).map(|study| Loaded::Study(study.into()));
+    }
+    if document.is_fit() {
+        return check_fit(&document).map(|fit| Loaded::Fit(fit.into()));
     }
     if document.is_record() {
         return check_record(&document).map(|record| Loaded::Record(record.into()));
@@ -186,6 +197,12 @@ fn check(document: &Document) -> Result<Scenario, ScenarioError> {
     if document.is_study() {
         let message = "this is a study file: it names the scenario that its runs start from";
         let issue = Issue::new("base", message).help("use `jeffcott study`, or give that scenario");
+        return Err(document.refused(issue));
+    }
+    if document.is_fit() {
+        let message = "this is a fit file: it names the scenario whose quantities are sought";
+        let issue =
+            Issue::new("unknown", message).help("use `jeffcott fit`, or give that scenario");
         return Err(document.refused(issue));
     }
     if document.is_record() {

@@ -275,6 +275,12 @@ impl Dimension {
         self.units().next().unwrap_or_default()
     }
 
+    /// The dimension whose SI unit a symbol is.
+    pub fn of_unit(symbol: &str) -> Option<Self> {
+        let mut all = Self::ALL.iter().map(|(dimension, ..)| *dimension);
+        all.find(|dimension| dimension.si_symbol() == symbol)
+    }
+
     /// The dimension of a name.
     pub fn named(name: &str) -> Option<Self> {
         let mut all = Self::ALL.iter();

@@ -92,6 +92,11 @@ pub(super) fn check_study(document: &Document) -> Result<StudyFile, ScenarioErro
         let issue = Issue::new("shaft", message).help(help);
         return Err(document.refused(issue));
     }
+    if document.is_fit() {
+        let issue =
+            Issue::new("unknown", "this is a fit file, not a study").help("use `jeffcott fit`");
+        return Err(document.refused(issue));
+    }
     let mut problems = document.problems().about("the study");
     let study = match read(&mut problems) {
         Some(input) => input.on_base(document, &mut problems)?,
@@ -126,6 +131,24 @@ fn read(problems: &mut Problems<'_>) -> Option<StudyFileInput> {
     Some(input)
 }
 
+/// The scenario that a file in a folder names by its `base`; `None` where nothing is there.
+pub(super) fn base_of(named: &str, folder: &Path, problems: &mut Problems<'_>) -> Option<PathBuf> {
+    if problems.is_faulty("base") {
+        return None;
+    }
+    let base = folder.join(named);
+    if base.exists() {
+        return Some(base);
+    }
+    let message = format!("there is no scenario {}", base.display());
+    let help = format!(
+        "`{named}` is looked for from the folder of {}",
+        problems.subject
+    );
+    problems.add(Issue::new("base", message).help(help));
+    None
+}
+
 impl StudyFileInput {
     /// The study of the scenario that it names, as far as nothing contradicts it.
     ///
@@ -136,17 +159,9 @@ impl StudyFileInput {
         document: &Document,
         problems: &mut Problems<'_>,
     ) -> Result<Option<StudyFile>, ScenarioError> {
-        if problems.is_faulty("base") {
+        let Some(base) = base_of(&self.base, document.folder(), problems) else {
             return Ok(None);
-        }
-        let base = document.folder().join(&self.base);
-        if !base.exists() {
-            let message = format!("there is no scenario {}", base.display());
-            let named = &self.base;
-            let help = format!("`{named}` is looked for from the folder of the study");
-            problems.add(Issue::new("base", message).help(help));
-            return Ok(None);
-        }
+        };
         let scenario = super::load(&base)?;
         let title = self.title.clone().unwrap_or_else(|| document.stem());
         let folder = base.parent().unwrap_or(Path::new("")).to_owned();
@@ -251,12 +266,7 @@ impl StudyFileInput {
             Ask::Bearing => without(&scenario.echo, left_out(self.ask)),
         };
         let known = all_keys(&base, left_out(self.ask));
-        for (index, set) in self.set.iter().enumerate() {
-            let found = key::find(&known, set.key.all(), &format!("set[{}].key", index + 1));
-            let key = problems.take(found)?;
-            let value = key.read(&format!("set[{}].value", index + 1), problems)?;
-            key.set(&mut base, &value);
-        }
+        SetInput::put(&self.set, &known, &mut base, problems)?;
         let found = questions(&base, folder).map_err(|issue| {
             let message = format!("the base with `set`: {}", issue.message);
             Issue::new("set", message)
@@ -546,7 +556,7 @@ enum SamplingKind {
 /// One value that all runs have.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct SetInput {
+pub(super) struct SetInput {
     /// Path of the key of a number, or of a word out of several; "bearing[*].contact", or a list of paths, sets
     /// several keys.
     #[schemars(extend("examples" = ["time.duration", "model.contact"]))]
@@ -554,6 +564,30 @@ struct SetInput {
     /// Its value, written as that key is.
     #[schemars(extend("examples" = ["0.5 s"]))]
     pub value: Scalar,
+}
+
+impl SetInput {
+    /// Puts values into a scenario.
+    pub fn apply(all: &[Self], scenario: &mut Value, problems: &mut Problems<'_>) -> Option<()> {
+        let known = all_keys(scenario, &[]);
+        Self::put(all, &known, scenario, problems)
+    }
+
+    /// Puts values of known keys into a scenario.
+    fn put(
+        all: &[Self],
+        known: &[Key],
+        scenario: &mut Value,
+        problems: &mut Problems<'_>,
+    ) -> Option<()> {
+        let set = problems.each("set", all, |set, problems| {
+            let key = problems.take(key::find(known, set.key.all(), ".key"))?;
+            let value = key.read(&problems.path(".value"), problems)?;
+            key.set(scenario, &value);
+            Some(())
+        });
+        set.map(|_| ())
+    }
 }
 
 /// What is kept of every run, beside its numbers.

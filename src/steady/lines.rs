@@ -7,9 +7,10 @@ use nalgebra::{Complex, DMatrix};
 use serde::Serialize;
 
 use super::periods::Periods;
-use crate::analysis::{Channel, fourier_coefficients};
-use crate::rotor::Sample;
+use crate::analysis::{Channel, Line, fourier_coefficients, nearest_cause};
+use crate::rotor::{CageMotion, Rotor, Sample};
 use crate::shooting::Circle;
+use crate::simulate::{Model, line_causes};
 
 /// Lines up to this part of the sampling rate are kept: above, those beyond half the rate fold back.
 const KEPT: usize = 4;
@@ -42,7 +43,43 @@ pub struct SteadyLines {
     pub lines: Vec<SteadyLine>,
 }
 
+/// Part of its frequency within which a line is that of its cause.
+const NEAR: f64 = 1e-4;
+
+impl SteadyLine {
+    /// What causes it, where that is known.
+    pub(crate) fn cause(&self, causes: &[Line]) -> Option<Line> {
+        let moves = self.multiples != [0, 0];
+        let near = || nearest_cause(self.frequency, NEAR * self.frequency, causes);
+        moves.then(near).flatten()
+    }
+}
+
 impl SteadyLines {
+    /// What can cause lines in a scene. Where its cages roll at the angles of loaded balls and the motion was found with free
+    /// ones, those are the cages by which more lines have a cause.
+    pub(crate) fn causes(&self, model: &Model) -> Vec<Line> {
+        let with = |cage: CageMotion| {
+            let mut model = model.clone();
+            model.rotor.cage = cage;
+            let rotor = Rotor::assemble(&model.rotor);
+            let causes = rotor.map_or_else(|_| Vec::new(), |rotor| line_causes(&model, &rotor));
+            let named = self
+                .lines
+                .iter()
+                .filter(|line| line.cause(&causes).is_some());
+            (named.count(), causes)
+        };
+        let (named, own) = with(model.rotor.cage);
+        if model.rotor.cage != CageMotion::Operating {
+            return own;
+        }
+        match with(CageMotion::Rolling) {
+            (more, rolling) if more > named => rolling,
+            _ => own,
+        }
+    }
+
     /// Amplitude of a channel at the line nearest to a frequency in Hz.
     pub fn amplitude(&self, channel: Channel, frequency: f64) -> Option<f64> {
         let index = self.channels.iter().position(|known| *known == channel)?;

@@ -6,6 +6,7 @@
 mod error;
 mod lines;
 mod measured;
+mod orbit;
 mod periods;
 pub(crate) mod response;
 mod rotor_map;
@@ -15,14 +16,18 @@ mod solve;
 
 use std::sync::atomic::{AtomicBool, AtomicU64};
 
+use nalgebra::DVector;
 use serde::Serialize;
 
 pub use error::SteadyError;
 pub use lines::{MotionRange, SteadyLine, SteadyLines};
 pub use measured::Measured;
+pub(crate) use orbit::{Orbit, orbit_near};
 pub(crate) use periods::Base;
 pub(crate) use response::{Response, ResponsePoint, ResponseQuestion, response, response_warnings};
 pub use solve::steady;
+
+use rotor_map::RotorMap;
 
 use crate::integrate::Counters;
 use crate::keys;
@@ -111,6 +116,19 @@ struct Section {
     /// Time of strobe 0, s.
     start: f64,
     states: Vec<Vec<f64>>,
+    /// Length that the tolerance is relative to, m.
+    length: f64,
+}
+
+impl Section {
+    fn new(map: &RotorMap<'_>, states: &DVector<f64>) -> Self {
+        Self {
+            start: map.periods.time(0),
+            states: map.states(states),
+            circle: map.periods.circle.clone(),
+            length: map.scale.length,
+        }
+    }
 }
 
 impl Steady {
@@ -121,6 +139,7 @@ impl Steady {
             circle,
             start,
             states,
+            ..
         } = &self.section;
         let weights = circle.values_at(&[circle.phase(number)]);
         let size = states.first().map_or(0, Vec::len);

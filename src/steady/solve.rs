@@ -12,7 +12,7 @@ use crate::rotor::{CageMotion, Rotor, check_constraints};
 use crate::simulate::{Model, PROMISE, Reduction, StaticState, assembled_warnings};
 
 /// Lines below this part of the largest, in tolerances, are left out; so are those below the measured error.
-const NOISE: f64 = 0.1;
+pub(super) const NOISE: f64 = 0.1;
 
 /// Warning where cages do not roll as asked for, as `refusal` of the forcing.
 pub(super) fn rolling_cages(refusal: &SteadyError) -> String {
@@ -139,11 +139,7 @@ fn answer(
         reduction,
         counters: map.counters,
         warnings,
-        section: Section {
-            start: map.periods.time(0),
-            states: map.states(&found.states),
-            circle: map.periods.circle.clone(),
-        },
+        section: Section::new(&map, &found.states),
         bases: map.periods.bases,
         multipliers: found.multipliers,
     })

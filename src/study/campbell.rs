@@ -168,7 +168,7 @@ pub struct CriticalSpeed {
 
 impl CriticalSpeed {
     /// Relative error of its frequency: of the search for the crossing, or that of the reduction where it is larger.
-    fn error(&self) -> f64 {
+    pub(crate) fn error(&self) -> f64 {
         let sought = self.order * self.speed / TAU;
         let missed = (self.frequency / sought - 1.0).abs();
         missed.max(self.reduction_error.unwrap_or(0.0))

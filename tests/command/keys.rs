@@ -12,8 +12,8 @@ const HEAD: &str = "# Keys
 
 <!-- Written by tests/command/keys.rs from the schemas: JEFFCOTT_BLESS=1 cargo test --test command keys -->
 
-All keys of a scenario, of a study and of a file that describes a record, as `jeffcott schema`, `jeffcott schema --study` and
-`jeffcott schema --record` print them for editors. A value with a dimension is a string with its unit, as in `\"5 kg\"`; [units](#units) are at the end.
+All keys of a scenario, of a study, of a fit and of a file that describes a record, as `jeffcott schema` prints them for editors, with
+`--study`, `--fit` or `--record`. A value with a dimension is a string with its unit, as in `\"5 kg\"`; [units](#units) are at the end.
 A key in **bold** must be given where its table is.
 ";
 
@@ -265,6 +265,7 @@ fn page() -> String {
     for (title, schema) in [
         ("Scenario", printed(&["schema"])),
         ("Study", printed(&["schema", "--study"])),
+        ("Fit", printed(&["schema", "--fit"])),
         ("Record", printed(&["schema", "--record"])),
     ] {
         write!(page, "\n## {title}\n\n{}\n", string(&schema, "description")).expect("a string");

@@ -12,6 +12,7 @@ mod compare;
 mod documents;
 mod endings;
 mod faults;
+mod fit;
 mod flexible;
 mod forces;
 mod gallery;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 /// Lowest first; `simulate` and `quasi_static` are single files. The integrator knows no rotor: it is
 /// the rotor that implements the integrator's trait.
-const FLOORS: [&str; 19] = [
+const FLOORS: [&str; 20] = [
     "table",
     "record",
     "keys",
@@ -21,6 +21,7 @@ const FLOORS: [&str; 19] = [
     "steady",
     "measurement",
     "study",
+    "fit",
     "scenario",
     "report",
     "ask",

@@ -13,6 +13,7 @@ mod deep_groove;
 mod elements;
 mod endings;
 mod equilibrium;
+mod fit;
 mod hard_cases;
 mod imperfect;
 mod integrate;

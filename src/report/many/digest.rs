@@ -235,6 +235,7 @@ impl Digest {
             tables: Vec::new(),
             figures,
             film: None,
+            files: Vec::new(),
             document: versioned(json!({
                 "title": title,
                 "study": { "study": study, "base": base },

@@ -201,6 +201,9 @@ const figures = (() => {
     spectra: "The spectra of the runs over each other; the mean is left out.",
     accuracy: "Error over cost, a curve a method.",
     ladder: "Cost and error of each model.",
+    tornado: "Per cent by which a number changes where a quantity changes by one per cent.",
+    fit_residuals: "Computed less measured, in standard deviations; grey lines are none, one and two.",
+    fit_profiles: "How much χ² grows where one unknown is held and the others are at their best; at 1 lies a standard error.",
     comparison: "To the left both curves, to the right their difference.",
   };
 
@@ -241,7 +244,7 @@ const figures = (() => {
   /** A figure that is read with the pointer or the keyboard, zoomed and saved. */
   function add(data) {
     const figure = read(data);
-    const caption = captions[figure.name] ?? "";
+    const caption = captions[figure.name.replace(/^[a-z]+_tornado$/, "tornado")] ?? "";
     const base = element("canvas", { class: "base" });
     const over = element("canvas", { class: "over", tabindex: "0", role: "img", "aria-label": `${figure.name.replaceAll("_", " ")}. ${caption} `
       + "Arrow keys move, plus and minus zoom, 0 shows all, comma and full stop read points, page up and page down change the curve." });

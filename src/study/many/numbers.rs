@@ -80,7 +80,7 @@ impl NumberColumn {
     }
 
     /// The number of an answer to a static question; NaN where it has none.
-    pub(super) fn in_answer(&self, answer: &QuasiStatic) -> f64 {
+    pub fn in_answer(&self, answer: &QuasiStatic) -> f64 {
         match &self.value {
             Value::Run(_) => f64::NAN,
             Value::Answer(value) => value(answer),

@@ -1,0 +1,50 @@
+"""Sensitivities and fits."""
+
+from __future__ import annotations
+
+import pickle
+
+import numpy as np
+import pytest
+
+import jeffcott as jc
+
+PAIR = {
+    "title": "pair",
+    "shaft": {"mass": "5 kg", "freedoms": "translational", "gravity": True},
+    "speed": {"constant": "500 rad/s"},
+    "bearing": [{"catalogue": "7205C", "arrangement": "back-to-back", "spacing": "40 mm", "preload": "200 N"}],
+    "damping": {"ratio": 0.02},
+}
+
+
+def test_a_result_is_differentiated_by_keys_of_its_scenario() -> None:
+    scenario = jc.Scenario(PAIR)
+    result = pickle.loads(pickle.dumps(scenario.bearing()))
+    table = result.sensitivity("bearing[1].preload")
+    row = list(table["number"]).index("stiffness_z_N_m")
+    stiffness = [
+        scenario.with_({"bearing[1].preload": f"{force} N"}).bearing().stiffness[2, 2] for force in (199.0, 201.0)
+    ]
+    assert table["derivative"][row] == pytest.approx((stiffness[1] - stiffness[0]) / 2, rel=1e-4)
+    with pytest.raises(jc.ScenarioError, match="did you mean"):
+        result.sensitivity("bearing[1].prelaod")
+
+
+def test_a_preload_is_found() -> None:
+    scenario = jc.Scenario(PAIR)
+    truth = scenario.with_({"bearing[1].preload": "310 N"}).bearing().stiffness
+    observed = [
+        {"number": f"stiffness_{axis}_N_m", "value": f"{truth[k, k]} N/m", "sigma": "2 %"}
+        for k, axis in enumerate("xyz")
+    ]
+    asked = {"unknown": [{"key": "bearing[1].preload", "from": "50 N", "to": "900 N"}], "observation": observed}
+    found = jc.fit(asked, scenario)
+    assert found.values["bearing[1].preload"] == pytest.approx(310.0, rel=1e-6)
+    assert 0 < found.standard_errors["bearing[1].preload"] < 30
+    assert np.allclose(found.correlations, [[1.0]])
+    assert np.allclose(found.scenario.bearing().stiffness, truth, rtol=1e-6)
+    again = pickle.loads(pickle.dumps(found))
+    assert again.values == found.values and len(again.observations["residual"]) == 3
+    with pytest.raises(jc.ScenarioError, match="cannot tell"):
+        jc.fit({**asked, "observation": []}, scenario)

@@ -1,0 +1,380 @@
+//! The values that explain what was measured: least squares by Levenberg and Marquardt between bounds, from several starts.
+
+use std::f64::consts::TAU;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::{Effort, NoAnswer, Point, Scene, Work};
+use crate::study::Variable;
+use crate::study::plan::sobol;
+
+/// Steps of a search before it is given up.
+const MOST_STEPS: usize = 60;
+/// Trials of a step that lead no lower before the place is taken for the lowest.
+const MOST_TRIALS: usize = 8;
+/// Damping of the first step, relative to the diagonal of JᵀJ; what it grows by where a step leads up, and falls by where it
+/// leads down.
+const FIRST_DAMPING: f64 = 1e-3;
+const GROWTH: f64 = 8.0;
+/// A step below this part of the ranges is the last, as is one that is to lower χ² by less than this,
+const LEAST_STEP: f64 = 1e-10;
+const LEAST_GAIN: f64 = 1e-16;
+/// or by less than this part of it: of the search for the lowest place, and of those that only tell which one that is.
+const FINE: f64 = 1e-12;
+const ROUGH: f64 = 1e-3;
+/// Step of the differences of a search, in parts of the ranges.
+const DIFFERENCE: f64 = 1e-4;
+
+/// A quantity of a scenario whose value is sought.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Unknown {
+    /// Its key and unit.
+    pub variable: Variable,
+    /// Least and largest value.
+    pub range: [f64; 2],
+    /// Where the first search starts.
+    pub start: f64,
+    /// Whether the ends of its range are one, as those of a full turn.
+    pub wraps: bool,
+}
+
+/// A number that was measured.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Observation {
+    /// What it is called.
+    pub name: String,
+    /// Unit of the number, as it is computed.
+    pub unit: String,
+    /// What was measured.
+    pub measured: f64,
+    /// Its standard deviation, where that is known.
+    pub sigma: Option<f64>,
+    /// Whether it is an angle, rad, of which whole turns do not matter.
+    pub wraps: bool,
+}
+
+/// What is sought, and what was measured.
+#[derive(Clone, Copy)]
+pub struct Problem<'a> {
+    /// The unknowns.
+    pub unknowns: &'a [Unknown],
+    /// The observations, as many as numbers of a point.
+    pub observations: &'a [Observation],
+    /// The numbers at values of the unknowns.
+    pub scene: Scene<'a>,
+    /// Searches from different starts.
+    pub starts: usize,
+    /// Threads, and whether to stop.
+    pub work: Work<'a>,
+}
+
+/// A place in the ranges, each from 0 to 1, with what is computed there.
+#[derive(Debug, Clone)]
+pub(super) struct Place {
+    pub shares: DVector<f64>,
+    pub point: Point,
+    pub residuals: DVector<f64>,
+    /// Whether it is the lowest around: the search was neither stopped nor given up.
+    pub is_lowest: bool,
+}
+
+/// What a step of a search comes to.
+enum Step {
+    /// A place that is lower.
+    Lower(Box<Place>),
+    /// It is too small to count.
+    Small,
+    /// However short, it does not lead lower.
+    Blocked,
+}
+
+impl Place {
+    /// χ².
+    pub fn chi_square(&self) -> f64 {
+        self.residuals.norm_squared()
+    }
+}
+
+impl Unknown {
+    /// Length of its range.
+    pub fn length(&self) -> f64 {
+        self.range[1] - self.range[0]
+    }
+
+    /// A share of its range that is within it.
+    fn inside(&self, share: f64) -> f64 {
+        match self.wraps {
+            true => share.rem_euclid(1.0),
+            false => share.clamp(0.0, 1.0),
+        }
+    }
+}
+
+impl Observation {
+    /// Difference of a computed number from the measured one, in standard deviations or, where none is known, in parts of
+    /// what was measured.
+    pub fn residual(&self, computed: f64) -> f64 {
+        let mut apart = computed - self.measured;
+        if self.wraps {
+            apart -= TAU * (apart / TAU).round();
+        }
+        apart / self.sigma.unwrap_or_else(|| self.scale())
+    }
+
+    /// What residuals are parts of where no standard deviation is known: of an angle a radian.
+    pub fn scale(&self) -> f64 {
+        match self.wraps || self.measured == 0.0 {
+            true => 1.0,
+            false => self.measured.abs(),
+        }
+    }
+}
+
+impl Problem<'_> {
+    /// Values at shares of the ranges.
+    pub fn values(&self, shares: &DVector<f64>) -> Vec<f64> {
+        let pairs = self.unknowns.iter().zip(shares.iter());
+        pairs
+            .map(|(unknown, share)| match *share {
+                1.0 => unknown.range[1],
+                share => unknown.range[0] + share * unknown.length(),
+            })
+            .collect()
+    }
+
+    /// What is computed at a place, from a neighbour.
+    pub(super) fn place(
+        &self,
+        shares: DVector<f64>,
+        near: Option<&Point>,
+        effort: Effort,
+    ) -> Result<Place, NoAnswer> {
+        let point = (self.scene)(&self.values(&shares), near, effort)?;
+        let pairs = self.observations.iter().zip(&point.numbers);
+        let residuals = pairs.map(|(observation, number)| observation.residual(number.value));
+        let residuals = DVector::from_vec(residuals.collect());
+        match residuals.iter().all(|residual| residual.is_finite()) {
+            true => Ok(Place {
+                shares,
+                point,
+                residuals,
+                is_lowest: false,
+            }),
+            false => Err(NoAnswer::Failed("a number is missing there".to_owned())),
+        }
+    }
+
+    /// The lowest place around a start, or with little effort one near it, with one of the unknowns held where one is named. Slopes that are known about there are kept as long as they lead down.
+    ///
+    /// ```text
+    /// (JᵀJ + λ diag JᵀJ) δ = −Jᵀr,   p ← p + δ, no further than to the bounds
+    /// J ← J + (r' − r − Jδ) δᵀ/δᵀδ
+    /// ```
+    ///
+    /// An unknown at a bound that the sum of squares falls beyond stays there. λ falls where a step leads down, and grows where
+    /// it leads up or to no answer.
+    ///
+    /// Source: D. Marquardt, *SIAM J. Appl. Math.* 11 (1963) 431–441; C. Broyden, *Math. Comp.* 19 (1965) 577–593.
+    ///
+    /// # Errors
+    /// [`NoAnswer`] where the start has none.
+    pub(super) fn descend(
+        &self,
+        start: DVector<f64>,
+        held: Option<usize>,
+        near: Option<&Point>,
+        slopes: Option<DMatrix<f64>>,
+        effort: Effort,
+    ) -> Result<Place, NoAnswer> {
+        let mut here = self.place(start, near, effort)?;
+        let (mut damping, mut known) = (FIRST_DAMPING, slopes);
+        for _ in 0..MOST_STEPS {
+            let is_fresh = known.is_none();
+            let jacobian = match known
+                .take()
+                .map_or_else(|| self.differences(&here, held, effort), Ok)
+            {
+                Err(NoAnswer::Stopped) => return Ok(here),
+                jacobian => jacobian?,
+            };
+            let next = match self.lower(&here, &jacobian, held, &mut damping, (is_fresh, effort)) {
+                Err(NoAnswer::Stopped) => return Ok(here),
+                next => next?,
+            };
+            match next {
+                Step::Lower(next) => {
+                    // Broyden's update: the least change by which the slopes explain the step
+                    let step = self.apart(&next.shares, &here.shares);
+                    let missed = &next.residuals - &here.residuals - &jacobian * &step;
+                    known = Some(jacobian + missed * step.transpose() / step.norm_squared());
+                    damping /= GROWTH;
+                    here = *next;
+                }
+                // slopes of an earlier place may be at fault
+                Step::Blocked if !is_fresh => {}
+                Step::Small if !is_fresh && effort != Effort::Coarse => {}
+                Step::Small | Step::Blocked => {
+                    here.is_lowest = true;
+                    return Ok(here);
+                }
+            }
+        }
+        Ok(here)
+    }
+
+    /// A step that leads lower by the slopes; a single trial where these are not fresh.
+    fn lower(
+        &self,
+        here: &Place,
+        jacobian: &DMatrix<f64>,
+        held: Option<usize>,
+        damping: &mut f64,
+        (is_fresh, effort): (bool, Effort),
+    ) -> Result<Step, NoAnswer> {
+        let gradient = jacobian.tr_mul(&here.residuals);
+        let free = self.free(&here.shares, &gradient, held);
+        let jacobian = jacobian.select_columns(&free);
+        let gradient = gradient.select_rows(&free);
+        let normal = jacobian.tr_mul(&jacobian);
+        for _ in 0..if is_fresh { MOST_TRIALS } else { 1 } {
+            let mut damped = normal.clone();
+            for k in 0..free.len() {
+                damped[(k, k)] += *damping * normal[(k, k)] + f64::MIN_POSITIVE;
+            }
+            let step = damped.cholesky().map(|factors| -factors.solve(&gradient));
+            let Some(step) = step else {
+                *damping *= GROWTH;
+                continue;
+            };
+            let foreseen = -step.dot(&(&gradient * 2.0 + &normal * &step));
+            let gain = if effort == Effort::Coarse {
+                ROUGH
+            } else {
+                FINE
+            };
+            let least = LEAST_GAIN.max(gain * here.chi_square());
+            if step.amax() < LEAST_STEP || foreseen < least {
+                return Ok(Step::Small);
+            }
+            let mut shares = here.shares.clone();
+            for (k, part) in free.iter().zip(step.iter()) {
+                shares[*k] = self.unknowns[*k].inside(shares[*k] + part);
+            }
+            match self.place(shares, Some(&here.point), effort) {
+                Err(NoAnswer::Stopped) => return Err(NoAnswer::Stopped),
+                Ok(next) if next.chi_square() < here.chi_square() => {
+                    return Ok(Step::Lower(Box::new(next)));
+                }
+                _ => *damping *= GROWTH,
+            }
+        }
+        Ok(Step::Blocked)
+    }
+
+    /// Difference of two places, the short way round where a range has no ends.
+    pub(super) fn apart(&self, first: &DVector<f64>, second: &DVector<f64>) -> DVector<f64> {
+        let mut apart = first - second;
+        for (part, unknown) in apart.iter_mut().zip(self.unknowns) {
+            *part -= if unknown.wraps { part.round() } else { 0.0 };
+        }
+        apart
+    }
+
+    /// Unknowns that are not held, and not at a bound beyond which the sum of squares falls.
+    fn free(
+        &self,
+        shares: &DVector<f64>,
+        gradient: &DVector<f64>,
+        held: Option<usize>,
+    ) -> Vec<usize> {
+        let is_free = |k: &usize| {
+            let outwards = match shares[*k] {
+                0.0 => gradient[*k] > 0.0,
+                1.0 => gradient[*k] < 0.0,
+                _ => false,
+            };
+            Some(*k) != held && (self.unknowns[*k].wraps || !outwards)
+        };
+        (0..self.unknowns.len()).filter(is_free).collect()
+    }
+
+    /// Slopes of the residuals by the shares: differences to one side, zero of what is held or has no answer on either side.
+    fn differences(
+        &self,
+        here: &Place,
+        held: Option<usize>,
+        effort: Effort,
+    ) -> Result<DMatrix<f64>, NoAnswer> {
+        let mut jacobian = DMatrix::zeros(self.observations.len(), self.unknowns.len());
+        for (k, unknown) in self.unknowns.iter().enumerate() {
+            let there = |step: f64| {
+                let mut shares = here.shares.clone();
+                shares[k] += step;
+                match unknown.wraps || (0.0..=1.0).contains(&shares[k]) {
+                    true => self
+                        .place(shares, Some(&here.point), effort)
+                        .map(|place| (step, place)),
+                    false => Err(NoAnswer::Failed(String::new())),
+                }
+            };
+            if held == Some(k) {
+                continue;
+            }
+            let found = match there(DIFFERENCE) {
+                Err(NoAnswer::Failed(_)) => there(-DIFFERENCE),
+                found => found,
+            };
+            match found {
+                Ok((step, place)) => {
+                    jacobian.set_column(k, &((place.residuals - &here.residuals) / step));
+                }
+                Err(NoAnswer::Stopped) => return Err(NoAnswer::Stopped),
+                Err(NoAnswer::Failed(_)) => {}
+            }
+        }
+        Ok(jacobian)
+    }
+
+    /// The lowest places around all starts, the lowest first: the first start is the given one, the others are spread evenly.
+    ///
+    /// # Errors
+    /// [`NoAnswer`] of the first start, where no start has an answer.
+    pub(super) fn lowest(&self) -> Result<Vec<Place>, NoAnswer> {
+        let unknowns = self.unknowns.iter();
+        let first = unknowns.map(|unknown| (unknown.start - unknown.range[0]) / unknown.length());
+        let first = DVector::from_vec(first.collect());
+        let found = self.work.all(self.starts.max(1), |start| {
+            let shares = match start {
+                0 => first.clone(),
+                // the first two points of the sequence are 0 and the middle
+                start => DVector::from_fn(first.len(), |axis, _| sobol(start as u64 + 1, axis)),
+            };
+            self.descend(shares, None, None, None, Effort::Coarse)
+        });
+        let mut found = found
+            .into_iter()
+            .map(|one| one.unwrap_or(Err(NoAnswer::Stopped)));
+        let first = found.next().unwrap_or(Err(NoAnswer::Stopped));
+        let mut why = None;
+        let all = std::iter::once(first).chain(found);
+        let mut places: Vec<Place> = all
+            .filter_map(|one| one.map_err(|error| why.get_or_insert(error).clone()).ok())
+            .collect();
+        places.sort_by(|a, b| a.chi_square().total_cmp(&b.chi_square()));
+        let Some(best) = places.first_mut() else {
+            return Err(why.unwrap_or(NoAnswer::Stopped));
+        };
+        match self.descend(
+            best.shares.clone(),
+            None,
+            Some(&best.point),
+            None,
+            Effort::Full,
+        ) {
+            Ok(lowest) => *best = lowest,
+            // stopped: the best so far
+            Err(_) => best.is_lowest = false,
+        }
+        Ok(places)
+    }
+}

@@ -1,0 +1,303 @@
+//! How well values are known that were fitted: standard errors, what the data cannot tell, other minima, profiles.
+
+use nalgebra::{DMatrix, DVector};
+use statrs::distribution::{ChiSquared, ContinuousCDF};
+
+use super::search::{Place, Problem};
+use super::slopes::slopes;
+use super::{Effort, NoAnswer, Number, Point};
+use crate::steady::Orbit;
+
+/// Step of the differences at the minimum, in parts of the ranges.
+const DIFFERENCE: f64 = 1e-3;
+/// Minima nearer than this part of the ranges in every unknown are one.
+const SAME: f64 = 1e-3;
+/// Places of a profile, in standard errors from the minimum.
+const PROFILE: [f64; 4] = [-2.0, -1.0, 1.0, 2.0];
+/// What a standard error counts as that is beyond the range: the range.
+const WIDEST: f64 = 1.0;
+/// Part of a direction from which on an unknown is named as a part of it.
+const NAMED: f64 = 0.05;
+
+/// Values that explain what was measured, and how well they are known.
+#[derive(Debug, Clone)]
+pub struct Fit {
+    /// The values.
+    pub values: Vec<f64>,
+    /// Their standard errors, at most the range.
+    pub errors: Vec<f64>,
+    /// Whether each is at a bound.
+    pub at_bound: Vec<bool>,
+    /// Correlations of the values.
+    pub correlations: DMatrix<f64>,
+    /// Combinations of unknowns that the observations do not tell.
+    pub unidentified: Vec<Unidentified>,
+    /// Numbers at the values, one an observation.
+    pub computed: Vec<Number>,
+    /// The motion of every question that has one.
+    pub orbits: Vec<Option<Orbit>>,
+    /// Differences from what was measured, in standard deviations.
+    pub residuals: Vec<f64>,
+    /// Sum of their squares.
+    pub chi_square: f64,
+    /// Observations less unknowns.
+    pub freedoms: usize,
+    /// How likely chance alone makes χ² as large as that; none where no standard deviations are given or nothing is left over.
+    pub probability: Option<f64>,
+    /// Standard deviation of all observations, in parts of what was measured, where none are given: from the residuals.
+    pub estimated_sigma: Option<f64>,
+    /// Minima that were found, the lowest first.
+    pub minima: Vec<Minimum>,
+    /// χ² around the minimum.
+    pub profiles: Vec<Profile>,
+    /// Whether it came to its end.
+    pub is_complete: bool,
+}
+
+/// A place where χ² is least around.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Minimum {
+    /// The values.
+    pub values: Vec<f64>,
+    /// χ² there.
+    pub chi_square: f64,
+    /// Starts that lead there.
+    pub starts: usize,
+}
+
+/// A combination of unknowns that the observations do not tell.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Unidentified {
+    /// Its unknowns, and by how much they change together, in their units; the first by its whole range.
+    pub parts: Vec<(usize, f64)>,
+}
+
+/// The least χ² at values of one unknown.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Profile {
+    /// Which unknown.
+    pub unknown: usize,
+    /// Its values, and how much larger χ² is there.
+    pub points: Vec<[f64; 2]>,
+}
+
+/// What is found around a minimum.
+enum Around {
+    /// The numbers there with their errors.
+    Exact(Point),
+    /// A point of the profile of an unknown.
+    Profile(usize, [f64; 2]),
+}
+
+impl Problem<'_> {
+    /// The values that explain what was measured, and how well they are known.
+    ///
+    /// # Errors
+    /// [`NoAnswer`] where no start has an answer.
+    pub fn fit(&self) -> Result<Fit, NoAnswer> {
+        let places = self.lowest()?;
+        let best = &places[0];
+        let values = self.values(&best.shares);
+        let mut fit = Fit {
+            computed: best.point.numbers.clone(),
+            orbits: best.point.orbits.clone(),
+            residuals: best.residuals.iter().copied().collect(),
+            chi_square: best.chi_square(),
+            freedoms: self.observations.len().saturating_sub(self.unknowns.len()),
+            probability: None,
+            estimated_sigma: None,
+            errors: vec![f64::NAN; values.len()],
+            at_bound: self.at_bound(best),
+            correlations: DMatrix::zeros(0, 0),
+            unidentified: Vec::new(),
+            minima: self.minima(&places),
+            profiles: Vec::new(),
+            is_complete: best.is_lowest,
+            values,
+        };
+        if self.judge(&mut fit, best) == Err(NoAnswer::Stopped) {
+            fit.is_complete = false;
+        }
+        Ok(fit)
+    }
+
+    fn judge(&self, fit: &mut Fit, best: &Place) -> Result<(), NoAnswer> {
+        let jacobian = self.jacobian(best)?;
+        let scale = match self.observations.iter().all(|one| one.sigma.is_some()) {
+            true => {
+                fit.probability = probability(fit.chi_square, fit.freedoms);
+                1.0
+            }
+            false => {
+                let sigma = (fit.chi_square / fit.freedoms.max(1) as f64).sqrt();
+                fit.estimated_sigma = Some(sigma);
+                // what fits to round-off has no errors of its own
+                sigma.max(f64::EPSILON)
+            }
+        };
+        let covariance = self.covariance(fit, &(&jacobian / scale));
+        let errors = covariance.diagonal().map(f64::sqrt);
+        fit.correlations = DMatrix::from_fn(errors.len(), errors.len(), |row, column| {
+            covariance[(row, column)] / (errors[row] * errors[column])
+        });
+        let unknowns = self.unknowns.iter().zip(errors.iter());
+        fit.errors = unknowns
+            .map(|(unknown, error)| error.min(WIDEST) * unknown.length())
+            .collect();
+        self.look_around(fit, best, (&jacobian, &covariance))
+    }
+
+    /// Which unknowns are at a bound.
+    fn at_bound(&self, best: &Place) -> Vec<bool> {
+        let pairs = self.unknowns.iter().zip(best.shares.iter());
+        pairs
+            .map(|(unknown, share)| !unknown.wraps && (*share == 0.0 || *share == 1.0))
+            .collect()
+    }
+
+    /// Slopes of the residuals by the shares of the ranges, at the minimum.
+    fn jacobian(&self, best: &Place) -> Result<DMatrix<f64>, NoAnswer> {
+        let values = self.values(&best.shares);
+        let steps: Vec<f64> = self
+            .unknowns
+            .iter()
+            .map(|own| DIFFERENCE * own.length())
+            .collect();
+        let bounds = self.unknowns.iter().map(|own| match own.wraps {
+            true => [f64::NEG_INFINITY, f64::INFINITY],
+            false => own.range,
+        });
+        let bounds: Vec<_> = bounds.collect();
+        // residuals, of which no turn is missing, are what is differentiated
+        let scene = |values: &[f64], near: Option<&Point>, effort: Effort| {
+            let mut point = (self.scene)(values, near, effort)?;
+            self.take_residuals(&mut point);
+            Ok(point)
+        };
+        let mut at = best.point.clone();
+        self.take_residuals(&mut at);
+        let found = slopes(&scene, (&values, &at), &steps, &bounds, self.work)?;
+        Ok(DMatrix::from_fn(
+            self.observations.len(),
+            self.unknowns.len(),
+            |row, column| {
+                let slope = found[column][row].value * self.unknowns[column].length();
+                if slope.is_finite() { slope } else { 0.0 }
+            },
+        ))
+    }
+
+    fn take_residuals(&self, point: &mut Point) {
+        for (number, observation) in point.numbers.iter_mut().zip(self.observations) {
+            number.value = observation.residual(number.value);
+        }
+    }
+
+    /// Covariance of the shares, `(JᵀJ)⁻¹` by singular values; where one is so small that its direction is not known within the
+    /// ranges, the direction is noted and counts as known to its range.
+    fn covariance(&self, fit: &mut Fit, jacobian: &DMatrix<f64>) -> DMatrix<f64> {
+        let count = self.unknowns.len();
+        let decomposed = jacobian.tr_mul(jacobian).symmetric_eigen();
+        let mut covariance = DMatrix::zeros(count, count);
+        for k in 0..count {
+            let direction = decomposed.eigenvectors.column(k).into_owned();
+            let variance = 1.0 / decomposed.eigenvalues[k].max(0.0);
+            if variance > WIDEST * WIDEST {
+                fit.unidentified.push(self.unidentified(&direction));
+            }
+            covariance += variance.min(WIDEST * WIDEST) * &direction * direction.transpose();
+        }
+        covariance
+    }
+
+    fn unidentified(&self, direction: &DVector<f64>) -> Unidentified {
+        let mut parts: Vec<(usize, f64)> = direction.iter().copied().enumerate().collect();
+        parts.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+        let largest = parts[0].1;
+        parts.retain(|(_, part)| (part / largest).abs() >= NAMED);
+        for (k, part) in &mut parts {
+            *part *= self.unknowns[*k].length() / largest;
+        }
+        Unidentified { parts }
+    }
+
+    /// Places that are not the same, each with the number of starts that lead there.
+    fn minima(&self, places: &[Place]) -> Vec<Minimum> {
+        let mut found: Vec<(&Place, usize)> = Vec::new();
+        for place in places.iter().filter(|place| place.is_lowest) {
+            let same = |(other, _): &&mut (&Place, usize)| {
+                self.apart(&other.shares, &place.shares).amax() < SAME
+            };
+            match found.iter_mut().find(same) {
+                Some((_, starts)) => *starts += 1,
+                None => found.push((place, 1)),
+            }
+        }
+        let told = |(place, starts): (&Place, usize)| Minimum {
+            values: self.values(&place.shares),
+            chi_square: place.chi_square(),
+            starts,
+        };
+        found.into_iter().map(told).collect()
+    }
+
+    /// The least χ² at values of every unknown around the minimum, each searched from where the covariance expects it; beside it
+    /// the numbers there with their errors.
+    fn look_around(
+        &self,
+        fit: &mut Fit,
+        best: &Place,
+        (jacobian, covariance): (&DMatrix<f64>, &DMatrix<f64>),
+    ) -> Result<(), NoAnswer> {
+        let scale = fit.estimated_sigma.unwrap_or(1.0).max(f64::EPSILON);
+        let count = PROFILE.len();
+        let profile_point = |task: usize| {
+            let (k, distance) = (task / count, PROFILE[task % count]);
+            let along = covariance.column(k) / covariance[(k, k)].sqrt();
+            let mut shares = &best.shares + along * distance;
+            for (share, unknown) in shares.iter_mut().zip(self.unknowns) {
+                *share = if unknown.wraps {
+                    *share
+                } else {
+                    share.clamp(0.0, 1.0)
+                };
+            }
+            let (near, slopes) = (Some(&best.point), Some(jacobian.clone()));
+            let place = self.descend(shares, Some(k), near, slopes, Effort::Coarse)?;
+            let above = (place.chi_square() - best.chi_square()) / (scale * scale);
+            Ok(Around::Profile(k, [self.values(&place.shares)[k], above]))
+        };
+        let tasks = 1 + count * self.unknowns.len();
+        let found = self.work.all(tasks, |task| match task.checked_sub(1) {
+            None => (self.scene)(&fit.values, None, Effort::Verified).map(Around::Exact),
+            Some(task) => profile_point(task),
+        });
+        let here = fit.values.iter().enumerate();
+        let mut profiles: Vec<Profile> = here
+            .map(|(unknown, value)| Profile {
+                unknown,
+                points: vec![[*value, 0.0]],
+            })
+            .collect();
+        for one in found {
+            match one {
+                Some(Ok(Around::Exact(point))) => fit.computed = point.numbers,
+                Some(Ok(Around::Profile(k, point))) => profiles[k].points.push(point),
+                Some(Err(NoAnswer::Failed(_))) => {}
+                None | Some(Err(NoAnswer::Stopped)) => return Err(NoAnswer::Stopped),
+            }
+        }
+        for profile in &mut profiles {
+            profile.points.sort_by(|a, b| a[0].total_cmp(&b[0]));
+            profile.points.dedup_by(|a, b| a[0] == b[0]);
+        }
+        fit.profiles = profiles;
+        Ok(())
+    }
+}
+
+/// How likely chance makes χ² of so many freedoms at least as large.
+fn probability(chi_square: f64, freedoms: usize) -> Option<f64> {
+    let distribution = ChiSquared::new(freedoms as f64).ok()?;
+    Some(distribution.sf(chi_square))
+}

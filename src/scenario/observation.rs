@@ -1,0 +1,430 @@
+//! What was measured, as a fit file says it: a number of an answer, or lines of a channel.
+
+use std::fs;
+use std::path::Path;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use super::axis::Scalar;
+use super::problems::{Issue, Problems};
+use super::quantity::{Dimension, parse};
+use super::study_file::SetInput;
+use crate::analysis::Channel;
+use crate::fit::{Kind, Observation, Wanted};
+use crate::rotor::RotorDefinition;
+
+/// Units that amplitudes of a channel are measured in: those of the channel, of its rate and of the rate of that.
+const RATES: [(&str, [Dimension; 3]); 2] = [
+    (
+        "m",
+        [
+            Dimension::Length,
+            Dimension::Velocity,
+            Dimension::Acceleration,
+        ],
+    ),
+    (
+        "rad",
+        [
+            Dimension::Angle,
+            Dimension::AngularSpeed,
+            Dimension::AngularSpeed,
+        ],
+    ),
+];
+
+/// Something that was measured: a number, or lines of a channel by their amplitude, phase or both.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ObservationInput {
+    /// Which question the number answers. Default: the first of "bearing", "campbell" and "steady" that has it; of lines "steady".
+    pub ask: Option<Kind>,
+    /// Name of a number, as in the tables of studies: "stiffness_x_N_m", "natural_frequency_1_Hz", "y_rms_m".
+    #[schemars(extend("examples" = ["natural_frequency_1_Hz"]))]
+    pub number: Option<String>,
+    /// Its value; what has a unit is written with one.
+    #[schemars(extend("examples" = ["125 Hz"]))]
+    pub value: Option<Scalar>,
+    /// Displacement or force whose line was measured, as in `[output] channels`: "y", "housing1_x", "force_y".
+    #[schemars(extend("examples" = ["housing1_y"]))]
+    pub channel: Option<String>,
+    /// What causes the line, as the tables of spectra name it: "1×" (or "1x"), "BPFO", "2×BPFO of bearing 2".
+    #[schemars(extend("examples" = ["1x"]))]
+    pub line: Option<String>,
+    /// Its amplitude; of a displacement also as velocity or acceleration, "2.1 mm/s", "0.4 g".
+    #[schemars(extend("examples" = ["2.1 mm/s"]))]
+    pub amplitude: Option<Scalar>,
+    /// How the amplitude is told. Default: "peak".
+    #[serde(default)]
+    pub detector: Detector,
+    /// Its phase φ of cos(2πft + φ), of what the unit of the amplitude says; time counts from where the mark that the unbalance
+    /// angles count from points along +X.
+    #[schemars(extend("examples" = ["35 deg"]))]
+    pub phase: Option<Scalar>,
+    /// Folder that `jeffcott analyze` has written, from which the amplitudes of `lines` are taken.
+    #[schemars(extend("examples" = ["output/motor"]))]
+    pub record: Option<String>,
+    /// Channel of the record. Default: `channel`.
+    pub column: Option<String>,
+    /// Lines that are taken from the record.
+    #[serde(default)]
+    #[schemars(extend("examples" = [["1x", "BPFO"]]))]
+    pub lines: Vec<String>,
+    /// Standard deviation of value or amplitude, in its unit or as "5 %". Without any in the file all are taken for equal parts of
+    /// what was measured, and their size for what the residuals show.
+    #[schemars(extend("examples" = ["5 %"]))]
+    pub sigma: Option<Scalar>,
+    /// Standard deviation of the phase. Default: as many radians as `sigma` is of the amplitude.
+    pub phase_sigma: Option<Scalar>,
+    /// What was otherwise than in the base when it was measured.
+    #[serde(default)]
+    pub set: Vec<SetInput>,
+}
+
+/// How an amplitude is told.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Detector {
+    /// Peak value of the line.
+    #[default]
+    Peak,
+    /// Its root mean square.
+    Rms,
+    /// Twice its peak value.
+    PeakToPeak,
+}
+
+impl Detector {
+    /// Peak value of what it tells.
+    fn peak(self) -> f64 {
+        match self {
+            Self::Peak => 1.0,
+            Self::Rms => 2f64.sqrt(),
+            Self::PeakToPeak => 0.5,
+        }
+    }
+}
+
+/// An observation, and what it is compared with.
+pub(super) type Reading = (Kind, Wanted, Observation);
+
+/// The name of a line as the tables write it.
+fn line_name(text: &str) -> String {
+    let mut name = String::new();
+    for c in text.trim().chars() {
+        let times = c == 'x' && name.ends_with(|c: char| c.is_ascii_digit());
+        name.push(if times {
+            '×'
+        } else if c == '-' {
+            '−'
+        } else {
+            c
+        });
+    }
+    name
+}
+
+impl ObservationInput {
+    /// The observations that it makes, each with what it is compared with.
+    pub fn build(
+        &self,
+        rotor: &RotorDefinition,
+        folder: &Path,
+        problems: &mut Problems<'_>,
+    ) -> Option<Vec<Reading>> {
+        match (&self.number, &self.channel) {
+            (Some(name), None) => problems.take(self.number(name, rotor)).map(|one| vec![one]),
+            (None, Some(channel)) => problems.take(self.lines(channel, rotor, folder)),
+            _ => {
+                let message = "an observation is of a `number`, or of a line of a `channel`";
+                problems.refuse(Issue::new("", message).help("give one of them"));
+                None
+            }
+        }
+    }
+
+    fn number(&self, name: &str, rotor: &RotorDefinition) -> Result<Reading, Issue> {
+        let kinds = match self.ask {
+            Some(kind) => vec![kind],
+            None => vec![Kind::Bearing, Kind::Campbell, Kind::Steady],
+        };
+        let known: Vec<_> = kinds
+            .iter()
+            .map(|kind| (*kind, kind.columns(rotor)))
+            .collect();
+        let all = || {
+            known
+                .iter()
+                .flat_map(|(kind, columns)| columns.iter().map(move |own| (*kind, own)))
+        };
+        let found = all().find(|(_, column)| column.name() == name);
+        let (kind, column) = found.ok_or_else(|| {
+            let issue = Issue::new(
+                ".number",
+                format!("no answer of this scene has a number `{name}`"),
+            );
+            let names: Vec<String> = all().map(|(_, column)| column.name()).collect();
+            let list = format!("its numbers are {}", names.join(", "));
+            issue.help_nearest(name, names.iter().map(String::as_str), &list)
+        })?;
+        let value = self.value.as_ref().ok_or_else(|| {
+            Issue::new(".value", format!("`{name}` has no `value`")).help("give what was measured")
+        })?;
+        let measured = read(&value.0, &column.unit, ".value")?;
+        let sigma = self
+            .sigma
+            .as_ref()
+            .map(|sigma| deviation(&sigma.0, measured, &column.unit, ".sigma"));
+        let observation = Observation {
+            name: name.to_owned(),
+            unit: column.unit.clone().into_owned(),
+            measured,
+            sigma: sigma.transpose()?,
+            wraps: false,
+        };
+        Ok((kind, Wanted::Number(name.to_owned()), observation))
+    }
+
+    fn lines(
+        &self,
+        channel: &str,
+        rotor: &RotorDefinition,
+        folder: &Path,
+    ) -> Result<Vec<Reading>, Issue> {
+        let known = Channel::of_motion(rotor);
+        let own = known.iter().find(|known| known.name() == channel);
+        let channel = *own.ok_or_else(|| {
+            let names: Vec<_> = known.iter().map(|known| known.name()).collect();
+            let message = format!("lines of `{channel}` are not computed here");
+            let help = format!(
+                "give one of {}; the unit of the amplitude says whether it is a velocity or an acceleration",
+                names.join(", ")
+            );
+            Issue::new(".channel", message).help(help)
+        })?;
+        if let Some(record) = &self.record {
+            return self.of_record(channel, &folder.join(record));
+        }
+        let Some(line) = &self.line else {
+            let issue = Issue::new(".channel", "which line of it was measured?");
+            return Err(
+                issue.help("give its `line`, as \"1x\" or \"BPFO\", or a `record` and its `lines`")
+            );
+        };
+        let name = line_name(line);
+        let amplitude = self
+            .amplitude
+            .as_ref()
+            .map(|given| Amplitude::read(&given.0, channel, ".amplitude"));
+        let amplitude = amplitude.transpose()?;
+        let rate = amplitude.as_ref().map_or(0, |amplitude| amplitude.rate);
+        let mut readings = Vec::new();
+        if let Some(amplitude) = &amplitude {
+            let measured = self.detector.peak() * amplitude.value;
+            let sigma = self.sigma.as_ref().map(|sigma| match percent(&sigma.0) {
+                Some(part) => Ok(part * measured.abs()),
+                None => Amplitude::read(&sigma.0, channel, ".sigma")
+                    .map(|own| self.detector.peak() * own.value),
+            });
+            readings.push(reading(channel, &name, rate, measured, sigma.transpose()?));
+        }
+        if let Some(phase) = &self.phase {
+            let measured = read(&phase.0, "rad", ".phase")?;
+            let own = self
+                .phase_sigma
+                .as_ref()
+                .map(|sigma| read(&sigma.0, "rad", ".phase_sigma"));
+            let of_amplitude = readings
+                .first()
+                .and_then(|(_, _, own): &Reading| Some(own.sigma? / own.measured));
+            let sigma = own.transpose()?.or(of_amplitude);
+            let wanted = Wanted::Phase {
+                channel,
+                line: name.clone(),
+                rate,
+            };
+            let observation = Observation {
+                name: wanted.to_string(),
+                unit: "rad".to_owned(),
+                measured,
+                sigma,
+                wraps: true,
+            };
+            readings.push((Kind::Steady, wanted, observation));
+        }
+        match readings.is_empty() {
+            true => Err(Issue::new(
+                ".line",
+                "neither its `amplitude` nor its `phase` is given",
+            )),
+            false => Ok(readings),
+        }
+    }
+
+    /// The amplitudes of lines that were found in a record.
+    fn of_record(&self, channel: Channel, folder: &Path) -> Result<Vec<Reading>, Issue> {
+        let path = folder.join("record.json");
+        let unread = |error: &dyn std::fmt::Display| {
+            let issue = Issue::new(".record", format!("{}: {error}", path.display()));
+            issue.help("give a folder that `jeffcott analyze` has written")
+        };
+        let text = fs::read_to_string(&path).map_err(|error| unread(&error))?;
+        let document: Value = serde_json::from_str(&text).map_err(|error| unread(&error))?;
+        let column = self.column.as_deref().unwrap_or(channel.name());
+        let peaks = document["peaks"].as_array().into_iter().flatten();
+        let peaks: Vec<&Value> = peaks.filter(|peak| peak["channel"] == column).collect();
+        if self.lines.is_empty() {
+            let issue = Issue::new(".record", "which lines of the record are taken?");
+            return Err(issue.help("for instance: lines = [\"1x\", \"BPFO\"]"));
+        }
+        let taken = self.lines.iter().map(|line| {
+            let name = line_name(line);
+            let found = peaks.iter().find(|peak| peak["name"] == name.as_str());
+            let peak = found.ok_or_else(|| {
+                let names = peaks.iter().filter_map(|peak| peak["name"].as_str());
+                let names: Vec<_> = names.collect();
+                let message = format!("the record has no line `{name}` in its channel `{column}`");
+                Issue::new(".lines", message).help(format!("it has {}", names.join(", ")))
+            })?;
+            let (value, unit) = (peak["amplitude"].as_f64(), peak["unit"].as_str());
+            let text = format!("{} {}", value.unwrap_or(f64::NAN), unit.unwrap_or_default());
+            let amplitude = Amplitude::read(&text.into(), channel, ".record")?;
+            let sigma = self.sigma.as_ref().map(|sigma| {
+                percent(&sigma.0)
+                    .map(|part| part * amplitude.value)
+                    .ok_or_else(|| {
+                        Issue::new(".sigma", "of lines of a record it is a part of each")
+                            .help("as \"10 %\"")
+                    })
+            });
+            Ok(reading(
+                channel,
+                &name,
+                amplitude.rate,
+                amplitude.value,
+                sigma.transpose()?,
+            ))
+        });
+        taken.collect()
+    }
+}
+
+fn reading(channel: Channel, line: &str, rate: i32, measured: f64, sigma: Option<f64>) -> Reading {
+    let wanted = Wanted::Amplitude {
+        channel,
+        line: line.to_owned(),
+        rate,
+    };
+    let per = ["", "/s", "/s^2"][rate as usize];
+    let observation = Observation {
+        name: wanted.to_string(),
+        unit: format!("{}{per}", channel.unit()),
+        measured,
+        sigma,
+        wraps: false,
+    };
+    (Kind::Steady, wanted, observation)
+}
+
+/// An amplitude of a channel, or of one of its rates.
+struct Amplitude {
+    value: f64,
+    /// Of which rate of the channel.
+    rate: i32,
+}
+
+impl Amplitude {
+    fn read(text: &Value, channel: Channel, place: &str) -> Result<Self, Issue> {
+        let rates = RATES.iter().find(|(unit, _)| *unit == channel.unit());
+        let Some((_, dimensions)) = rates else {
+            return Ok(Self {
+                value: read(text, channel.unit(), place)?,
+                rate: 0,
+            });
+        };
+        let written = text.as_str().unwrap_or_default().trim();
+        // of a sensor g is the standard gravity
+        let written = match written
+            .strip_suffix('g')
+            .filter(|rest| !rest.ends_with('k'))
+        {
+            Some(number) => format!("{number}gn"),
+            None => written.to_owned(),
+        };
+        let found = (0..).zip(dimensions).find_map(|(rate, dimension)| {
+            let parsed = parse(&written, &[*dimension]).ok()?;
+            Some(Self {
+                value: parsed.si,
+                rate,
+            })
+        });
+        found.ok_or_else(|| {
+            let message = format!(
+                "`{}` is no amplitude of `{channel}`",
+                text.as_str().unwrap_or("it")
+            );
+            let units: Vec<_> = dimensions
+                .iter()
+                .map(|dimension| dimension.si_symbol())
+                .collect();
+            Issue::new(place, message).help(format!(
+                "give a number with a unit like {}",
+                units.join(", ")
+            ))
+        })
+    }
+}
+
+/// A value in a unit that columns have; a number of what has no unit, or one that no scenario knows.
+fn read(value: &Value, unit: &str, place: &str) -> Result<f64, Issue> {
+    let dimension = Dimension::of_unit(unit);
+    let wrong = |how: String| Issue::new(place, format!("{value} is no such quantity")).help(how);
+    match (dimension, value.as_str()) {
+        (Some(dimension), Some(text)) => {
+            let parsed = parse(text, &[dimension]);
+            let parsed = parsed.map_err(|_| {
+                wrong(format!(
+                    "a {} is written like \"2 {unit}\"",
+                    dimension.name()
+                ))
+            })?;
+            Ok(parsed.si)
+        }
+        (Some(dimension), None) => Err(wrong(format!(
+            "a {} needs a unit, as in \"{value} {unit}\"",
+            dimension.name()
+        ))),
+        (None, None) => value
+            .as_f64()
+            .ok_or_else(|| wrong("give a number".to_owned())),
+        (None, Some(_)) => Err(wrong(format!(
+            "give a number{}",
+            match unit {
+                "" => String::new(),
+                unit => format!(" in {unit}, without the unit"),
+            }
+        ))),
+    }
+}
+
+/// `5 %` as a part; none of another text.
+fn percent(value: &Value) -> Option<f64> {
+    let number = value.as_str()?.trim().strip_suffix('%')?;
+    let part = number.trim().parse::<f64>().ok()? / 100.0;
+    (part > 0.0).then_some(part)
+}
+
+/// A standard deviation, as a part of what was measured or in its unit.
+fn deviation(value: &Value, measured: f64, unit: &str, place: &str) -> Result<f64, Issue> {
+    let sigma = match percent(value) {
+        Some(part) => part * measured.abs(),
+        None => read(value, unit, place)?,
+    };
+    match sigma > 0.0 && sigma.is_finite() {
+        true => Ok(sigma),
+        false => Err(Issue::new(place, "a standard deviation is positive")
+            .help("of a value of zero it is no part: give it in its unit")),
+    }
+}

@@ -1,0 +1,134 @@
+//! A scenario some of whose numbers are left open.
+
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+use super::input::Questions;
+use super::key::{Key, find, number_keys};
+use super::{Issue, Scenario, questions, without};
+use crate::quasi_static::StaticQuestion;
+use crate::rotor::RotorDefinition;
+use crate::simulate::Model;
+use crate::study::Variable;
+
+/// Tables whose numbers a motion that repeats does not depend on.
+const OF_RUNS: [&str; 5] = ["static", "initial", "time", "integrator", "output"];
+
+/// A checked scenario with some numbers left open.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OpenScenario {
+    base: Value,
+    folder: PathBuf,
+    keys: Vec<Key>,
+}
+
+impl OpenScenario {
+    /// The scenario with the numbers at some paths open, for instance `speed.constant` or `bearing[*].preload`; the files
+    /// that it names are in `folder`.
+    ///
+    /// # Errors
+    /// [`Issue`] where there is no such number, where it is a whole number, and where the law of the
+    /// contacts may change with it.
+    pub fn new<'p>(
+        scenario: &Scenario,
+        paths: impl IntoIterator<Item = &'p str>,
+        folder: &Path,
+    ) -> Result<Self, Issue> {
+        let known = number_keys(&scenario.echo, &OF_RUNS);
+        let key = |path: &'p str| {
+            let key = find(&known, &[path.to_owned()], path).map_err(|issue| Issue {
+                message: format!("{} that its answer depends on", issue.message),
+                ..issue
+            })?;
+            check(scenario, &key, path)?;
+            Ok(key)
+        };
+        Ok(Self {
+            base: without(&scenario.echo, &["output"]),
+            folder: folder.to_owned(),
+            keys: paths.into_iter().map(key).collect::<Result<_, Issue>>()?,
+        })
+    }
+
+    /// A value as it is written in a scenario, in SI units, and the first number that varies, shown in the unit
+    /// that it was written in.
+    ///
+    /// # Errors
+    /// [`Issue`] where the text is none.
+    pub fn value(&self, text: &str) -> Result<(f64, Variable), Issue> {
+        let path = &self.keys[0].path;
+        let value = self.keys[0].typed(text, path).map_err(|issue| Issue {
+            message: format!("`{text}` is no value of `{path}`: {}", issue.message),
+            ..issue
+        })?;
+        Ok((self.keys[0].si(&value), self.keys[0].variable(&value)))
+    }
+
+    /// The values of the numbers in the scenario, SI units, each shown in the unit that it was written in.
+    ///
+    /// # Errors
+    /// [`Issue`] where one has none.
+    pub fn values(&self) -> Result<Vec<(f64, Variable)>, Issue> {
+        let value = |key: &Key| {
+            let value = key.value_in(&self.base).ok_or_else(|| {
+                let path = &key.path;
+                let message = format!("`{path}` has no value in the scenario, or not one alone");
+                let help =
+                    "write its value there, or by --set; name keys of different values one by one";
+                Issue::new(path, message).help(help)
+            })?;
+            Ok((key.si(value), key.variable(value)))
+        };
+        self.keys.iter().map(value).collect()
+    }
+
+    /// The rotor at a value of the first number in SI units.
+    ///
+    /// # Errors
+    /// [`Issue`] with what is wrong with it there.
+    pub fn rotor(&self, si: f64) -> Result<RotorDefinition, Issue> {
+        Ok(self.questions(&[si])?.motion()?.rotor)
+    }
+
+    /// Where the shaft stands and, with a `[time]`, how it moves, at values in SI units.
+    ///
+    /// # Errors
+    /// [`Issue`] with what is wrong there.
+    pub fn asked(&self, values: &[f64]) -> Result<(StaticQuestion, Option<Model>), Issue> {
+        let Questions {
+            question, model, ..
+        } = self.questions(values)?;
+        Ok((question, model))
+    }
+
+    fn questions(&self, values: &[f64]) -> Result<Questions, Issue> {
+        let mut scenario = self.base.clone();
+        let mut told = Vec::new();
+        for (key, si) in self.keys.iter().zip(values) {
+            let value = key.written(*si);
+            key.set(&mut scenario, &value);
+            told.push(format!("{} = {value}", key.path));
+        }
+        questions(&scenario, &self.folder).map_err(|issue| Issue {
+            message: format!("with {}: {}", told.join(", "), issue.message),
+            ..issue
+        })
+    }
+}
+
+/// Refuses numbers that answers do not change with little by little.
+pub(super) fn check(scenario: &Scenario, key: &Key, place: &str) -> Result<(), Issue> {
+    let path = &key.path;
+    if key.is_whole() {
+        let message = format!("`{path}` is a whole number: it does not change little by little");
+        return Err(Issue::new(place, message));
+    }
+    if scenario.contact_choice.is_some() {
+        let message = format!(
+            "contact = \"auto\" may choose another law at another value of `{path}`: set the law that it chose here"
+        );
+        return Err(Issue::new(place, message));
+    }
+    Ok(())
+}
