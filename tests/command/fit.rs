@@ -249,7 +249,7 @@ fn lines_of_a_record_are_fitted_and_drawn_over_it() {
     let folder = tempfile::tempdir().expect("a folder");
     let scene = "[shaft]\nmass = '5 kg'\nfreedoms = 'radial'\n[speed]\nconstant = '3000 rpm'\n\
         [[unbalance]]\namount = '70 g mm'\n\
-        [[bearing]]\n[bearing.linear]\nstiffness = { x = '2 N/um', y = '3 N/um' }\ndamping = { x = '500 N s/m', y = '400 N s/m' }\n\
+        [[element]]\n[element.linear]\nstiffness = { x = '2 N/um', y = '3 N/um' }\ndamping = { x = '500 N s/m', y = '400 N s/m' }\n\
         [time]\nduration = '0.6 s'\nsettle = '0.4 s'\n";
     fs::write(folder.path().join("truth.toml"), scene).expect("a file");
     fs::write(

@@ -148,8 +148,8 @@ const LINEAR: &str = "[shaft]\nmass = \"10 kg\"\nfreedoms = \"all\"\ninertia_tra
     inertia_polar = \"0.05 kg m^2\"\n[speed]\nconstant = \"1500 rpm\"\n\
     [[unbalance]]\namount = \"50 g mm\"\nangle = \"30 deg\"\nposition = \"-100 mm\"\n\
     [[unbalance]]\namount = \"50 g mm\"\nangle = \"0 deg\"\nposition = \"150 mm\"\n\
-    [[bearing]]\nposition = \"-200 mm\"\n[bearing.linear]\nstiffness = { x = \"2 N/um\", y = \"3 N/um\", z = \"1 N/um\" }\ndamping = { x = \"300 N s/m\", y = \"300 N s/m\", z = \"100 N s/m\" }\n\
-    [[bearing]]\nposition = \"220 mm\"\n[bearing.linear]\nstiffness = { x = \"2.5 N/um\", y = \"2 N/um\" }\ndamping = { x = \"200 N s/m\", y = \"400 N s/m\" }\n\
+    [[element]]\nposition = \"-200 mm\"\n[element.linear]\nstiffness = { x = \"2 N/um\", y = \"3 N/um\", z = \"1 N/um\" }\ndamping = { x = \"300 N s/m\", y = \"300 N s/m\", z = \"100 N s/m\" }\n\
+    [[element]]\nposition = \"220 mm\"\n[element.linear]\nstiffness = { x = \"2.5 N/um\", y = \"2 N/um\" }\ndamping = { x = \"200 N s/m\", y = \"400 N s/m\" }\n\
     [time]\nduration = \"1 s\"\n";
 
 #[test]
@@ -183,7 +183,7 @@ fn balancing_in_two_planes_agrees_with_influence_coefficients() {
         response(&[0.0, 0.0, unit, 0.0]) / Complex::from(unit),
     ]);
     // measured amplitudes and phases that no truth is known of
-    let measured = [(21e-6, 0.7), (45e-6, -2.1)];
+    let measured = [(0.7e-6, 0.7), (1.5e-6, -2.1)];
     for (place, (amplitude, phase)) in measured.iter().enumerate() {
         for (observation, value) in file.observations[2 * place..]
             .iter_mut()
@@ -222,7 +222,7 @@ fn the_stiffness_of_a_housing_is_found_from_lines() {
 fn what_a_frequency_alone_cannot_tell_is_named() {
     let scene = LINEAR.replace("freedoms = \"all\"", "freedoms = \"radial\"");
     let fit = "[[unknown]]\nkey = \"shaft.mass\"\nfrom = \"5 kg\"\nto = \"15 kg\"\nstart = \"9 kg\"\n\
-        [[unknown]]\nkey = [\"bearing[1].linear.stiffness.x\", \"bearing[2].linear.stiffness.x\"]\nfrom = \"1 N/um\"\nto = \"4 N/um\"\n\
+        [[unknown]]\nkey = [\"element[1].linear.stiffness.x\", \"element[2].linear.stiffness.x\"]\nfrom = \"1 N/um\"\nto = \"4 N/um\"\n\
         [[observation]]\nnumber = \"natural_frequency_1_Hz\"\nvalue = \"100 Hz\"\nsigma = \"1 Hz\"\n\
         [[observation]]\nnumber = \"natural_frequency_1_Hz\"\nvalue = \"100 Hz\"\nsigma = \"1 Hz\"\nset = [{ key = \"speed.constant\", value = \"900 rpm\" }]\n";
     let file = twin(file(&scene, fit), &[10.0, 2e6]);
