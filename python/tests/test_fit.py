@@ -46,5 +46,6 @@ def test_a_preload_is_found() -> None:
     assert np.allclose(found.scenario.bearing().stiffness, truth, rtol=1e-6)
     again = pickle.loads(pickle.dumps(found))
     assert again.values == found.values and len(again.observations["residual"]) == 3
+    mass = {"key": "shaft.mass", "from": "3 kg", "to": "8 kg"}
     with pytest.raises(jc.ScenarioError, match="cannot tell"):
-        jc.fit({**asked, "observation": []}, scenario)
+        jc.fit({"unknown": [*asked["unknown"], mass], "observation": observed[:1]}, scenario)
