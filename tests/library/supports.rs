@@ -604,8 +604,8 @@ fn the_fastest_mode_is_named_by_the_places_that_move() {
     let rotor = |text: &str| Rotor::assemble(&scenario(text).question.rotor).expect("a rotor");
     let (without, places) = rotor(WITHOUT_Z).fastest().expect("a mode");
     assert!(!places.contains("276.7 mm"), "{places}");
-    let plane = "[[unbalance]]\namount = \"1 g mm\"\nposition = \"0.2766667 m\"\n[[bearing]]";
-    let (with, places) = rotor(&WITHOUT_Z.replacen("[[bearing]]", plane, 1))
+    let plane = "[[unbalance]]\namount = \"1 g mm\"\nposition = \"0.2766667 m\"\n[[element]]";
+    let (with, places) = rotor(&WITHOUT_Z.replacen("[[element]]", plane, 1))
         .fastest()
         .expect("a mode");
     assert!(
