@@ -54,7 +54,9 @@ fn family(channel: Channel) -> Option<(usize, f64)> {
         Channel::Velocity(freedom) => (1, freedom, angular),
         Channel::Acceleration(freedom) => (2, freedom, angular),
         Channel::Force(freedom) => (3, freedom, moment),
-        Channel::BearingForce { freedom, .. } => (4, freedom, moment),
+        Channel::BearingForce { freedom, .. } | Channel::ElementForce { freedom, .. } => {
+            (4, freedom, moment)
+        }
         _ => return None,
     };
     Some((family, if freedom < 3 { 1.0 } else { of_rotation }))
