@@ -542,7 +542,10 @@ impl Channel {
 
     /// Whether it is a force or a moment on the shaft.
     pub(crate) fn is_force(self) -> bool {
-        matches!(self, Self::Force(_) | Self::BearingForce { .. })
+        matches!(
+            self,
+            Self::Force(_) | Self::BearingForce { .. } | Self::ElementForce { .. }
+        )
     }
 }
 
