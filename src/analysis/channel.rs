@@ -16,6 +16,15 @@ use crate::rotor::{
 };
 use crate::table::{Column, ColumnKind, Named};
 
+/// What acts on the shaft or on a housing, each kind counted from 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Part {
+    /// A bearing.
+    Bearing(usize),
+    /// An element.
+    Element(usize),
+}
+
 /// A column of the table of samples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[non_exhaustive]
@@ -49,17 +58,11 @@ pub enum Channel {
         /// x, y or z.
         axis: usize,
     },
-    /// Share of a bearing, from 0, in the force along freedom 0 … 4, moments about the same point.
-    BearingForce {
-        /// Bearing.
-        bearing: usize,
-        /// x, y, z, θx or θy.
-        freedom: usize,
-    },
-    /// Force of an element, from 0, on the shaft likewise, or on the housing that it holds.
-    ElementForce {
-        /// Element.
-        element: usize,
+    /// Force of a bearing or an element on the shaft, or on the housing that it holds, along freedom 0 … 4, moments about
+    /// the point of the total.
+    PartForce {
+        /// Which.
+        part: Part,
         /// x, y, z, θx or θy.
         freedom: usize,
     },
@@ -123,17 +126,17 @@ static ALL: LazyLock<Vec<(Channel, Column)>> = LazyLock::new(|| {
     use Channel::*;
     let of = |quantity: fn(usize) -> Channel| (0..FREEDOMS).map(quantity);
     let bodies = crate::rotor::Body::all().flat_map(|body| Channel::of_body(body, 3));
-    let forces = (0..MOST_BEARINGS)
-        .flat_map(|bearing| (0..FREEDOMS).map(move |freedom| BearingForce { bearing, freedom }));
-    let elements = (0..MOST_BEARINGS)
-        .flat_map(|element| (0..FREEDOMS).map(move |freedom| ElementForce { element, freedom }));
+    let parts = [Part::Bearing, Part::Element].into_iter();
+    let parts = parts.flat_map(|of| (0..MOST_BEARINGS).map(of));
+    let forces =
+        parts.flat_map(|part| (0..FREEDOMS).map(move |freedom| PartForce { part, freedom }));
     let all = [Time, Angle, Speed].into_iter();
     let all = all.chain(of(Displacement)).chain(of(Velocity));
     let all = all.chain(of(Acceleration)).chain(of(Force));
     let all = all.chain([LargestBallLoad, BallsLoaded]);
     let all = all.chain((0..ENERGY.len()).map(Energy));
     let all = all.chain((0..DRIVE.len()).map(Drive));
-    let all = all.chain(bodies).chain(forces).chain(elements);
+    let all = all.chain(bodies).chain(forces);
     all.map(|channel| (channel, channel.column())).collect()
 });
 
@@ -181,8 +184,7 @@ impl Channel {
                 | Self::Acceleration(2)
                 | Self::Force(2)
                 | Self::Body { axis: 2, .. }
-                | Self::BearingForce { freedom: 2, .. }
-                | Self::ElementForce { freedom: 2, .. }
+                | Self::PartForce { freedom: 2, .. }
         )
     }
 
@@ -200,8 +202,7 @@ impl Channel {
                     | Self::Energy(_)
                     | Self::Drive(_)
                     | Self::Body { .. }
-                    | Self::BearingForce { .. }
-                    | Self::ElementForce { .. }
+                    | Self::PartForce { .. }
             )
         };
         Self::all().filter(move |channel| !elsewhere(channel))
@@ -224,14 +225,12 @@ impl Channel {
     }
 
     /// Force of a bearing, from 0, or of an element behind the bearings.
-    pub(crate) fn of_part(rotor: &RotorDefinition, part: usize, freedom: usize) -> Self {
-        match part.checked_sub(rotor.bearings.len()) {
-            None => Self::BearingForce {
-                bearing: part,
-                freedom,
-            },
-            Some(element) => Self::ElementForce { element, freedom },
-        }
+    pub(crate) fn of_part(rotor: &RotorDefinition, number: usize, freedom: usize) -> Self {
+        let part = match number.checked_sub(rotor.bearings.len()) {
+            None => Part::Bearing(number),
+            Some(element) => Part::Element(element),
+        };
+        Self::PartForce { part, freedom }
     }
 
     /// Forces of each of several bearings and elements along the freedoms that move; that of a single one is the total.
@@ -273,20 +272,24 @@ impl Channel {
                     format!("give the bearing a table {key}, or leave it out"),
                 ])
             }
-            Self::BearingForce { bearing, .. } if bearing >= rotor.bearings.len() => Some([
-                format!(
-                    "there is no `{self}`: the number of bearings is {}",
-                    rotor.bearings.len()
-                ),
-                "bearings count from 1, each of a set by itself".to_owned(),
-            ]),
-            Self::ElementForce { element, .. } if element >= rotor.elements.len() => Some([
-                format!(
-                    "there is no `{self}`: the number of elements is {}",
-                    rotor.elements.len()
-                ),
-                "elements count from 1, apart from the bearings".to_owned(),
-            ]),
+            Self::PartForce { part, .. } => {
+                let (number, count, kind, counted) = match part {
+                    Part::Bearing(number) => {
+                        let counted = "each of a set by itself";
+                        (number, rotor.bearings.len(), "bearings", counted)
+                    }
+                    Part::Element(number) => {
+                        let counted = "apart from the bearings";
+                        (number, rotor.elements.len(), "elements", counted)
+                    }
+                };
+                (number >= count).then(|| {
+                    [
+                        format!("there is no `{self}`: the number of {kind} is {count}"),
+                        format!("{kind} count from 1, {counted}"),
+                    ]
+                })
+            }
             _ => None,
         }
     }
@@ -299,12 +302,8 @@ impl Channel {
             Self::Velocity(freedom) => Self::Velocity(next(freedom)?),
             Self::Acceleration(freedom) => Self::Acceleration(next(freedom)?),
             Self::Force(freedom) => Self::Force(next(freedom)?),
-            Self::BearingForce { bearing, freedom } => Self::BearingForce {
-                bearing,
-                freedom: next(freedom)?,
-            },
-            Self::ElementForce { element, freedom } => Self::ElementForce {
-                element,
+            Self::PartForce { part, freedom } => Self::PartForce {
+                part,
                 freedom: next(freedom)?,
             },
             Self::Body {
@@ -348,7 +347,10 @@ impl Channel {
         );
         let parts = matches!(
             self,
-            Self::BearingForce { bearing: 1.., .. } | Self::ElementForce { .. }
+            Self::PartForce {
+                part: Part::Bearing(1..) | Part::Element(_),
+                ..
+            }
         );
         resonators || parts
     }
@@ -391,9 +393,12 @@ impl Channel {
             Self::Velocity(freedom) => sample.velocity[freedom],
             Self::Acceleration(freedom) => sample.acceleration?[freedom],
             Self::Force(freedom) => sample.force_on_shaft?[freedom],
-            Self::BearingForce { bearing, freedom } => sample.bearing_forces.get(bearing)?[freedom],
-            Self::ElementForce { element, freedom } => {
-                sample.bearing_forces.get(sample.first_element + element)?[freedom]
+            Self::PartForce { part, freedom } => {
+                let place = match part {
+                    Part::Bearing(bearing) => bearing,
+                    Part::Element(element) => sample.first_element + element,
+                };
+                sample.bearing_forces.get(place)?[freedom]
             }
             Self::LargestBallLoad => sample.largest_ball_load?,
             Self::BallsLoaded => f64::from(sample.balls_loaded?),
@@ -447,13 +452,12 @@ impl Channel {
                 };
                 return of_shaft.column().of_part(&body.name());
             }
-            Self::BearingForce { bearing, freedom } => {
+            Self::PartForce { part, freedom } => {
                 let total = Self::Force(freedom).column();
-                return total.of_part(&format!("bearing{}", bearing + 1));
-            }
-            Self::ElementForce { element, freedom } => {
-                let total = Self::Force(freedom).column();
-                return total.of_part(&format!("element{}", element + 1));
+                return total.of_part(&match part {
+                    Part::Bearing(bearing) => format!("bearing{}", bearing + 1),
+                    Part::Element(element) => format!("element{}", element + 1),
+                });
             }
         };
         Column::number(quantity, unit)
@@ -542,10 +546,7 @@ impl Channel {
 
     /// Whether it is a force or a moment on the shaft.
     pub(crate) fn is_force(self) -> bool {
-        matches!(
-            self,
-            Self::Force(_) | Self::BearingForce { .. } | Self::ElementForce { .. }
-        )
+        matches!(self, Self::Force(_) | Self::PartForce { .. })
     }
 }
 

@@ -23,7 +23,7 @@ pub(crate) use causes::{
     BearingFrequencies, LineSurfaces, Precision, Sources, causes, nearest_cause,
 };
 pub(crate) use channel::BodyQuantity;
-pub use channel::Channel;
+pub use channel::{Channel, Part};
 pub(crate) use estimation::estimate;
 pub(crate) use estimation::{
     Axis, Detrend, EstimateError, Resampling, Scaling, Segment, SpectrumKind, SpectrumRequest,

@@ -14,12 +14,12 @@ const ARM: f64 = 0.01;
 /// Noise floor of the columns of a run: amplitudes below it are round-off.
 ///
 /// It is 1e-11 of the largest value, mean included, in the family of a quantity: displacements with tilts (through a
-/// length of 10 mm), velocities, accelerations, forces with moments, and those of single bearings. Velocities and accelerations of a shaft at rest
+/// length of 10 mm), velocities, accelerations, forces with moments, and those of single bearings and elements. Velocities and accelerations of a shaft at rest
 /// have a floor too: that of the displacements at half the sampling rate. Energies, moments of the drive, angles and
 /// counts have none.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct NoiseFloor {
-    /// Largest displacement in m, velocity in m/s, acceleration in m/s², force in N, force of a bearing in N.
+    /// Largest displacement in m, velocity in m/s, acceleration in m/s², force in N, force of a bearing or element in N.
     largest: [f64; 5],
 }
 
@@ -54,9 +54,7 @@ fn family(channel: Channel) -> Option<(usize, f64)> {
         Channel::Velocity(freedom) => (1, freedom, angular),
         Channel::Acceleration(freedom) => (2, freedom, angular),
         Channel::Force(freedom) => (3, freedom, moment),
-        Channel::BearingForce { freedom, .. } | Channel::ElementForce { freedom, .. } => {
-            (4, freedom, moment)
-        }
+        Channel::PartForce { freedom, .. } => (4, freedom, moment),
         _ => return None,
     };
     Some((family, if freedom < 3 { 1.0 } else { of_rotation }))

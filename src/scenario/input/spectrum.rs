@@ -406,12 +406,8 @@ impl JsonSchema for ChannelName {
 /// The channels of all freedoms, each kind together, of all housings, bearings and elements.
 fn every_channel() -> impl Iterator<Item = Channel> {
     let freedoms = GROUPS.iter().flat_map(|(_, of)| (0..FREEDOMS).map(of));
-    let of_parts = |channel: &Channel| {
-        matches!(
-            channel,
-            Channel::Body { .. } | Channel::BearingForce { .. } | Channel::ElementForce { .. }
-        )
-    };
+    let of_parts =
+        |channel: &Channel| matches!(channel, Channel::Body { .. } | Channel::PartForce { .. });
     freedoms.chain(Channel::all().filter(of_parts))
 }
 
