@@ -164,7 +164,8 @@ impl Problem<'_> {
         }
     }
 
-    /// The lowest place around a start, or with little effort one near it, with one of the unknowns held where one is named. Slopes that are known about there are kept as long as they lead down.
+    /// The lowest place around a start, or with little effort one near it, with one of the unknowns held where one is named.
+    /// Slopes that are known about there are kept as long as they lead down.
     ///
     /// ```text
     /// (JᵀJ + λ diag JᵀJ) δ = −Jᵀr,   p ← p + δ, no further than to the bounds

@@ -189,8 +189,9 @@ fn tell(text: &mut Lines, file: &FitFile, fit: &Fit, rows: &[Row<'_>]) {
     text.line(
         "fit",
         format!(
-            "{seen} observations, {sought} unknowns, {} searches",
-            file.starts
+            "{seen} observations, {sought} unknowns, from {} {}",
+            file.starts,
+            if file.starts == 1 { "start" } else { "starts" }
         ),
     );
     match (fit.estimated_sigma, fit.probability) {
@@ -198,7 +199,7 @@ fn tell(text: &mut Lines, file: &FitFile, fit: &Fit, rows: &[Row<'_>]) {
             "scatter",
             format!(
                 "{} % of what was measured, from the residuals: no sigma is given",
-                digits(to_digits(100.0 * sigma, 3))
+                to_digits(100.0 * sigma, 3)
             ),
         ),
         (None, Some(probability)) => text.line(
@@ -207,7 +208,7 @@ fn tell(text: &mut Lines, file: &FitFile, fit: &Fit, rows: &[Row<'_>]) {
                 "{} where {} are expected; by chance it is larger in {} % of all cases",
                 digits(fit.chi_square),
                 fit.freedoms,
-                digits(to_digits(100.0 * probability, 2))
+                to_digits(100.0 * probability, 2)
             ),
         ),
         (None, None) => text.line("χ²", digits(fit.chi_square)),
