@@ -65,7 +65,7 @@
   }
 
   const json = (value) => element("pre", {}, JSON.stringify(value, null, 2));
-  const heading = (name) => `${name[0].toUpperCase()}${name.slice(1).replaceAll("_", " ")}`;
+  const heading = (name) => name === "balls" ? "Rolling elements" : `${name[0].toUpperCase()}${name.slice(1).replaceAll("_", " ")}`;
 
   figures.tellRuns(runText);
   section("numbers", "Answer", ...page.warnings(answer.warnings ?? []), ...told());

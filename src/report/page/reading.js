@@ -194,7 +194,7 @@ const figures = (() => {
     map: "Numbers of the runs over both axes.",
     scatter: "Numbers of the runs over what was drawn, a point a run.",
     sensitivity: "Rank correlation of the numbers with what was drawn.",
-    balls: "Every ball of every bearing around the shaft.",
+    balls: "Every rolling element of every bearing around the shaft.",
     scene: "The shaft to scale, seen from the side: bearings with the lines of their contacts, loads and unbalance.",
     orbit: "The path of the shaft's centre, both ways at one scale.",
     traces: "The runs over each other in time; of long ones the lowest and highest values of each stretch.",
