@@ -13,6 +13,7 @@ mod error;
 mod estimate;
 mod fit;
 mod geometry;
+mod geometry_error;
 pub(crate) mod law;
 mod life;
 pub(crate) mod number;
@@ -41,7 +42,8 @@ pub use estimate::{
     Candidate, CatalogueLine, Estimate, EstimateError, RollerCandidate, RollerEstimate, RollerLine,
 };
 pub use fit::Fit;
-pub use geometry::{FreePosition, Geometry, GeometryError};
+pub use geometry::{FreePosition, Geometry};
+pub use geometry_error::GeometryError;
 pub(crate) use law::{
     Ball, BallForce, BallLaw, ContactLaw, ForceLaw, RaceContacts, RaceFilms, TableError,
     TableReport,

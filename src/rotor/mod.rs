@@ -16,6 +16,7 @@ mod drive;
 mod element;
 mod energy;
 mod equilibrium;
+mod error;
 mod excitation;
 mod flexible;
 mod force_law;
@@ -27,6 +28,7 @@ mod linear_part;
 mod linearisation;
 pub mod load;
 mod massless;
+mod matrices;
 mod modes;
 mod motion;
 mod motion_scale;
@@ -48,7 +50,7 @@ mod unbalance;
 mod unconstrained;
 
 pub(crate) use crate::bearing::CageMotion;
-pub use assembly::RotorError;
+pub use error::RotorError;
 pub(crate) use assembly::build_supports;
 #[cfg(test)]
 pub(crate) use bodies::BodyMotion;

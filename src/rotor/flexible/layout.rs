@@ -6,7 +6,8 @@ use super::mesh::{FlexibleShaft, ShaftError};
 use super::reduction::ReducedShaft;
 use crate::rotor::coordinate::{Coordinate, CoordinateKind};
 use crate::rotor::point::Point;
-use crate::rotor::structure::{Matrices, Structure};
+use crate::rotor::matrices::Matrices;
+use crate::rotor::structure::Structure;
 use crate::rotor::{FREEDOMS, RotorDefinition};
 
 /// Frequency of the modes that are kept over that of the highest excitation.

@@ -1,0 +1,110 @@
+//! Why a set of dimensions is not a bearing.
+
+use super::{Geometry, Rollers};
+
+/// Why a set of dimensions is not a bearing.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum GeometryError {
+    /// Too few or too many balls to be a bearing.
+    #[error("{balls} balls: a ball bearing has {min} to {max}", min = Geometry::FEWEST_BALLS, max = Geometry::MOST_BALLS)]
+    Balls {
+        /// Number of balls as given.
+        balls: usize,
+    },
+    /// A dimension is not a positive finite length.
+    #[error("{name} is {value} m; it must be positive and finite")]
+    Length {
+        /// What the dimension is called.
+        name: &'static str,
+        /// Value as given, m.
+        value: f64,
+    },
+    /// The groove is not wider than the ball.
+    #[error(
+        "groove factor of the {race} race is {value}; the groove radius must exceed half the ball \
+         diameter and stay below it: 0.5 < f ≤ 1"
+    )]
+    GrooveFactor {
+        /// Which race.
+        race: &'static str,
+        /// Groove factor f = r/D as given.
+        value: f64,
+    },
+    /// The contact angle is outside 0° … 60°.
+    #[error("the contact angle is {degrees}°; it must be in 0° … 60°")]
+    ContactAngle {
+        /// Angle as given, degrees.
+        degrees: f64,
+    },
+    /// The clearance asks for a contact angle above 60°, or squeezes the balls too much.
+    #[error(
+        "a diametral clearance of {clearance} m does not fit the grooves: it must be in {smallest} … \
+         {largest} m, where the balls are squeezed by a tenth of the distance of the groove centres and where the free \
+         contact angle reaches 60°"
+    )]
+    Clearance {
+        /// Diametral clearance as given, m.
+        clearance: f64,
+        /// Smallest clearance that is taken for one, m; negative.
+        smallest: f64,
+        /// Largest clearance that the grooves allow, m.
+        largest: f64,
+    },
+    /// A change of clearance leads to a contact angle above 60°, or squeezes the balls too much.
+    #[error(
+        "a change of the diametral clearance by {change} m does not fit: it must be in {smallest} … \
+         {largest} m, where the balls are squeezed by a tenth of the distance of the groove centres and where the free \
+         contact angle reaches 60°"
+    )]
+    ClearanceChange {
+        /// Change as given, m.
+        change: f64,
+        /// Smallest change that fits, m.
+        smallest: f64,
+        /// Largest change that fits, m.
+        largest: f64,
+    },
+    /// Rollers lie at an angle that their kind does not have.
+    #[error("the contact angle of {kind} rollers is {degrees}°; {rule}")]
+    RollerAngle {
+        /// Kind of the bearing.
+        kind: &'static str,
+        /// Angle as given, degrees.
+        degrees: f64,
+        /// What it must be.
+        rule: &'static str,
+    },
+    /// A roller is cut into too few or too many slices.
+    #[error("{laminae} laminae: a roller is cut into {min} to {max}", min = Rollers::FEWEST_LAMINAE, max = Rollers::MOST_LAMINAE)]
+    Laminae {
+        /// Number as given.
+        laminae: usize,
+    },
+    /// The clearance of rollers is out of all proportion.
+    #[error(
+        "a diametral clearance of {clearance} m does not fit rollers of {diameter} m: its size must stay below a twentieth \
+         of them"
+    )]
+    RollerClearance {
+        /// Diametral clearance as given, m.
+        clearance: f64,
+        /// Diameter of the rollers, m.
+        diameter: f64,
+    },
+    /// The balls overlap on the pitch circle.
+    #[error(
+        "{balls} balls of {ball_diameter} m overlap on a pitch circle of {pitch_diameter} m: at \
+         most {largest} fit"
+    )]
+    Overlap {
+        /// Number of balls.
+        balls: usize,
+        /// Ball diameter, m.
+        ball_diameter: f64,
+        /// Pitch diameter, m.
+        pitch_diameter: f64,
+        /// How many balls fit.
+        largest: usize,
+    },
+}
