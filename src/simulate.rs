@@ -1,10 +1,11 @@
 //! A [`Model`] goes in, a [`Run`] comes out. No files, no clock, no printing.
 
+pub(crate) mod bare_run;
 mod energy_audit;
 mod model;
 mod observation;
 mod observers;
-pub(crate) mod passes;
+mod passes;
 mod recorded;
 mod recorders;
 mod run;
@@ -17,6 +18,7 @@ mod tables;
 mod warnings;
 mod watch;
 
+pub(crate) use bare_run::BareRun;
 pub use energy_audit::EnergyReport;
 pub use model::Model;
 pub(crate) use model::{Analyses, MotionAnalysis, Sampling};
@@ -24,7 +26,7 @@ pub use observation::{BearingHistory, Event, EventCount, EventKind};
 pub(crate) use observation::{BeyondContact, PeakWatch, Spread};
 #[cfg(test)]
 pub(crate) use observation::{ConsumedLife, LifeHistory, LoadZone};
-pub(crate) use passes::{BareRun, Recorded, reference_settings};
+pub(crate) use passes::{Recorded, reference_settings};
 pub(crate) use recorded::LAST_BALLS;
 pub use recorded::{RecordedRun, UnknownColumn};
 pub use recorders::Maps;

@@ -4,7 +4,7 @@
 use std::sync::atomic::AtomicBool;
 
 use super::run::{Reduction, ReductionError};
-use super::{BLOCK, MeasuredError, Model, SimulateError, sampling};
+use super::{MeasuredError, Model};
 use crate::bearing::Vector5;
 use crate::integrate::{
     Counters, Grid, IntegrateError, Integration, Method, Progress, Settings, States, System,
@@ -94,7 +94,7 @@ pub(super) fn motion_scale(model: &Model, rotor: &Rotor) -> MotionScale {
 }
 
 /// The integration of a rotor from its start.
-fn pass<'a>(
+pub(super) fn pass<'a>(
     rotor: &'a Rotor,
     scale: &MotionScale,
     grid: Grid,
@@ -107,7 +107,7 @@ fn pass<'a>(
 
 /// The scale of the motion that the first states of a run show, where it is far smaller than the one assumed; none where
 /// the rest of the run may differ from them, as in a run-up or before a shock.
-fn corrected_by(
+pub(super) fn corrected_by(
     rotor: &Rotor,
     scale: &MotionScale,
     grid: Grid,
@@ -364,55 +364,5 @@ impl<'a> Reference<'a> {
             }
         }
         Ok(())
-    }
-}
-
-/// The integration of a model and nothing else, ready to be run as often as one likes: what time and work are
-/// measured on.
-#[derive(Debug, Clone)]
-pub struct BareRun<'a> {
-    model: &'a Model,
-    rotor: Rotor,
-}
-
-impl<'a> BareRun<'a> {
-    /// Assembles the rotor of a model.
-    ///
-    /// # Errors
-    /// [`SimulateError::Rotor`] where it cannot be assembled.
-    pub fn new(model: &'a Model) -> Result<Self, SimulateError> {
-        let mut rotor = Rotor::assemble(&model.rotor)?;
-        if model.energy {
-            rotor.account_for_energy();
-        }
-        Ok(Self { model, rotor })
-    }
-
-    /// The rotor.
-    pub fn rotor(&self) -> &Rotor {
-        &self.rotor
-    }
-
-    /// Integrates over all samples of the model by its method and forgets the states: no second pass, no
-    /// observation of the bearings, no spectra.
-    ///
-    /// # Errors
-    /// [`SimulateError`] as a run.
-    pub fn integrate(&self, stop: &AtomicBool) -> Result<Counters, SimulateError> {
-        let (model, rotor) = (self.model, &self.rotor);
-        let grid = sampling::grid(model, rotor)?;
-        let scale = motion_scale(model, rotor);
-        let begun = |scale| pass(rotor, scale, grid, model.integrator, (stop, None));
-        let mut integration = begun(&scale);
-        let mut states = States::with_capacity(rotor.states(), BLOCK);
-        integration.advance(BLOCK, &mut states)?;
-        if let Some(scale) = corrected_by(rotor, &scale, grid, &states) {
-            integration = begun(&scale);
-        }
-        while integration.done() < grid.count {
-            states.clear();
-            integration.advance(BLOCK, &mut states)?;
-        }
-        Ok(integration.counters())
     }
 }
