@@ -8,11 +8,10 @@ use std::sync::{LazyLock, Mutex, PoisonError};
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
-use serde_json::Value;
 
 use crate::keys::{DISPLACEMENT, FORCE};
 use crate::rotor::{
-    Body, DriveMoments, EnergyBalance, FREEDOMS, Freedoms, MOST_BEARINGS, RotorDefinition, Sample,
+    Body, DriveMoments, EnergyBalance, FREEDOMS, Freedoms, MOST_BEARINGS, Sample,
 };
 use crate::table::{Column, ColumnKind, Named};
 
@@ -175,17 +174,29 @@ impl Channel {
         displacements.chain(axes().map(Self::Force)).collect()
     }
 
+    /// Freedom 0 … 4 or axis 0 … 2 along which it moves or pushes.
+    fn along(&mut self) -> Option<&mut usize> {
+        match self {
+            Self::Displacement(freedom)
+            | Self::Velocity(freedom)
+            | Self::Acceleration(freedom)
+            | Self::Force(freedom)
+            | Self::PartForce { freedom, .. }
+            | Self::Body { axis: freedom, .. } => Some(freedom),
+            _ => None,
+        }
+    }
+
     /// Whether it moves or pushes along the axis of the shaft.
-    pub(super) fn is_axial(self) -> bool {
-        matches!(
-            self,
-            Self::Displacement(2)
-                | Self::Velocity(2)
-                | Self::Acceleration(2)
-                | Self::Force(2)
-                | Self::Body { axis: 2, .. }
-                | Self::PartForce { freedom: 2, .. }
-        )
+    pub(super) fn is_axial(mut self) -> bool {
+        self.along() == Some(&mut 2)
+    }
+
+    /// What turns together with it in a whirl: the y of an x, θy of θx.
+    pub(crate) fn across(mut self) -> Option<Self> {
+        let along = self.along().filter(|along| matches!(along, 0 | 3))?;
+        *along += 1;
+        Some(self)
     }
 
     /// All columns, in the order in which the tables show them.
@@ -206,117 +217,6 @@ impl Channel {
             )
         };
         Self::all().filter(move |channel| !elsewhere(channel))
-    }
-
-    /// The columns of the table `trace` of a shaft, where no others are asked for: its housings, too, and of several
-    /// bearings and elements the force of each along the axes that the shaft moves along.
-    pub(crate) fn of_trace_of(rotor: &RotorDefinition) -> Vec<Self> {
-        let lengths = rotor.shaft.freedoms.lengths();
-        let bodies = Self::of_bodies(rotor, lengths);
-        let forces = Self::of_bearings(rotor).filter(|force| force.unit() == "N");
-        Self::of_trace().chain(bodies).chain(forces).collect()
-    }
-
-    /// The columns of the table `trace` of a shaft, or time and the columns that the `[output]` of a scenario asks for.
-    pub(crate) fn of_trace_in(scenario: &Value, rotor: &RotorDefinition) -> Vec<Self> {
-        let asked = Vec::deserialize(&scenario["output"]["channels"]).ok();
-        let timed = |asked: Vec<Self>| [Self::Time].into_iter().chain(asked).collect();
-        asked.map_or_else(|| Self::of_trace_of(rotor), timed)
-    }
-
-    /// Force of a bearing, from 0, or of an element behind the bearings.
-    pub(crate) fn of_part(rotor: &RotorDefinition, number: usize, freedom: usize) -> Self {
-        let part = match number.checked_sub(rotor.bearings.len()) {
-            None => Part::Bearing(number),
-            Some(element) => Part::Element(element),
-        };
-        Self::PartForce { part, freedom }
-    }
-
-    /// Forces of each of several bearings and elements along the freedoms that move; that of a single one is the total.
-    fn of_bearings(rotor: &RotorDefinition) -> impl Iterator<Item = Self> {
-        let parts = Some(rotor.part_count()).filter(|count| *count > 1);
-        let axes = rotor.shaft.freedoms.axes();
-        let parts =
-            (0..parts.unwrap_or(0)).flat_map(|part| axes.iter().map(move |axis| (part, *axis)));
-        parts.map(|(part, freedom)| Self::of_part(rotor, part, freedom))
-    }
-
-    /// What a motion is described by beside displacements and forces of the shaft: displacements of its housings, and
-    /// forces of each of several bearings.
-    pub(crate) fn of_parts(rotor: &RotorDefinition) -> Vec<Self> {
-        let lengths = rotor.shaft.freedoms.lengths();
-        let bodies = Self::of_bodies(rotor, lengths);
-        let displacements = bodies.filter(|channel| channel.unit() == "m");
-        displacements.chain(Self::of_bearings(rotor)).collect()
-    }
-
-    /// Displacements and forces of the freedoms that move, then [`Channel::of_parts`].
-    pub(crate) fn of_motion(rotor: &RotorDefinition) -> Vec<Self> {
-        let mut channels = Self::of_freedoms(rotor.shaft.freedoms);
-        channels.extend(Self::of_parts(rotor));
-        channels
-    }
-
-    /// Why a shaft has no such column, and what to do, where it has none.
-    pub(crate) fn missing_of(self, rotor: &RotorDefinition) -> Option<[String; 2]> {
-        let lengths = rotor.shaft.freedoms.lengths();
-        match self {
-            Self::Body { body, axis, .. } if !rotor.bodies().contains(&body) || axis >= lengths => {
-                let (what, key) = match body {
-                    Body::Housing(_) => ("housing", "[bearing.housing]"),
-                    Body::Resonator(_) => ("resonator", "[bearing.housing.resonator]"),
-                };
-                Some([
-                    format!("there is no `{self}`: no such {what} moves that way"),
-                    format!("give the bearing a table {key}, or leave it out"),
-                ])
-            }
-            Self::PartForce { part, .. } => {
-                let (number, count, kind, counted) = match part {
-                    Part::Bearing(number) => {
-                        let counted = "each of a set by itself";
-                        (number, rotor.bearings.len(), "bearings", counted)
-                    }
-                    Part::Element(number) => {
-                        let counted = "apart from the bearings";
-                        (number, rotor.elements.len(), "elements", counted)
-                    }
-                };
-                (number >= count).then(|| {
-                    [
-                        format!("there is no `{self}`: the number of {kind} is {count}"),
-                        format!("{kind} count from 1, {counted}"),
-                    ]
-                })
-            }
-            _ => None,
-        }
-    }
-
-    /// What turns together with it in a whirl: the y of an x, θy of θx.
-    pub(crate) fn across(self) -> Option<Self> {
-        let next = |freedom| matches!(freedom, 0 | 3).then_some(freedom + 1);
-        Some(match self {
-            Self::Displacement(freedom) => Self::Displacement(next(freedom)?),
-            Self::Velocity(freedom) => Self::Velocity(next(freedom)?),
-            Self::Acceleration(freedom) => Self::Acceleration(next(freedom)?),
-            Self::Force(freedom) => Self::Force(next(freedom)?),
-            Self::PartForce { part, freedom } => Self::PartForce {
-                part,
-                freedom: next(freedom)?,
-            },
-            Self::Body {
-                body,
-                quantity,
-                axis: 0,
-            } => Self::Body {
-                body,
-                quantity,
-                axis: 1,
-            },
-            _ => return None,
-        })
     }
 
     /// The columns of the table `energy`.
@@ -526,15 +426,8 @@ impl Channel {
         )
     }
 
-    /// Columns of the bodies besides the shaft that are observed and move along the first `axes` of x, y, z.
-    pub(crate) fn of_bodies(rotor: &RotorDefinition, axes: usize) -> impl Iterator<Item = Self> {
-        let bodies = rotor.bodies().into_iter();
-        let observed = bodies.filter(|body| body.is_observed());
-        observed.flat_map(move |body| Self::of_body(body, axes))
-    }
-
     /// Columns of a body that moves along the first `axes` of x, y, z.
-    fn of_body(body: Body, axes: usize) -> impl Iterator<Item = Self> {
+    pub(super) fn of_body(body: Body, axes: usize) -> impl Iterator<Item = Self> {
         BodyQuantity::ALL.into_iter().flat_map(move |quantity| {
             (0..axes).map(move |axis| Self::Body {
                 body,

@@ -11,6 +11,7 @@ mod noise_floor;
 mod order_tracks;
 mod peaks;
 pub(crate) mod recording;
+mod rotor_channels;
 mod sampling_errors;
 mod spectrum;
 mod transform;
