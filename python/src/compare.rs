@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use jeffcott::report::compare::{
-    CompareError, Rules, Tolerance, Tolerances, compare as compare_files,
+    CompareError, LineRules, Rules, Tolerance, Tolerances, compare as compare_files,
 };
 use pyo3::exceptions::{PyFileNotFoundError, PyValueError};
 use pyo3::prelude::*;
@@ -42,10 +42,12 @@ pub fn compare(
         tolerances,
         worst: worst.max(1),
         common,
-        lines,
-        by,
-        reach,
-        decibels,
+        lines: lines.map(|count| LineRules {
+            count,
+            by,
+            reach,
+            decibels,
+        }),
     };
     let found = py.detach(|| compare_files(&first, &second, &rules));
     let found = found.map_err(|error| wrong(&error))?;

@@ -8,7 +8,7 @@ use serde_json::json;
 
 use super::{Outcome, terminal};
 use crate::report::compare::{
-    CompareError, Comparison, LinesBy, Rules, Tolerance, Tolerances, compare, document,
+    CompareError, Comparison, LineRules, LinesBy, Rules, Tolerance, Tolerances, compare, document,
     write_figure, write_page,
 };
 use crate::scenario::ToleranceFile;
@@ -144,10 +144,12 @@ fn comparisons(arguments: &Arguments) -> Result<Vec<Comparison>, String> {
         tolerances: tolerances(arguments, file.as_ref()).map_err(|error| message(&error))?,
         worst: arguments.worst.into(),
         common: arguments.common,
-        lines: arguments.lines.map(usize::from),
-        by: arguments.by,
-        reach: arguments.reach,
-        decibels: arguments.decibels,
+        lines: arguments.lines.map(|count| LineRules {
+            count: count.into(),
+            by: arguments.by,
+            reach: arguments.reach,
+            decibels: arguments.decibels,
+        }),
     };
     let results = &arguments.results;
     let others = results[1..].iter();

@@ -71,7 +71,7 @@ pub fn spectra_close(
 /// ```
 /// use jeffcott::analysis::{Channel, ChannelSpectrum, Spectrum, Window};
 /// use jeffcott::assert_spectra_close;
-/// use jeffcott::report::compare::{Rules, Tolerance, Tolerances};
+/// use jeffcott::report::compare::{LineRules, Rules, Tolerance, Tolerances};
 ///
 /// let spectrum = |amplitude: f64| Spectrum {
 ///     resolution: 10.0,
@@ -90,7 +90,7 @@ pub fn spectra_close(
 /// assert_spectra_close!(&before, &after, relative = 1e-2);
 /// assert_spectra_close!(&before, &after, relative = 0.0, absolute = 2e-9);
 /// let rules = Rules {
-///     lines: Some(1),
+///     lines: Some(LineRules::new(1)),
 ///     ..Rules::new(Tolerances::uniform(Tolerance::new(1e-2, 0.0)?))
 /// };
 /// assert_spectra_close!(&before, &after, rules);

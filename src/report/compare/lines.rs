@@ -6,7 +6,7 @@ use super::rows::{Scales, distance};
 use super::rules::Allowance;
 use super::table::Source;
 use super::text::short;
-use super::{ColumnComparison, CompareError, Difference, LinesBy, Rules, TableComparison, Worst};
+use super::{ColumnComparison, CompareError, Difference, LineRules, LinesBy, Rules, TableComparison, Worst};
 use crate::table::Column;
 
 /// Round-off of frequencies that are a bin apart.
@@ -55,7 +55,7 @@ pub(super) fn compare_spectra(
     name: String,
     spectra: &[Source<'_>; 2],
     units: [f64; 2],
-    count: usize,
+    line_rules: &LineRules,
     rules: &Rules,
 ) -> TableComparison {
     let mut differences = Source::alone(spectra, Column::has_lines);
@@ -66,12 +66,12 @@ pub(super) fn compare_spectra(
     for column in shared {
         let allowance = scales.allowance(column, rules);
         let lines = |index: usize| Lines::of_column(&spectra[index], column, units[index]);
-        let (found, alone) = compare_pair(&[lines(0), lines(1)], allowance, count, rules);
+        let (found, alone) = compare_pair(&[lines(0), lines(1)], allowance, line_rules, rules);
         differences.extend(alone);
         columns.push(found);
     }
     let mut known = Source::known(spectra);
-    if rules.by == LinesBy::Order {
+    if line_rules.by == LinesBy::Order {
         known[0] = Column::order();
     }
     TableComparison::new(name, columns, known, differences, rules)
@@ -84,7 +84,7 @@ pub(super) fn compare_spectra(
 pub(super) fn compare_quantities(
     [first, second]: [Vec<Lines<'_>>; 2],
     [first_path, second_path]: [&Path; 2],
-    count: usize,
+    line_rules: &LineRules,
     rules: &Rules,
 ) -> Result<TableComparison, CompareError> {
     let (mut columns, mut differences, mut second) = (Vec::new(), Vec::new(), second);
@@ -105,7 +105,7 @@ pub(super) fn compare_quantities(
             scale: strongest.map(|line| line.amplitude).fold(0.0, f64::max),
             more: 0.0,
         };
-        let (found, alone) = compare_pair(&both, allowance, count, rules);
+        let (found, alone) = compare_pair(&both, allowance, line_rules, rules);
         differences.extend(alone);
         columns.push(found);
     }
@@ -114,7 +114,7 @@ pub(super) fn compare_quantities(
         let [first, second] = [first_path, second_path].map(Path::to_owned);
         return Err(CompareError::NoCommonLine { first, second });
     }
-    let over = match rules.by {
+    let over = match line_rules.by {
         LinesBy::Order => Column::order(),
         _ => Column::frequency(),
     };
@@ -134,11 +134,11 @@ pub(super) fn compare_quantities(
 fn compare_pair(
     both: &[Lines<'_>; 2],
     allowance: Allowance,
-    count: usize,
+    line_rules: &LineRules,
     rules: &Rules,
 ) -> (ColumnComparison, Vec<Difference>) {
     let mut found = ColumnComparison::new(&both[0].column, rules);
-    let threshold = if rules.decibels.is_some() {
+    let threshold = if line_rules.decibels.is_some() {
         0.0
     } else {
         allowance.total()
@@ -154,21 +154,21 @@ fn compare_pair(
     }
     let lines = [0, 1].map(|index| &both[index].lines[..counts[index]]);
     let bin = both[0].bin.max(both[1].bin) * (1.0 + ROUND_OFF);
-    let reach = |line: &Line| rules.reach.map_or(bin, |part| part * line.at);
+    let reach = |line: &Line| line_rules.reach.map_or(bin, |part| part * line.at);
     let (mut taken, mut alone) = (Vec::new(), Vec::new());
     for (own, other) in [(0, 1), (1, 0)] {
-        for (rank, line) in (1..).zip(lines[own].iter().take(count)) {
+        for (rank, line) in (1..).zip(lines[own].iter().take(line_rules.count)) {
             // the strongest first
-            let is_partner = |other: &&Line| match rules.by {
+            let is_partner = |other: &&Line| match line_rules.by {
                 LinesBy::Name => other.name == line.name,
                 _ => (other.at - line.at).abs() <= reach(line),
             };
             let Some(partner) = lines[other].iter().find(is_partner) else {
                 // the other may have it too, though as no maximum of its own or too weak for a line
                 let beside = both[other].largest_near(line.at, reach(line));
-                let (apart, allowed) = judged(line.amplitude, beside, allowance, rules);
+                let (apart, allowed) = judged(line.amplitude, beside, allowance, line_rules);
                 if line.amplitude > beside && apart > allowed.total() {
-                    alone.push(line.only_in(&both[own], rules));
+                    alone.push(line.only_in(&both[own], line_rules));
                 }
                 continue;
             };
@@ -183,7 +183,7 @@ fn compare_pair(
                     ..allowance
                 };
                 let (difference, allowance) =
-                    judged(first.amplitude, second.amplitude, allowance, rules);
+                    judged(first.amplitude, second.amplitude, allowance, line_rules);
                 let place = Worst {
                     row: rank,
                     at: first.at,
@@ -191,7 +191,7 @@ fn compare_pair(
                     second: second.amplitude,
                     difference,
                     second_at: Some(second.at),
-                    name: first.name.clone().filter(|_| rules.by == LinesBy::Name),
+                    name: first.name.clone().filter(|_| line_rules.by == LinesBy::Name),
                     ..Worst::default()
                 };
                 found.take(place, allowance);
@@ -202,7 +202,7 @@ fn compare_pair(
 }
 
 /// How far two amplitudes are apart, and may be: in dB, or in their unit.
-fn judged(a: f64, b: f64, allowance: Allowance, rules: &Rules) -> (f64, Allowance) {
+fn judged(a: f64, b: f64, allowance: Allowance, rules: &LineRules) -> (f64, Allowance) {
     match rules.decibels {
         Some(most) => ((20.0 * (b / a).log10()).abs(), Allowance::decibels(most)),
         None => (distance(a, b), allowance),
@@ -210,7 +210,7 @@ fn judged(a: f64, b: f64, allowance: Allowance, rules: &Rules) -> (f64, Allowanc
 }
 
 impl Line {
-    fn only_in(&self, of: &Lines<'_>, rules: &Rules) -> Difference {
+    fn only_in(&self, of: &Lines<'_>, rules: &LineRules) -> Difference {
         let name = self.name.as_ref().map(|name| format!("{name}, "));
         let at = match rules.by {
             LinesBy::Order => format!("order {}", short(self.at)),

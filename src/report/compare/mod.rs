@@ -59,7 +59,7 @@ pub(crate) use figure::write_figure;
 pub(in crate::report) use overlay::{Overlay, overlay_figures};
 pub(crate) use page::write_page;
 pub use result::{ColumnComparison, Comparison, Difference, TableComparison, Worst};
-pub use rules::{LinesBy, Rules, Tolerance, Tolerances};
+pub use rules::{LineRules, LinesBy, Rules, Tolerance, Tolerances};
 
 /// The document of comparisons: an object of one, an array of several.
 pub(crate) fn document(comparisons: &[Comparison]) -> Value {
@@ -108,34 +108,34 @@ fn compare_tables(
     tables: &[Source<'_>; 2],
     rules: &Rules,
 ) -> Result<TableComparison, CompareError> {
-    let Some(count) = rules.lines else {
+    let Some(lines) = &rules.lines else {
         return Ok(compare_rows(name, tables, rules));
     };
     if let Some(table) = tables.iter().find(|table| !is_spectrum(table)) {
         let path = table.path.clone();
         return Err(CompareError::NoLines { path });
     }
-    if rules.by != LinesBy::Frequency {
+    if lines.by != LinesBy::Frequency {
         let path = tables[0].path.clone();
         let what = "names of lines, nor a speed";
         return Err(CompareError::NoNames { path, what });
     }
-    Ok(compare_spectra(name, tables, [1.0; 2], count, rules))
+    Ok(compare_spectra(name, tables, [1.0; 2], lines, rules))
 }
 
 /// Compares the strongest lines of two folders: by names, or where the spectra have no column in common, those that the documents
 /// tell, else all of the spectra.
 fn compare_folder_lines(
     folders: [&Path; 2],
-    count: usize,
+    lines: &LineRules,
     rules: &Rules,
 ) -> Result<TableComparison, CompareError> {
     let documents = [sealed(folders[0])?, sealed(folders[1])?];
     let files = folders.map(|folder| folder.join(SPECTRUM));
-    if rules.by != LinesBy::Name && files.iter().all(|file| file.exists()) {
+    if lines.by != LinesBy::Name && files.iter().all(|file| file.exists()) {
         let spectra = [Source::open(&files[0])?, Source::open(&files[1])?];
         if have_common(&spectra) {
-            let units = match rules.by {
+            let units = match lines.by {
                 LinesBy::Order => [
                     shaft(folders[0], &documents[0])?,
                     shaft(folders[1], &documents[1])?,
@@ -143,11 +143,11 @@ fn compare_folder_lines(
                 _ => [1.0; 2],
             };
             let name = SPECTRUM.to_owned();
-            return Ok(compare_spectra(name, &spectra, units, count, rules));
+            return Ok(compare_spectra(name, &spectra, units, lines, rules));
         }
     }
-    let told = |index: usize| quantities(folders[index], &documents[index], rules.by);
-    compare_quantities([told(0)?, told(1)?], folders, count, rules)
+    let told = |index: usize| quantities(folders[index], &documents[index], lines.by);
+    compare_quantities([told(0)?, told(1)?], folders, lines, rules)
 }
 
 /// Most bytes of a summary.
@@ -175,8 +175,8 @@ fn sealed(folder: &Path) -> Result<Value, CompareError> {
 
 fn compare_folders(first: &Path, second: &Path, rules: &Rules) -> Result<Comparison, CompareError> {
     let only = |path: &Path| Difference::partial(format!("only one run has {}", path.display()));
-    if let Some(count) = rules.lines {
-        let table = compare_folder_lines([first, second], count, rules)?;
+    if let Some(lines) = &rules.lines {
+        let table = compare_folder_lines([first, second], lines, rules)?;
         return Comparison::new(vec![table], Vec::new(), rules);
     }
     let (mut tables, mut partial) = (Vec::new(), Vec::new());

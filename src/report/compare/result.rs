@@ -214,9 +214,9 @@ impl ColumnComparison {
             places: Vec::new(),
             failures: 0,
             needed: 0.0,
-            decibels: rules.decibels.is_some(),
-            room: match rules.by {
-                LinesBy::Name => usize::MAX,
+            decibels: rules.lines.is_some_and(|lines| lines.decibels.is_some()),
+            room: match rules.lines.map(|lines| lines.by) {
+                Some(LinesBy::Name) => usize::MAX,
                 _ => rules.worst.max(1),
             },
         }

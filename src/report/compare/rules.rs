@@ -117,10 +117,17 @@ pub struct Rules {
     /// Compares what both results have; otherwise a file, a column or every other row that only one of
     /// them has is a difference.
     pub common: bool,
-    /// Compares spectra by this many of the strongest lines of every column, whatever their bins,
-    /// instead of row by row; other tables are left out.
-    pub lines: Option<usize>,
-    /// How lines find their partners.
+    /// Compares spectra by the strongest lines of every column, whatever their bins, instead of row by row; other tables are left
+    /// out.
+    pub lines: Option<LineRules>,
+}
+
+/// How the strongest lines of spectra are compared.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LineRules {
+    /// How many of every column.
+    pub count: usize,
+    /// How they find their partners.
     pub by: LinesBy,
     /// Part of its frequency or order within which a line finds its partner, in place of a bin of the coarser axis.
     pub reach: Option<f64>,
@@ -161,6 +168,15 @@ impl Rules {
             worst: 1,
             common: false,
             lines: None,
+        }
+    }
+}
+
+impl LineRules {
+    /// So many, by frequency to a bin, within the tolerances.
+    pub fn new(count: usize) -> Self {
+        Self {
+            count,
             by: LinesBy::default(),
             reach: None,
             decibels: None,
