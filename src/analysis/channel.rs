@@ -10,9 +10,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
 use crate::keys::{DISPLACEMENT, FORCE};
-use crate::rotor::{
-    Body, DriveMoments, EnergyBalance, FREEDOMS, Freedoms, MOST_BEARINGS, Sample,
-};
+use crate::rotor::{Body, DriveMoments, EnergyBalance, FREEDOMS, Freedoms, MOST_BEARINGS, Sample};
 use crate::table::{Column, ColumnKind, Named};
 
 /// What acts on the shaft or on a housing, each kind counted from 0.

@@ -50,7 +50,6 @@ mod unbalance;
 mod unconstrained;
 
 pub(crate) use crate::bearing::CageMotion;
-pub use error::RotorError;
 pub(crate) use assembly::build_supports;
 #[cfg(test)]
 pub(crate) use bodies::BodyMotion;
@@ -64,6 +63,7 @@ pub use drive::{Drive, DriveMoments};
 pub use energy::{EnergyBalance, Works};
 pub(crate) use equilibrium::static_place;
 pub use equilibrium::{Equilibrium, EquilibriumError, FREEDOM_NAMES, StaticProblem};
+pub use error::RotorError;
 pub use flexible::{Disc, FlexibleShaft, Mesh, Plane, PointUnbalance, ShaftError};
 pub use force_law::{ElementLaw, ForceElement};
 pub use forcing::{Forcing, ForcingCause, Unrepeated};

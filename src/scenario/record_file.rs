@@ -1,5 +1,6 @@
 //! Files that describe a record, and records that a command line describes: two doors to one description.
 
+use std::f64::consts::TAU;
 use std::path::Path;
 use std::sync::LazyLock;
 
@@ -139,7 +140,9 @@ fn build(
     };
     let mut spectra = build_spectra(&input.spectrum, &recorded, problems);
     if input.spectrum.is_empty() {
-        spectra = default_spectra(&channels, signals.length(), recorded.turning.changes);
+        let turns = speeds[0] / TAU * recorded.window;
+        let turns = recorded.turning.changes.then_some(turns);
+        spectra = default_spectra(&channels, signals.length(), turns);
     }
     let about = RecordDescription {
         title: input.title.clone().unwrap_or_else(|| document.stem()),
@@ -180,18 +183,21 @@ fn open(
     problems.take(read.map_err(|error| Issue::new("record.file", error.to_string())))
 }
 
-/// Envelopes in the bands where channels knock most, of a long record the mean of its parts; over orders where the speed changes, then also
-/// their spectra over orders.
+/// Envelopes in the bands where channels knock most; where the speed changes over so many turns, over orders, then also the spectra of the
+/// channels over orders. Of a long record they are means of its parts.
 fn default_spectra(
     channels: &[Channel],
     length: usize,
-    speed_changes: bool,
+    changing_turns: Option<f64>,
 ) -> Vec<SpectrumRequest> {
     let is_of_sensor =
         |channel: &&Channel| matches!(channel, Channel::Measured(_)) || channel.unit() == "m/s^2";
-    let axis = match speed_changes {
-        true => Axis::Order,
-        false => Axis::Frequency,
+    let (axis, part) = match changing_turns {
+        Some(turns) => {
+            let part = turns * LONGEST_SEGMENT as f64 / length as f64;
+            (Axis::Order, Segment::Revolutions(part.max(1.0) as u32))
+        }
+        None => (Axis::Frequency, Segment::Samples(LONGEST_SEGMENT)),
     };
     let request = |name: String, kind, channels: &[Channel]| SpectrumRequest {
         name,
@@ -199,8 +205,8 @@ fn default_spectra(
         channels: channels.to_vec(),
         scaling: Scaling::Peak,
         window: Window::Hann,
-        segment: match length > LONGEST_SEGMENT && !speed_changes {
-            true => Segment::Samples(LONGEST_SEGMENT),
+        segment: match length > LONGEST_SEGMENT {
+            true => part,
             false => Segment::Whole,
         },
         overlap: 0.5,
@@ -215,6 +221,33 @@ fn default_spectra(
         };
         request(name, SpectrumKind::ImpulsiveEnvelope, &[*channel])
     });
-    let orders = speed_changes.then(|| request("orders".to_owned(), SpectrumKind::Plain, channels));
+    let orders =
+        changing_turns.map(|_| request("orders".to_owned(), SpectrumKind::Plain, channels));
     envelopes.chain(orders).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_records_are_taken_in_parts() {
+        let channels = [Channel::Acceleration(0)];
+        let segments = |length, turns| {
+            let requests = default_spectra(&channels, length, turns);
+            requests
+                .iter()
+                .map(|request| request.segment)
+                .collect::<Vec<_>>()
+        };
+        let long = 4 * LONGEST_SEGMENT;
+        assert_eq!(segments(1000, None), [Segment::Whole]);
+        assert_eq!(segments(1000, Some(5.0)), [Segment::Whole; 2]);
+        assert_eq!(segments(long, None), [Segment::Samples(LONGEST_SEGMENT)]);
+        assert_eq!(
+            segments(long, Some(4004.0)),
+            [Segment::Revolutions(1001); 2]
+        );
+        assert_eq!(segments(long, Some(0.4)), [Segment::Revolutions(1); 2]);
+    }
 }

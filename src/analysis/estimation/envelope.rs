@@ -1,16 +1,9 @@
 //! Envelopes of what a signal holds in bands of frequencies.
 
-use std::mem;
-use std::ops::Range;
-
 use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 
 use super::welch::sides;
-
-/// Samples of the blocks that a long signal is taken in, and at either end of a block those that are left to its neighbours.
-const BLOCK: usize = 1 << 20;
-const EDGE: usize = 1 << 14;
 
 /// The transform of a signal, of which the envelope in any band is taken: the magnitude of the analytic signal.
 ///
@@ -37,7 +30,7 @@ impl Envelopes {
     }
 
     /// Of a signal, by a planner that remembers the lengths it has met.
-    fn planned(samples: &[f64], rate: f64, mut planner: RealFftPlanner<f64>) -> Self {
+    pub(super) fn planned(samples: &[f64], rate: f64, mut planner: RealFftPlanner<f64>) -> Self {
         let length = samples.len();
         let mut bins = Vec::new();
         if length > 0 {
@@ -53,18 +46,6 @@ impl Envelopes {
             length,
             rate,
         }
-    }
-
-    /// The envelope of a signal between two frequencies in Hz, both included, at every sample; of a long one block by block, so
-    /// that it takes little memory.
-    pub fn by_blocks(samples: &[f64], rate: f64, band: [f64; 2]) -> Vec<f64> {
-        let mut planner = RealFftPlanner::new();
-        in_blocks(samples.len(), [BLOCK, EDGE], |range| {
-            let mut block = Self::planned(&samples[range], rate, mem::take(&mut planner));
-            let found = block.envelope(band);
-            planner = block.planner;
-            found
-        })
     }
 
     /// The envelope of what lies between two frequencies in Hz, both included, at every sample.
@@ -86,6 +67,11 @@ impl Envelopes {
             [second + square, fourth + square * square]
         });
         powers.map(|sum| sum / points as f64)
+    }
+
+    /// The planner, for the next signal.
+    pub(super) fn into_planner(self) -> RealFftPlanner<f64> {
+        self.planner
     }
 
     /// Bins of the analytic signal in a band.
@@ -133,26 +119,6 @@ impl Envelopes {
     }
 }
 
-/// What is found in blocks of a length that overlap by an edge on either side, as one.
-fn in_blocks(
-    length: usize,
-    [block, edge]: [usize; 2],
-    mut found_in: impl FnMut(Range<usize>) -> Vec<f64>,
-) -> Vec<f64> {
-    if length <= block {
-        return found_in(0..length);
-    }
-    let mut all = Vec::with_capacity(length);
-    while all.len() < length {
-        let start = all.len().saturating_sub(edge).min(length - block);
-        let end = start + block;
-        let kept = if end == length { end } else { end - edge };
-        let found = found_in(start..end);
-        all.extend_from_slice(&found[all.len() - start..kept - start]);
-    }
-    all
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -169,25 +135,6 @@ mod tests {
         let found = Envelopes::new(&signal, 1000.0).envelope([150.0, 250.0]);
         assert!((found[0] - 1.5).abs() < 1e-12 && (found[50] - 0.5).abs() < 1e-12);
         assert!(Envelopes::new(&[], 1.0).envelope([0.0, 1.0]).is_empty());
-    }
-
-    /// Each sample once, and away from the ends that of the whole signal.
-    #[test]
-    fn blocks_make_one_envelope() {
-        let numbers = in_blocks(1003, [100, 10], |range| {
-            range.map(|n| n as f64).collect::<Vec<_>>()
-        });
-        assert!(numbers.into_iter().eq((0..1003).map(f64::from)));
-        let swell = |n: i32| (2.0 + (0.01 * f64::from(n)).cos()) * (1.3 * f64::from(n)).sin();
-        let signal: Vec<f64> = (0..20_000).map(swell).collect();
-        let band = [0.1, 0.3];
-        let whole = Envelopes::new(&signal, 1.0).envelope(band);
-        let blocks = in_blocks(signal.len(), [4096, 512], |range| {
-            Envelopes::new(&signal[range], 1.0).envelope(band)
-        });
-        for (a, b) in whole.iter().zip(&blocks).skip(500).take(19_000) {
-            assert!((a - b).abs() < 5e-3, "{a} {b}");
-        }
     }
 
     /// In bands with and without the ends of the range, of even and odd lengths.

@@ -5,6 +5,7 @@ mod envelope;
 mod envelope_lines;
 mod interpolation;
 mod request;
+mod signal;
 mod welch;
 
 use std::borrow::Cow;
@@ -21,6 +22,7 @@ use super::spectrum::FEWEST_SAMPLES;
 use super::{Channel, ChannelCheck, Leak, NoiseFloor, Recording, TopPower, Window, leak};
 use interpolation::{AngleGrid, Interpolation, Turning};
 use request::rate_of;
+use signal::{EnvelopeSignal, Signal};
 
 /// Estimates a spectrum of what was recorded for it.
 ///
@@ -95,7 +97,7 @@ fn with_band(recording: &Recording, request: &SpectrumRequest) -> SpectrumReques
 
 /// The signals of a request, at equal steps of its axis.
 struct Record<'a> {
-    signals: Vec<Cow<'a, [f64]>>,
+    signals: Vec<Source<'a>>,
     /// Samples per second or revolution.
     rate: f64,
     /// Samples per revolution of constant speed, zero where there is none.
@@ -117,7 +119,7 @@ impl<'a> Record<'a> {
         let grid = recording.grid;
         let recorded = recording.length();
         let skipped = skipped(recording);
-        let signal = |channel: &Channel| signal(recording, request, *channel);
+        let source = |channel: &Channel| Source::of(recording, request, *channel);
         let time = |sample: usize| recording.start() + sample as f64 / grid.rate;
         let per_revolution = match grid.per_revolution {
             Some(samples) => f64::from(samples),
@@ -125,7 +127,7 @@ impl<'a> Record<'a> {
             None => 0.0,
         };
         Self {
-            signals: request.channels.iter().map(signal).collect(),
+            signals: request.channels.iter().map(source).collect(),
             rate: match request.axis {
                 Axis::Frequency => grid.rate,
                 Axis::Order => per_revolution,
@@ -151,23 +153,28 @@ impl<'a> Record<'a> {
         let mut signals = Vec::new();
         let mut errors = Vec::new();
         for channel in &request.channels {
-            let signal = signal(recording, request, *channel);
-            // of an envelope no rates are known
-            let interpolation = match (&signal, rate_of(*channel)) {
-                (Cow::Borrowed(values), Some(of)) if !recording.channel(of).is_empty() => {
+            let source = Source::of(recording, request, *channel);
+            let envelope;
+            let interpolation = match (&source, rate_of(*channel)) {
+                (Source::Samples(values), Some(of)) if !recording.channel(of).is_empty() => {
                     Interpolation::Rates {
                         values,
                         rates: &recording.channel(of)[skipped..],
                         interval: 1.0 / rate,
                     }
                 }
-                _ => Interpolation::Values(&signal),
+                (Source::Samples(values), _) => Interpolation::Values(values),
+                // of an envelope no rates are known
+                (Source::Envelope { of, rate, band }, _) => {
+                    envelope = EnvelopeSignal::new(of, *rate, *band).collect();
+                    Interpolation::Values(&envelope)
+                }
             };
             errors.push((*channel, interpolation.error()));
             let positions = angles.positions.iter();
             let values =
                 positions.map(|position| interpolation.at(position.index, position.fraction));
-            signals.push(Cow::from(values.collect::<Vec<_>>()));
+            signals.push(Source::Samples(values.collect::<Vec<_>>().into()));
         }
         let time = |position: f64| start + position / rate;
         let ends = [angles.positions.first(), angles.positions.last()];
@@ -188,7 +195,7 @@ impl<'a> Record<'a> {
     }
 
     fn length(&self) -> usize {
-        let lengths = self.signals.iter().map(|signal| signal.len());
+        let lengths = self.signals.iter().map(Source::length);
         lengths.min().unwrap_or(0)
     }
 
@@ -233,19 +240,43 @@ fn skipped(recording: &Recording) -> usize {
     recording.length() % recording.grid.block()
 }
 
-/// The samples of a channel, or their envelope: of samples on a grid of angle, whole revolutions.
-fn signal<'a>(
-    recording: &'a Recording,
-    request: &SpectrumRequest,
-    channel: Channel,
-) -> Cow<'a, [f64]> {
-    let skipped = skipped(recording);
-    let samples = &recording.channel(channel)[skipped..];
-    match request.kind {
-        SpectrumKind::Envelope { band } => {
-            Cow::from(Envelopes::by_blocks(samples, recording.grid.rate, band))
+/// What the spectrum of a channel is taken of: of samples on a grid of angle, whole revolutions.
+enum Source<'a> {
+    /// Samples, as recorded or at equal angles.
+    Samples(Cow<'a, [f64]>),
+    /// The envelope in a band in Hz of so many samples a second.
+    Envelope {
+        of: &'a [f64],
+        rate: f64,
+        band: [f64; 2],
+    },
+}
+
+impl<'a> Source<'a> {
+    fn of(recording: &'a Recording, request: &SpectrumRequest, channel: Channel) -> Self {
+        let of = &recording.channel(channel)[skipped(recording)..];
+        match request.kind {
+            SpectrumKind::Envelope { band } => {
+                let rate = recording.grid.rate;
+                Self::Envelope { of, rate, band }
+            }
+            _ => Self::Samples(of.into()),
         }
-        _ => Cow::from(samples),
+    }
+
+    fn length(&self) -> usize {
+        match self {
+            Self::Samples(samples) => samples.len(),
+            Self::Envelope { of, .. } => of.len(),
+        }
+    }
+
+    /// The samples of what is no envelope as recorded.
+    fn samples(&self) -> &[f64] {
+        match self {
+            Self::Samples(samples) => samples,
+            Self::Envelope { .. } => &[],
+        }
     }
 }
 
@@ -265,22 +296,29 @@ struct Columns<'a> {
 
 impl Columns<'_> {
     fn fill(&mut self) {
+        let record = self.record;
         let channels = self.request.channels.iter().copied();
-        let signals = self.record.signals.iter().map(|signal| &**signal);
-        let signals: Vec<(Channel, &[f64])> = channels.zip(signals).collect();
+        let sources: Vec<(Channel, &Source)> = channels.zip(&record.signals).collect();
         match self.request.kind {
             SpectrumKind::Plain
             | SpectrumKind::Envelope { .. }
             | SpectrumKind::ImpulsiveEnvelope => {
-                signals.into_iter().for_each(|signal| self.plain(signal));
+                for (channel, source) in sources {
+                    match source {
+                        Source::Samples(samples) => self.plain(channel, &mut &samples[..]),
+                        Source::Envelope { of, rate, band } => {
+                            self.plain(channel, &mut EnvelopeSignal::new(of, *rate, *band));
+                        }
+                    }
+                }
             }
             SpectrumKind::Whirl => {
-                let pairs = signals.chunks_exact(2);
+                let pairs = sources.chunks_exact(2);
                 pairs.for_each(|pair| self.whirl(pair[0], pair[1]));
             }
             SpectrumKind::Cross => {
-                let others = signals.iter().skip(1);
-                others.for_each(|other| self.cross(signals[0], *other));
+                let others = sources.iter().skip(1);
+                others.for_each(|other| self.cross(sources[0], *other));
             }
         }
     }
@@ -305,7 +343,7 @@ impl Columns<'_> {
     }
 
     /// The spectrum of a channel and, where it is of one segment and an amplitude, its phase.
-    fn plain(&mut self, (channel, signal): (Channel, &[f64])) {
+    fn plain(&mut self, channel: Channel, signal: &mut impl Signal) {
         let has_phase = !self.is_averaged() && !self.request.scaling.is_square();
         let [powers, mut phases] = match has_phase {
             true => self.welch.power_and_phase(signal),
@@ -318,7 +356,7 @@ impl Columns<'_> {
         });
         let mut values = self.one_sided(&powers);
         phases.truncate(self.bins);
-        if is_at_rest(signal, self.floor.below(channel)) {
+        if signal.is_at_rest(self.floor.below(channel)) {
             values.fill(0.0);
             phases.fill(0.0);
         }
@@ -330,7 +368,12 @@ impl Columns<'_> {
 
     /// What the channel itself, not its envelope, holds near half the sampling rate. Without a window
     /// the skirts of lines and of ends that do not meet reach up to there: Hann's is taken for it.
-    fn top_power(&self, channel: Channel, powers: &[f64], signal: &[f64]) -> Option<TopPower> {
+    fn top_power(
+        &self,
+        channel: Channel,
+        powers: &[f64],
+        signal: &mut impl Signal,
+    ) -> Option<TopPower> {
         let is_plain = self.request.kind == SpectrumKind::Plain;
         if !is_plain || self.record.resampling.is_some() {
             return None;
@@ -366,16 +409,16 @@ impl Columns<'_> {
         (self.welch.length / 2).min(self.bins - 1)
     }
 
-    fn whirl(&mut self, (x, x_signal): (Channel, &[f64]), (y, y_signal): (Channel, &[f64])) {
-        let powers = self.welch.rotary(x_signal, y_signal);
+    fn whirl(&mut self, (x, x_source): (Channel, &Source), (y, y_source): (Channel, &Source)) {
+        let powers = self.welch.rotary(x_source.samples(), y_source.samples());
         let skipped = self.welch.length / 2 - self.below();
         let kept = powers.iter().skip(skipped).take(self.below() + self.bins);
         let values = kept.map(|power| self.value(*power, 1.0)).collect();
         self.add(SpectrumQuantity::Rotary(x, y), values);
     }
 
-    fn cross(&mut self, (reference, x): (Channel, &[f64]), (other, y): (Channel, &[f64])) {
-        let found = self.welch.cross(x, y);
+    fn cross(&mut self, (reference, x): (Channel, &Source), (other, y): (Channel, &Source)) {
+        let found = self.welch.cross(x.samples(), y.samples());
         let bins = 0..self.bins;
         let magnitudes: Vec<f64> = found.cross.iter().map(|bin| bin.norm()).collect();
         let magnitudes = self.one_sided(&magnitudes);
@@ -387,10 +430,4 @@ impl Columns<'_> {
             self.add(SpectrumQuantity::Coherence(reference, other), coherence);
         }
     }
-}
-
-/// Whether a signal is nowhere further from its mean than round-off.
-fn is_at_rest(signal: &[f64], floor: f64) -> bool {
-    let mean = signal.iter().sum::<f64>() / signal.len() as f64;
-    signal.iter().all(|value| (value - mean).abs() < floor)
 }

@@ -1,5 +1,6 @@
 //! Welch's method: the powers of overlapping, weighted segments, averaged.
 
+use std::array;
 use std::ops::MulAssign;
 use std::sync::Arc;
 
@@ -8,6 +9,7 @@ use realfft::{RealFftPlanner, RealToComplex};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::signal::Signal;
 use crate::analysis::Window;
 
 /// Powers of signals, averaged over overlapping segments.
@@ -84,32 +86,33 @@ impl Welch {
     }
 
     /// Power of bins 0 … N/2, images not counted.
-    pub fn power(&self, signal: &[f64]) -> Vec<f64> {
+    pub fn power(&self, signal: &mut impl Signal) -> Vec<f64> {
         let mut powers = vec![0.0; self.bins()];
+        let samples = signal.length();
         self.for_each_segment([signal], |[bins]| {
             for (power, bin) in powers.iter_mut().zip(bins) {
                 *power += bin.norm_sqr();
             }
         });
-        self.averaged(&mut powers, signal.len());
+        self.averaged(&mut powers, samples);
         powers
     }
 
     /// Cross power of a signal with a reference of the same length, images not counted.
-    pub fn cross(&self, reference: &[f64], other: &[f64]) -> CrossPower {
-        let bins = self.bins();
+    pub fn cross<'a>(&self, mut reference: &'a [f64], mut other: &'a [f64]) -> CrossPower {
+        let (bins, samples) = (self.bins(), reference.len());
         let mut cross = vec![Complex::new(0.0, 0.0); bins];
         let mut powers = [vec![0.0; bins], vec![0.0; bins]];
-        self.for_each_segment([reference, other], |[x, y]| {
+        self.for_each_segment([&mut reference, &mut other], |[x, y]| {
             for k in 0..bins {
                 cross[k] += x[k].conj() * y[k];
                 powers[0][k] += x[k].norm_sqr();
                 powers[1][k] += y[k].norm_sqr();
             }
         });
-        self.averaged(&mut cross, reference.len());
+        self.averaged(&mut cross, samples);
         for powers in &mut powers {
-            self.averaged(powers, reference.len());
+            self.averaged(powers, samples);
         }
         let [reference, other] = powers;
         CrossPower {
@@ -121,11 +124,11 @@ impl Welch {
 
     /// Power of x + iy on both sides, from the lowest frequency, −N/2 bins, upwards: at positive
     /// frequencies what turns from x to y, at negative ones what turns against it.
-    pub fn rotary(&self, x: &[f64], y: &[f64]) -> Vec<f64> {
-        let length = self.length;
+    pub fn rotary<'a>(&self, mut x: &'a [f64], mut y: &'a [f64]) -> Vec<f64> {
+        let (length, samples) = (self.length, x.len());
         let below = length / 2;
         let mut powers = vec![0.0; length];
-        self.for_each_segment([x, y], |[x, y]| {
+        self.for_each_segment([&mut x, &mut y], |[x, y]| {
             for (bin, power) in powers.iter_mut().enumerate() {
                 // X_{−k} of a real signal is the conjugate of X_k
                 let (x, y) = match bin.checked_sub(below) {
@@ -135,20 +138,20 @@ impl Welch {
                 *power += (x + Complex::<f64>::I * y).norm_sqr();
             }
         });
-        self.averaged(&mut powers, x.len());
+        self.averaged(&mut powers, samples);
         powers
     }
 
-    /// Power of bins 0 … N/2 of the first segment, images not counted, and the phase in rad of
+    /// Power of bins 0 … N/2 of a signal of one segment, images not counted, and the phase in rad of
     /// `cos(2πft + phase)` there, t from its start.
-    pub fn power_and_phase(&self, signal: &[f64]) -> [Vec<f64>; 2] {
+    pub fn power_and_phase(&self, signal: &mut impl Signal) -> [Vec<f64>; 2] {
         let mut both = [Vec::new(), Vec::new()];
-        let first = &signal[..self.length.min(signal.len())];
-        self.for_each_segment([first], |[bins]| {
+        let samples = signal.length();
+        self.for_each_segment([signal], |[bins]| {
             let powers = bins.iter().map(|bin| bin.norm_sqr()).collect();
             both = [powers, bins.iter().map(|bin| bin.arg()).collect()];
         });
-        self.averaged(&mut both[0], first.len());
+        self.averaged(&mut both[0], samples);
         both
     }
 
@@ -165,17 +168,17 @@ impl Welch {
     /// Shows the transforms of the signals segment by segment.
     fn for_each_segment<const SIGNALS: usize>(
         &self,
-        signals: [&[f64]; SIGNALS],
+        mut signals: [&mut impl Signal; SIGNALS],
         mut visit: impl FnMut(&[Vec<Complex<f64>>; SIGNALS]),
     ) {
-        let samples = signals.iter().map(|signal| signal.len()).min();
+        let samples = signals.iter().map(|signal| signal.length()).min();
         let mut scratch = self.plan.make_scratch_vec();
         let mut segment = self.plan.make_input_vec();
-        let mut bins = signals.map(|_| self.plan.make_output_vec());
+        let mut bins = array::from_fn(|_| self.plan.make_output_vec());
         for index in 0..self.averages(samples.unwrap_or(0)) {
             let start = index * (self.length - self.overlap);
-            for (signal, bins) in signals.iter().zip(&mut bins) {
-                segment.copy_from_slice(&signal[start..start + self.length]);
+            for (signal, bins) in signals.iter_mut().zip(&mut bins) {
+                segment.copy_from_slice(signal.read(start..start + self.length));
                 self.detrend.apply(&mut segment);
                 let weighted = segment.iter_mut().zip(&self.weights);
                 weighted.for_each(|(x, weight)| *x *= weight);
@@ -262,6 +265,6 @@ mod tests {
         let signal: Vec<f64> = (0..256).map(|n| 3.0 * (2.0 * turn(n)).cos()).collect();
         let welch = Welch::new(Window::Hann, 64, 32, Detrend::Constant);
         assert_eq!(welch.averages(signal.len()), 7);
-        assert!((welch.power(&signal)[8] - 2.25).abs() < 1e-14);
+        assert!((welch.power(&mut &signal[..])[8] - 2.25).abs() < 1e-14);
     }
 }

@@ -6,7 +6,9 @@ use super::rows::{Scales, distance};
 use super::rules::Allowance;
 use super::table::Source;
 use super::text::short;
-use super::{ColumnComparison, CompareError, Difference, LineRules, LinesBy, Rules, TableComparison, Worst};
+use super::{
+    ColumnComparison, CompareError, Difference, LineRules, LinesBy, Rules, TableComparison, Worst,
+};
 use crate::table::Column;
 
 /// Round-off of frequencies that are a bin apart.
@@ -191,7 +193,10 @@ fn compare_pair(
                     second: second.amplitude,
                     difference,
                     second_at: Some(second.at),
-                    name: first.name.clone().filter(|_| line_rules.by == LinesBy::Name),
+                    name: first
+                        .name
+                        .clone()
+                        .filter(|_| line_rules.by == LinesBy::Name),
                     ..Worst::default()
                 };
                 found.take(place, allowance);

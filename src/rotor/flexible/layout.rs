@@ -5,8 +5,8 @@ use nalgebra::{DMatrix, DVector};
 use super::mesh::{FlexibleShaft, ShaftError};
 use super::reduction::ReducedShaft;
 use crate::rotor::coordinate::{Coordinate, CoordinateKind};
-use crate::rotor::point::Point;
 use crate::rotor::matrices::Matrices;
+use crate::rotor::point::Point;
 use crate::rotor::structure::Structure;
 use crate::rotor::{FREEDOMS, RotorDefinition};
 
