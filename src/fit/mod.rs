@@ -5,14 +5,17 @@
 //! two sizes ([`slopes`]), values come from least squares between bounds ([`Problem::fit`]).
 
 mod answer;
+mod problem;
+mod question;
 mod search;
 mod slopes;
 mod statistics;
 
 use std::error::Error;
 
-pub use answer::{Answer, Kind, NamedLine, Number, Question, Wanted};
-pub use search::{Observation, Problem, Unknown};
+pub use answer::{Answer, NamedLine, Number, Wanted};
+pub use problem::{Observation, Problem, Unknown};
+pub use question::{Kind, Question};
 pub use slopes::{Slope, slopes};
 pub use statistics::{Fit, Minimum, Profile, Unidentified};
 

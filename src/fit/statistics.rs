@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-use super::search::{Place, Problem};
+use super::problem::{Place, Problem};
 use super::slopes::slopes;
 use super::{Effort, NoAnswer, Number, Point};
 use crate::steady::Orbit;

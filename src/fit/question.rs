@@ -1,0 +1,311 @@
+//! Questions about a scene, and the numbers that answer them.
+
+use std::f64::consts::TAU;
+use std::sync::atomic::{AtomicBool, AtomicU64};
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::{Answer, NamedLine, NoAnswer, Number};
+use crate::analysis::{BodyQuantity, Channel, Line};
+use crate::physics::velocity_band;
+use crate::quasi_static::{StaticQuestion, quasi_static};
+use crate::rotor::{Rotor, RotorDefinition};
+use crate::simulate::{Model, StaticState};
+use crate::steady::{MotionRange, Orbit, SteadyLines, SteadyQuestion, orbit_near, steady};
+use crate::study::campbell::CampbellQuestion;
+use crate::study::many::{
+    Keep, Maker, NumberColumn, Schedule, Unmade, number_columns, static_columns,
+};
+use crate::study::plan::{Plan, Sampling};
+use crate::table::Column;
+
+/// Critical speeds that have a name.
+const CRITICAL_SPEEDS: usize = 8;
+/// Orders of the shaft whose lines are numbers of a motion.
+const ORDERS: [&str; 3] = ["order_1", "order_2", "order_3"];
+/// Part of its order within which a line is that of the shaft.
+const NEAR: f64 = 1e-9;
+
+/// Which question is asked.
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
+)]
+#[serde(rename_all = "snake_case")]
+pub enum Kind {
+    /// Where the shaft stands, as `jeffcott bearing` answers it.
+    Bearing,
+    /// Natural frequencies at the speed of the scenario, and critical speeds, as of `jeffcott campbell`.
+    Campbell,
+    /// The motion that the shaft settles to, as `jeffcott steady` finds it.
+    Steady,
+    /// A run over the `[time]` of the scenario, as of `jeffcott run`.
+    Run,
+}
+
+/// A question about a scene.
+#[derive(Debug, Clone)]
+pub enum Question {
+    /// Where the shaft stands.
+    Bearing(StaticQuestion),
+    /// Natural frequencies at the speed of a shaft, and its critical speeds where they are asked for.
+    Campbell(Box<RotorDefinition>, Option<Box<CampbellQuestion>>),
+    /// The motion that a shaft settles to, over so many periods.
+    Steady(Model, Option<u32>),
+    /// A run, and of its numbers those that are asked for.
+    Run(Model, Vec<NumberColumn>),
+}
+
+impl Kind {
+    /// The numbers of its answers about a rotor.
+    pub fn columns(self, rotor: &RotorDefinition) -> Vec<Column> {
+        let of_runs = |columns: Vec<NumberColumn>| columns.into_iter().map(|own| own.column);
+        match self {
+            Self::Bearing => of_runs(static_columns(rotor)).collect(),
+            Self::Run => of_runs(number_columns(rotor)).collect(),
+            Self::Campbell => {
+                let modes = (1..=rotor.shaft.freedoms.axes().len()).flat_map(mode_columns);
+                modes
+                    .chain((1..=CRITICAL_SPEEDS).map(critical_column))
+                    .collect()
+            }
+            Self::Steady => {
+                let channels = Channel::of_motion(rotor);
+                channels.into_iter().flat_map(motion_columns).collect()
+            }
+        }
+    }
+}
+
+/// Frequency and damping ratio of a mode, called as in the tables of studies.
+fn mode_columns(mode: usize) -> [Column; 2] {
+    [("natural_frequency", "Hz"), ("damping_ratio", "")]
+        .map(|(what, unit)| Column::number(format!("{what}_{mode}"), unit))
+}
+
+fn critical_column(number: usize) -> Column {
+    Column::number(format!("critical_speed_{number}"), "rad/s")
+}
+
+/// What is measured of a channel of a steady motion, called as in the tables of studies: mean, RMS, range and orders, of a length
+/// also the RMS velocity.
+fn motion_columns(channel: Channel) -> Vec<Column> {
+    let measures = ["mean", "rms", "peak_to_peak"].into_iter().chain(ORDERS);
+    let columns = measures.map(|what| channel.measure(what));
+    let velocity = velocity_of(channel).map(|velocity| velocity.measure("rms"));
+    columns.chain(velocity).collect()
+}
+
+/// The velocity of a displacement that is a length.
+fn velocity_of(channel: Channel) -> Option<Channel> {
+    match channel {
+        Channel::Displacement(axis) if channel.unit() == "m" => Some(Channel::Velocity(axis)),
+        Channel::Body {
+            body,
+            quantity: BodyQuantity::Displacement,
+            axis,
+        } => Some(Channel::Body {
+            body,
+            quantity: BodyQuantity::Velocity,
+            axis,
+        }),
+        _ => None,
+    }
+}
+
+impl Question {
+    /// Answers it, a motion from that of a neighbouring scene where one is known.
+    ///
+    /// # Errors
+    /// [`NoAnswer`] where there is none, or it was to stop.
+    pub fn answer(&self, near: Option<&Orbit>, stop: &AtomicBool) -> Result<Answer, NoAnswer> {
+        match self {
+            Self::Bearing(question) => of_statics(question),
+            Self::Campbell(rotor, critical) => of_modes(rotor, critical.as_deref()),
+            Self::Steady(model, multiple) => of_motion(model, *multiple, near, stop),
+            Self::Run(model, columns) => of_run(model, columns, stop),
+        }
+    }
+}
+
+fn of_statics(question: &StaticQuestion) -> Result<Answer, NoAnswer> {
+    let found = quasi_static(question).map_err(NoAnswer::failed)?;
+    // what Newton's method leaves, relative to the forces in play
+    let number = |own: &NumberColumn| {
+        let value = own.in_answer(&found);
+        Number::new(&own.column, value, found.residual * value.abs())
+    };
+    Ok(Answer {
+        numbers: static_columns(&question.rotor).iter().map(number).collect(),
+        ..Answer::default()
+    })
+}
+
+fn of_modes(
+    rotor: &RotorDefinition,
+    critical: Option<&CampbellQuestion>,
+) -> Result<Answer, NoAnswer> {
+    let assembled = Rotor::assemble(rotor).map_err(NoAnswer::failed)?;
+    let modes = StaticState::from_rotor(&assembled).natural_frequencies;
+    let mut numbers: Vec<Number> = Vec::new();
+    for (place, mode) in (1..).zip(modes) {
+        let [frequency, ratio] = mode_columns(place);
+        numbers.push(Number::new(&frequency, mode.frequency, f64::NAN));
+        numbers.push(Number::new(&ratio, mode.damping_ratio, f64::NAN));
+    }
+    if let Some(critical) = critical {
+        let found = critical.solve().map_err(NoAnswer::failed)?;
+        let speeds = (1..=CRITICAL_SPEEDS).zip(&found.critical_speeds);
+        numbers.extend(speeds.map(|(place, own)| {
+            let error = own.speed * own.error();
+            Number::new(&critical_column(place), own.speed, error)
+        }));
+    }
+    Ok(Answer {
+        numbers,
+        ..Answer::default()
+    })
+}
+
+fn of_motion(
+    model: &Model,
+    multiple: Option<u32>,
+    near: Option<&Orbit>,
+    stop: &AtomicBool,
+) -> Result<Answer, NoAnswer> {
+    let question = SteadyQuestion {
+        model,
+        multiple,
+        stop,
+        integrated: &AtomicU64::new(0),
+    };
+    // near another one it is found at once, or else by itself
+    let near = near.filter(|_| !model.verify);
+    let found = near.map(|near| orbit_near(&question, near));
+    let (orbit, error) = match found {
+        Some(Ok(orbit)) => (orbit, f64::NAN),
+        Some(Err(error)) if error.is_interrupted() => return Err(NoAnswer::Stopped),
+        _ => {
+            let found = steady(&question).map_err(|error| match error.is_interrupted() {
+                true => NoAnswer::Stopped,
+                false => NoAnswer::failed(error),
+            })?;
+            let error = found.measured.as_ref();
+            let error = error.map_or(f64::NAN, |error| error.relative);
+            (Orbit::from(found), error)
+        }
+    };
+    let causes = orbit.lines.causes(model);
+    let (ranges, lines) = (&orbit.ranges, &orbit.lines);
+    let speed = model.rotor.speed;
+    let numbers = ranges.iter().enumerate();
+    Ok(Answer {
+        numbers: numbers
+            .flat_map(|(index, range)| motion_numbers(range, lines, index, speed, error))
+            .collect(),
+        lines: named_lines(ranges, lines, &causes, error),
+        orbit: Some(orbit),
+    })
+}
+
+/// Half the range of a quantity: what the error of a motion is relative to.
+fn size(range: &MotionRange) -> f64 {
+    0.5 * range.peak_to_peak
+}
+
+/// The values of [`motion_columns`] of a channel.
+fn motion_numbers(
+    range: &MotionRange,
+    lines: &SteadyLines,
+    index: usize,
+    speed: f64,
+    error: f64,
+) -> Vec<Number> {
+    let moving = || lines.lines.iter().filter(|line| line.frequency > 0.0);
+    let order = |order: f64| {
+        let frequency = order * speed / TAU;
+        let near = |line: &f64| (line - frequency).abs() <= NEAR * frequency;
+        let found = moving().find(|line| near(&line.frequency));
+        found.map_or(0.0, |line| line.amplitude[index])
+    };
+    let [low, high] = velocity_band(speed);
+    let in_band = moving().filter(|line| (low..=high).contains(&line.frequency));
+    // v_rms² = Σ (2πf a)²/2
+    let square = in_band.map(|line| 0.5 * (TAU * line.frequency * line.amplitude[index]).powi(2));
+    let velocity = square.sum::<f64>().sqrt();
+    let values = [range.mean, range.rms, range.peak_to_peak];
+    let values = values.into_iter().chain([1.0, 2.0, 3.0].map(order));
+    let columns = motion_columns(range.channel);
+    let numbers = columns.iter().zip(values.chain([velocity]));
+    numbers
+        .map(|(column, value)| {
+            let part = if column.unit == range.channel.unit() {
+                1.0
+            } else {
+                value / range.rms
+            };
+            Number::new(column, value, error * size(range) * part)
+        })
+        .collect()
+}
+
+/// The lines whose causes are known, of every channel.
+fn named_lines(
+    ranges: &[MotionRange],
+    lines: &SteadyLines,
+    causes: &[Line],
+    error: f64,
+) -> Vec<NamedLine> {
+    let mut named: Vec<NamedLine> = Vec::new();
+    for line in &lines.lines {
+        let Some(cause) = line.cause(causes) else {
+            continue;
+        };
+        let name = cause.kind.to_string();
+        for (index, range) in ranges.iter().enumerate() {
+            named.push(NamedLine {
+                channel: range.channel,
+                name: name.clone(),
+                frequency: line.frequency,
+                amplitude: line.amplitude[index],
+                phase: line.phase[index],
+                error: error * size(range),
+            });
+        }
+    }
+    named
+}
+
+fn of_run(model: &Model, columns: &[NumberColumn], stop: &AtomicBool) -> Result<Answer, NoAnswer> {
+    let plan = Plan::new(Vec::new(), Sampling::Grid, 0);
+    let maker = Maker {
+        plan: &plan,
+        schedule: Schedule::new(1, 1, None),
+        keep: Keep::default(),
+        verify_every: u64::from(model.verify),
+        traces: None,
+        columns,
+        model: &|_| Ok(model.clone()),
+        stop,
+    };
+    let found = std::cell::Cell::new(None);
+    maker.chain(0, &|made| {
+        found.set(Some(made));
+        false
+    });
+    let outcome = match found.into_inner() {
+        Some(Ok(record)) => record.outcome.map_err(NoAnswer::Failed)?,
+        Some(Err(Unmade::Trace(error))) => return Err(NoAnswer::failed(error)),
+        Some(Err(Unmade::Stopped)) | None => return Err(NoAnswer::Stopped),
+    };
+    let values = columns.iter().zip(outcome.numbers);
+    let measured = values.clone().find(|(own, _)| own.is_error());
+    let error = measured.map_or(f64::NAN, |(_, error)| error);
+    let numbers = values
+        .map(|(own, value)| Number::new(&own.column, value, error * value.abs()))
+        .collect();
+    Ok(Answer {
+        numbers,
+        ..Answer::default()
+    })
+}
