@@ -78,7 +78,7 @@ pub struct NamedLine {
     pub frequency: f64,
     /// Peak value, in the unit of the channel.
     pub amplitude: f64,
-    /// Phase of `cos(2πft + phase)`, rad.
+    /// Phase of `cos(2πft + phase)`, rad; NaN of a run.
     pub phase: f64,
     /// Error of the amplitude.
     pub error: f64,

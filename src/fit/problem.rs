@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 use super::{Effort, NoAnswer, Point, Scene, Work};
 use crate::study::Variable;
@@ -56,6 +56,8 @@ pub(super) struct Place {
     pub shares: DVector<f64>,
     pub point: Point,
     pub residuals: DVector<f64>,
+    /// Slopes of the residuals by the shares, as far as the search knows them.
+    pub slopes: Option<DMatrix<f64>>,
     /// Whether it is the lowest around: the search was neither stopped nor given up.
     pub is_lowest: bool,
 }
@@ -86,11 +88,15 @@ impl Observation {
     /// Difference of a computed number from the measured one, in standard deviations or, where none is known, in parts of
     /// what was measured.
     pub fn residual(&self, computed: f64) -> f64 {
-        let mut apart = computed - self.measured;
-        if self.wraps {
-            apart -= TAU * (apart / TAU).round();
+        self.in_turn(computed - self.measured) / self.sigma.unwrap_or_else(|| self.scale())
+    }
+
+    /// A number; of an angle within half a turn of zero.
+    pub fn in_turn(&self, value: f64) -> f64 {
+        match self.wraps {
+            true => value - TAU * (value / TAU).round(),
+            false => value,
         }
-        apart / self.sigma.unwrap_or_else(|| self.scale())
     }
 
     /// What residuals are parts of where no standard deviation is known: of an angle a radian.
@@ -103,6 +109,11 @@ impl Observation {
 }
 
 impl Problem<'_> {
+    /// Whether the standard deviations of the observations are known.
+    pub(super) fn has_deviations(&self) -> bool {
+        self.observations.iter().all(|one| one.sigma.is_some())
+    }
+
     /// Values at shares of the ranges.
     pub fn values(&self, shares: &DVector<f64>) -> Vec<f64> {
         let pairs = self.unknowns.iter().zip(shares.iter());
@@ -130,6 +141,7 @@ impl Problem<'_> {
                 shares,
                 point,
                 residuals,
+                slopes: None,
                 is_lowest: false,
             }),
             false => Err(NoAnswer::Failed("a number is missing there".to_owned())),

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 use std::sync::atomic::{AtomicBool, AtomicU64};
 
+use nalgebra::Complex;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -11,8 +12,10 @@ use crate::analysis::{BodyQuantity, Channel, Line};
 use crate::physics::velocity_band;
 use crate::quasi_static::{StaticQuestion, quasi_static};
 use crate::rotor::{Rotor, RotorDefinition};
-use crate::simulate::{Model, StaticState};
-use crate::steady::{MotionRange, Orbit, SteadyLines, SteadyQuestion, orbit_near, steady};
+use crate::simulate::{Model, StaticState, reference_settings};
+use crate::steady::{
+    MotionRange, Orbit, SteadyError, SteadyLines, SteadyQuestion, orbit_alone, orbit_near, steady,
+};
 use crate::study::campbell::CampbellQuestion;
 use crate::study::many::{
     Keep, Maker, NumberColumn, Schedule, Unmade, number_columns, static_columns,
@@ -52,8 +55,8 @@ pub enum Question {
     Campbell(Box<RotorDefinition>, Option<Box<CampbellQuestion>>),
     /// The motion that a shaft settles to, over so many periods.
     Steady(Model, Option<u32>),
-    /// A run, and of its numbers those that are asked for.
-    Run(Model, Vec<NumberColumn>),
+    /// A run, of its numbers those that are asked for, and its named lines up to an order of the shaft where one is given.
+    Run(Model, Vec<NumberColumn>, Option<f64>),
 }
 
 impl Kind {
@@ -123,7 +126,7 @@ impl Question {
             Self::Bearing(question) => of_statics(question),
             Self::Campbell(rotor, critical) => of_modes(rotor, critical.as_deref()),
             Self::Steady(model, multiple) => of_motion(model, *multiple, near, stop),
-            Self::Run(model, columns) => of_run(model, columns, stop),
+            Self::Run(model, columns, order) => of_run(model, columns, *order, stop),
         }
     }
 }
@@ -179,33 +182,69 @@ fn of_motion(
         stop,
         integrated: &AtomicU64::new(0),
     };
-    // near another one it is found at once, or else by itself
-    let near = near.filter(|_| !model.verify);
-    let found = near.map(|near| orbit_near(&question, near));
-    let (orbit, error) = match found {
-        Some(Ok(orbit)) => (orbit, f64::NAN),
-        Some(Err(error)) if error.is_interrupted() => return Err(NoAnswer::Stopped),
-        _ => {
-            let found = steady(&question).map_err(|error| match error.is_interrupted() {
-                true => NoAnswer::Stopped,
-                false => NoAnswer::failed(error),
-            })?;
-            let error = found.measured.as_ref();
-            let error = error.map_or(f64::NAN, |error| error.relative);
-            (Orbit::from(found), error)
-        }
+    let answer = |orbit| answer_of(orbit, model, f64::NAN);
+    // near another one it is found at once, else by itself, and with its stability where that is in doubt
+    let found = match near {
+        Some(near) if model.verify => measured_near(&question, near).map(Some),
+        Some(near) => orbit_near(&question, near).map(|orbit| Some(answer(orbit))),
+        None if model.verify || multiple.is_some() => Ok(None),
+        None => orbit_alone(&question).map(|orbit| orbit.map(answer)),
     };
-    let causes = orbit.lines.causes(model);
+    match found {
+        Ok(Some(answer)) => return Ok(answer),
+        Err(error) if error.is_interrupted() => return Err(NoAnswer::Stopped),
+        _ => {}
+    }
+    let found = steady(&question).map_err(|error| match error.is_interrupted() {
+        true => NoAnswer::Stopped,
+        false => NoAnswer::failed(error),
+    })?;
+    let error = found.measured.as_ref();
+    let error = error.map_or(f64::NAN, |error| error.relative);
+    Ok(answer_of(Orbit::from_steady(found, model), model, error))
+}
+
+/// The answer of a motion with the errors of its numbers: their distances from those of one that is found again from it at a
+/// tenth of the tolerance.
+fn measured_near(question: &SteadyQuestion<'_>, near: &Orbit) -> Result<Answer, SteadyError> {
+    let model = question.model;
+    let finer = Model {
+        integrator: reference_settings(model.integrator),
+        ..model.clone()
+    };
+    let again = SteadyQuestion {
+        model: &finer,
+        ..*question
+    };
+    let reference = answer_of(orbit_near(&again, near)?, model, f64::NAN);
+    let mut answer = answer_of(orbit_near(question, near)?, model, f64::NAN);
+    for (own, other) in answer.numbers.iter_mut().zip(&reference.numbers) {
+        own.error = (own.value - other.value).abs();
+    }
+    for own in &mut answer.lines {
+        let mut others = reference.lines.iter();
+        let other = others.find(|other| other.channel == own.channel && other.name == own.name);
+        if let Some(other) = other {
+            let [here, there] =
+                [&*own, other].map(|line| Complex::from_polar(line.amplitude, line.phase));
+            own.error = (here - there).norm();
+        }
+    }
+    Ok(answer)
+}
+
+/// The numbers and named lines of a motion whose error, relative to its size, is known or NaN.
+fn answer_of(orbit: Orbit, model: &Model, error: f64) -> Answer {
     let (ranges, lines) = (&orbit.ranges, &orbit.lines);
     let speed = model.rotor.speed;
     let numbers = ranges.iter().enumerate();
-    Ok(Answer {
+    Answer {
         numbers: numbers
             .flat_map(|(index, range)| motion_numbers(range, lines, index, speed, error))
             .collect(),
-        lines: named_lines(ranges, lines, &causes, error),
+        lines: named_lines(ranges, lines, &orbit.causes, error),
         orbit: Some(orbit),
-    })
+    }
 }
 
 /// Half the range of a quantity: what the error of a motion is relative to.
@@ -276,12 +315,20 @@ fn named_lines(
     named
 }
 
-fn of_run(model: &Model, columns: &[NumberColumn], stop: &AtomicBool) -> Result<Answer, NoAnswer> {
+fn of_run(
+    model: &Model,
+    columns: &[NumberColumn],
+    highest_order: Option<f64>,
+    stop: &AtomicBool,
+) -> Result<Answer, NoAnswer> {
     let plan = Plan::new(Vec::new(), Sampling::Grid, 0);
     let maker = Maker {
         plan: &plan,
         schedule: Schedule::new(1, 1, None),
-        keep: Keep::default(),
+        keep: Keep {
+            highest_order,
+            ..Keep::default()
+        },
         verify_every: u64::from(model.verify),
         traces: None,
         columns,
@@ -304,8 +351,19 @@ fn of_run(model: &Model, columns: &[NumberColumn], stop: &AtomicBool) -> Result<
     let numbers = values
         .map(|(own, value)| Number::new(&own.column, value, error * value.abs()))
         .collect();
+    let lines = outcome.peaks.into_iter().filter_map(|peak| {
+        Some(NamedLine {
+            channel: peak.channel,
+            name: peak.name?,
+            frequency: peak.frequency,
+            amplitude: peak.amplitude,
+            phase: f64::NAN,
+            error: error * peak.amplitude,
+        })
+    });
     Ok(Answer {
         numbers,
-        ..Answer::default()
+        lines: lines.collect(),
+        orbit: None,
     })
 }

@@ -18,7 +18,7 @@ const GROWTH: f64 = 8.0;
 const LEAST_STEP: f64 = 1e-10;
 const LEAST_GAIN: f64 = 1e-16;
 /// or by less than this part of it: of the search for the lowest place, and of those that only tell which one that is.
-const FINE: f64 = 1e-12;
+const FINE: f64 = 1e-8;
 const ROUGH: f64 = 1e-3;
 /// Step of the differences of a search, in parts of the ranges.
 const DIFFERENCE: f64 = 1e-4;
@@ -34,8 +34,8 @@ enum Step {
 }
 
 impl Problem<'_> {
-    /// The lowest place around a start, or with little effort one near it, with one of the unknowns held where one is named.
-    /// Slopes that are known about there are kept as long as they lead down.
+    /// The lowest place around another one, or with little effort one near it, with one of the unknowns held where one is named.
+    /// Slopes that are known there are kept as long as they lead down.
     ///
     /// ```text
     /// (JᵀJ + λ diag JᵀJ) δ = −Jᵀr,   p ← p + δ, no further than to the bounds
@@ -48,26 +48,29 @@ impl Problem<'_> {
     /// Source: D. Marquardt, *SIAM J. Appl. Math.* 11 (1963) 431–441; C. Broyden, *Math. Comp.* 19 (1965) 577–593.
     ///
     /// # Errors
-    /// [`NoAnswer`] where the start has none.
+    /// [`NoAnswer::Failed`] where nothing around it has an answer.
     pub(super) fn descend(
         &self,
-        start: DVector<f64>,
+        mut here: Place,
         held: Option<usize>,
-        near: Option<&Point>,
-        slopes: Option<DMatrix<f64>>,
         effort: Effort,
     ) -> Result<Place, NoAnswer> {
-        let mut here = self.place(start, near, effort)?;
-        let (mut damping, mut known) = (FIRST_DAMPING, slopes);
+        let (mut damping, mut known) = (FIRST_DAMPING, here.slopes.clone());
+        // steps since the slopes were found by differences
+        let mut steps = usize::MAX;
         for _ in 0..MOST_STEPS {
-            let is_fresh = known.is_none();
-            let jacobian = match known
-                .take()
-                .map_or_else(|| self.differences(&here, held, effort), Ok)
-            {
-                Err(NoAnswer::Stopped) => return Ok(here),
-                jacobian => jacobian?,
+            let jacobian = match known.take() {
+                Some(known) => known,
+                None => match self.differences(&here, held, effort) {
+                    Err(NoAnswer::Stopped) => return Ok(here),
+                    found => {
+                        steps = 0;
+                        found?
+                    }
+                },
             };
+            here.slopes = Some(jacobian.clone());
+            let is_fresh = steps == 0;
             let next = match self.lower(&here, &jacobian, held, &mut damping, (is_fresh, effort)) {
                 Err(NoAnswer::Stopped) => return Ok(here),
                 next => next?,
@@ -79,11 +82,13 @@ impl Problem<'_> {
                     let missed = &next.residuals - &here.residuals - &jacobian * &step;
                     known = Some(jacobian + missed * step.transpose() / step.norm_squared());
                     damping /= GROWTH;
+                    steps = steps.saturating_add(1);
                     here = *next;
+                    here.slopes.clone_from(&known);
                 }
                 // slopes of an earlier place may be at fault
                 Step::Blocked if !is_fresh => {}
-                Step::Small if !is_fresh && effort != Effort::Coarse => {}
+                Step::Small if steps > 1 && effort != Effort::Coarse => {}
                 Step::Small | Step::Blocked => {
                     here.is_lowest = true;
                     return Ok(here);
@@ -118,12 +123,7 @@ impl Problem<'_> {
                 continue;
             };
             let foreseen = -step.dot(&(&gradient * 2.0 + &normal * &step));
-            let gain = if effort == Effort::Coarse {
-                ROUGH
-            } else {
-                FINE
-            };
-            let least = LEAST_GAIN.max(gain * here.chi_square());
+            let least = self.least_gain(here.chi_square(), effort);
             if step.amax() < LEAST_STEP || foreseen < least {
                 return Ok(Step::Small);
             }
@@ -140,6 +140,15 @@ impl Problem<'_> {
             }
         }
         Ok(Step::Blocked)
+    }
+
+    /// What a step has to lower χ² by.
+    fn least_gain(&self, chi_square: f64, effort: Effort) -> f64 {
+        match effort {
+            Effort::Coarse if self.has_deviations() => (ROUGH * chi_square).max(ROUGH),
+            Effort::Coarse => (ROUGH * chi_square).max(LEAST_GAIN),
+            _ => (FINE * chi_square).max(LEAST_GAIN),
+        }
     }
 
     /// Unknowns that are not held, and not at a bound beyond which the sum of squares falls.
@@ -205,34 +214,45 @@ impl Problem<'_> {
         let unknowns = self.unknowns.iter();
         let first = unknowns.map(|unknown| (unknown.start - unknown.range[0]) / unknown.length());
         let first = DVector::from_vec(first.collect());
-        let found = self.work.all(self.starts.max(1), |start| {
+        let from = |start: usize, near: Option<&Point>| {
             let shares = match start {
                 0 => first.clone(),
                 // the first two points of the sequence are 0 and the middle
                 start => DVector::from_fn(first.len(), |axis, _| sobol(start as u64 + 1, axis)),
             };
-            self.descend(shares, None, None, None, Effort::Coarse)
+            self.place(shares, near, Effort::Coarse)
+        };
+        // the others begin with motions near that of the first
+        let first = from(0, None);
+        let near = first.as_ref().ok().map(|place| &place.point);
+        let found = self.work.all(self.starts.max(1), |start| {
+            let start = match start {
+                0 => first.clone(),
+                start => from(start, near),
+            };
+            self.descend(start?, None, Effort::Coarse)
         });
-        let mut found = found
-            .into_iter()
-            .map(|one| one.unwrap_or(Err(NoAnswer::Stopped)));
-        let first = found.next().unwrap_or(Err(NoAnswer::Stopped));
-        let mut why = None;
-        let all = std::iter::once(first).chain(found);
-        let mut places: Vec<Place> = all
-            .filter_map(|one| one.map_err(|error| why.get_or_insert(error).clone()).ok())
-            .collect();
+        let mut places = Vec::new();
+        let mut why = first.as_ref().err().cloned();
+        for one in found.into_iter().flatten() {
+            match one {
+                Ok(place) => places.push(place),
+                Err(error) => why = why.or(Some(error)),
+            }
+        }
+        if places.is_empty() {
+            places.extend(first.clone());
+        }
         places.sort_by(|a, b| a.chi_square().total_cmp(&b.chi_square()));
         let Some(best) = places.first_mut() else {
             return Err(why.unwrap_or(NoAnswer::Stopped));
         };
-        match self.descend(
-            best.shares.clone(),
-            None,
-            Some(&best.point),
-            None,
-            Effort::Full,
-        ) {
+        let exact = self.place(best.shares.clone(), Some(&best.point), Effort::Full);
+        let exact = exact.and_then(|mut place| {
+            place.slopes.clone_from(&best.slopes);
+            self.descend(place, None, Effort::Full)
+        });
+        match exact {
             Ok(lowest) => *best = lowest,
             // stopped: the best so far
             Err(_) => best.is_lowest = false,

@@ -4,14 +4,12 @@ use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::problem::{Place, Problem};
-use super::slopes::slopes;
 use super::{Effort, NoAnswer, Number, Point};
 use crate::steady::Orbit;
 
-/// Step of the differences at the minimum, in parts of the ranges.
-const DIFFERENCE: f64 = 1e-3;
-/// Minima nearer than this part of the ranges in every unknown are one.
+/// Minima nearer than this part of the ranges in every unknown are one, as are those nearer than this part of the standard errors.
 const SAME: f64 = 1e-3;
+const WITHIN: f64 = 0.3;
 /// Places of a profile, in standard errors from the minimum.
 const PROFILE: [f64; 4] = [-2.0, -1.0, 1.0, 2.0];
 /// What a standard error counts as that is beyond the range: the range.
@@ -122,19 +120,12 @@ impl Problem<'_> {
     }
 
     fn judge(&self, fit: &mut Fit, best: &Place) -> Result<(), NoAnswer> {
-        let jacobian = self.jacobian(best)?;
-        let scale = match self.observations.iter().all(|one| one.sigma.is_some()) {
-            true => {
-                fit.probability = probability(fit.chi_square, fit.freedoms);
-                1.0
-            }
-            false => {
-                let sigma = (fit.chi_square / fit.freedoms.max(1) as f64).sqrt();
-                fit.estimated_sigma = Some(sigma);
-                // what fits to round-off has no errors of its own
-                sigma.max(f64::EPSILON)
-            }
-        };
+        let scale = self.deviation(fit.chi_square);
+        match self.has_deviations() {
+            true => fit.probability = probability(fit.chi_square, fit.freedoms),
+            false => fit.estimated_sigma = Some(scale),
+        }
+        let jacobian = best.slopes.clone().ok_or(NoAnswer::Stopped)?;
         let covariance = self.covariance(fit, &(&jacobian / scale));
         let errors = covariance.diagonal().map(f64::sqrt);
         fit.correlations = DMatrix::from_fn(errors.len(), errors.len(), |row, column| {
@@ -147,50 +138,24 @@ impl Problem<'_> {
         self.look_around(fit, best, (&jacobian, &covariance))
     }
 
+    /// Standard deviation of the residuals: 1 where those of the observations are known, else what their squares leave.
+    fn deviation(&self, chi_square: f64) -> f64 {
+        let freedoms = self.observations.len().saturating_sub(self.unknowns.len());
+        match self.has_deviations() {
+            true => 1.0,
+            // what fits to round-off has no errors of its own
+            false => (chi_square / freedoms.max(1) as f64)
+                .sqrt()
+                .max(f64::EPSILON),
+        }
+    }
+
     /// Which unknowns are at a bound.
     fn at_bound(&self, best: &Place) -> Vec<bool> {
         let pairs = self.unknowns.iter().zip(best.shares.iter());
         pairs
             .map(|(unknown, share)| !unknown.wraps && (*share == 0.0 || *share == 1.0))
             .collect()
-    }
-
-    /// Slopes of the residuals by the shares of the ranges, at the minimum.
-    fn jacobian(&self, best: &Place) -> Result<DMatrix<f64>, NoAnswer> {
-        let values = self.values(&best.shares);
-        let steps: Vec<f64> = self
-            .unknowns
-            .iter()
-            .map(|own| DIFFERENCE * own.length())
-            .collect();
-        let bounds = self.unknowns.iter().map(|own| match own.wraps {
-            true => [f64::NEG_INFINITY, f64::INFINITY],
-            false => own.range,
-        });
-        let bounds: Vec<_> = bounds.collect();
-        // residuals, of which no turn is missing, are what is differentiated
-        let scene = |values: &[f64], near: Option<&Point>, effort: Effort| {
-            let mut point = (self.scene)(values, near, effort)?;
-            self.take_residuals(&mut point);
-            Ok(point)
-        };
-        let mut at = best.point.clone();
-        self.take_residuals(&mut at);
-        let found = slopes(&scene, (&values, &at), &steps, &bounds, self.work)?;
-        Ok(DMatrix::from_fn(
-            self.observations.len(),
-            self.unknowns.len(),
-            |row, column| {
-                let slope = found[column][row].value * self.unknowns[column].length();
-                if slope.is_finite() { slope } else { 0.0 }
-            },
-        ))
-    }
-
-    fn take_residuals(&self, point: &mut Point) {
-        for (number, observation) in point.numbers.iter_mut().zip(self.observations) {
-            number.value = observation.residual(number.value);
-        }
     }
 
     /// Covariance of the shares, `(JᵀJ)⁻¹` by singular values; where one is so small that its direction is not known within the
@@ -224,9 +189,13 @@ impl Problem<'_> {
     /// Places that are not the same, each with the number of starts that lead there.
     fn minima(&self, places: &[Place]) -> Vec<Minimum> {
         let mut found: Vec<(&Place, usize)> = Vec::new();
+        let deviation = self.deviation(places[0].chi_square());
         for place in places.iter().filter(|place| place.is_lowest) {
             let same = |(other, _): &&mut (&Place, usize)| {
-                self.apart(&other.shares, &place.shares).amax() < SAME
+                let apart = self.apart(&place.shares, &other.shares);
+                let slopes = other.slopes.as_ref();
+                let foreseen = slopes.map_or(f64::INFINITY, |slopes| (slopes * &apart).norm());
+                apart.amax() < SAME || foreseen < WITHIN * deviation
             };
             match found.iter_mut().find(same) {
                 Some((_, starts)) => *starts += 1,
@@ -249,7 +218,7 @@ impl Problem<'_> {
         best: &Place,
         (jacobian, covariance): (&DMatrix<f64>, &DMatrix<f64>),
     ) -> Result<(), NoAnswer> {
-        let scale = fit.estimated_sigma.unwrap_or(1.0).max(f64::EPSILON);
+        let scale = self.deviation(best.chi_square());
         let count = PROFILE.len();
         let profile_point = |task: usize| {
             let (k, distance) = (task / count, PROFILE[task % count]);
@@ -262,14 +231,18 @@ impl Problem<'_> {
                     share.clamp(0.0, 1.0)
                 };
             }
-            let (near, slopes) = (Some(&best.point), Some(jacobian.clone()));
-            let place = self.descend(shares, Some(k), near, slopes, Effort::Coarse)?;
+            let mut place = self.place(shares, Some(&best.point), Effort::Coarse)?;
+            place.slopes = Some(jacobian.clone());
+            let place = self.descend(place, Some(k), Effort::Coarse)?;
             let above = (place.chi_square() - best.chi_square()) / (scale * scale);
             Ok(Around::Profile(k, [self.values(&place.shares)[k], above]))
         };
         let tasks = 1 + count * self.unknowns.len();
         let found = self.work.all(tasks, |task| match task.checked_sub(1) {
-            None => (self.scene)(&fit.values, None, Effort::Verified).map(Around::Exact),
+            None => {
+                let near = Some(&best.point);
+                (self.scene)(&fit.values, near, Effort::Verified).map(Around::Exact)
+            }
             Some(task) => profile_point(task),
         });
         let here = fit.values.iter().enumerate();

@@ -246,7 +246,7 @@ impl FitFile {
                 let model = motion()?;
                 let mut columns = number_columns(&model.rotor);
                 columns.retain(|own| own.is_error() || names.contains(&&*own.column.name()));
-                Question::Run(model, columns)
+                Question::Run(model, columns, None)
             }
         })
     }

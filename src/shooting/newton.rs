@@ -30,6 +30,8 @@ pub struct Returned {
     pub states: DVector<f64>,
     /// Residual before every correction, the largest component.
     pub history: Vec<f64>,
+    /// Slopes that the last correction rests on.
+    pub slopes: Vec<DMatrix<f64>>,
 }
 
 /// Why no states that return were found.
@@ -79,10 +81,13 @@ pub fn solve(
         states: guess,
         residual: DVector::zeros(0),
         factors: slopes.map(|slopes| Factors::new(map, slopes)),
+        slopes: slopes.map_or_else(Vec::new, <[_]>::to_vec),
         asked: Slopes::First,
         history: Vec::new(),
     };
     search.evaluate(map)?;
+    // a single one for all nodes that comes from elsewhere may just be an old one
+    let mut is_borrowed = slopes.is_some_and(|slopes| slopes.len() < map.circle().nodes());
     let (mut before, mut renewed) = (f64::INFINITY, false);
     while search.history.len() < MOST_CORRECTIONS && !search.is_stuck() {
         let correction = search.correction(map)?;
@@ -92,13 +97,15 @@ pub fn solve(
             return Ok(Returned {
                 states: search.states + correction,
                 history: search.history,
+                slopes: search.slopes,
             });
         }
         let slow = size > SLOW * before;
         renewed = slow || size > 1.0;
-        if slow {
+        if slow && !is_borrowed {
             search.asked = Slopes::All;
         }
+        is_borrowed &= !slow;
         search.apply(map, &correction, renewed)?;
         before = size;
     }
@@ -119,6 +126,8 @@ struct Search {
     states: DVector<f64>,
     residual: DVector<f64>,
     factors: Option<Factors>,
+    /// What these are the factors of.
+    slopes: Vec<DMatrix<f64>>,
     /// Slopes that the next evaluation asks for where fresh ones are needed: those of one state until they lead too slowly.
     asked: Slopes,
     history: Vec<f64>,
@@ -135,6 +144,7 @@ impl Search {
         self.residual = residual(map, &self.states, &image.end);
         if self.factors.is_none() {
             self.factors = Some(Factors::new(map, &image.slopes));
+            self.slopes = image.slopes;
         }
         Ok(())
     }

@@ -22,7 +22,7 @@ use serde::Serialize;
 pub use error::SteadyError;
 pub use lines::{MotionRange, SteadyLine, SteadyLines};
 pub use measured::Measured;
-pub(crate) use orbit::{Orbit, orbit_near};
+pub(crate) use orbit::{Orbit, orbit_alone, orbit_near};
 pub(crate) use periods::Base;
 pub(crate) use response::{Response, ResponsePoint, ResponseQuestion, response, response_warnings};
 pub use solve::steady;

@@ -73,7 +73,7 @@ pub(super) fn search(
     if map.periods.multiple == 1 {
         return Ok((single, None));
     }
-    let again = located_from(map, single.states)?;
+    let again = located_from(map, single.states, None)?;
     Ok((finished(map, again)?, Some(single.multipliers)))
 }
 
@@ -83,16 +83,26 @@ pub(super) fn locate(map: &mut RotorMap<'_>) -> Result<Located, SteadyError> {
         map.periods = map.periods.with_harmonics(FIRST_HARMONICS)?;
     }
     let guess = DVector::zeros(map.size() * map.circle().nodes());
-    located_from(map, guess)
+    located_from(map, guess, None)
 }
 
-/// Finds the motion of a map near a guess, of two frequencies with as many harmonics as it takes.
+/// Finds the motion of a map near a guess, of two frequencies with as many harmonics as it takes; where slopes are known of one
+/// state about there, with these first.
 pub(super) fn located_from(
     map: &mut RotorMap<'_>,
     guess: DVector<f64>,
+    slopes: Option<&DMatrix<f64>>,
 ) -> Result<Located, SteadyError> {
     let tolerance = map.solver.settings.tolerance;
-    let mut located = returned_from(map, guess)?;
+    let slopes = slopes.map(std::slice::from_ref);
+    let near = slopes.map(|slopes| solve(map, guess.clone(), Some(slopes), tolerance));
+    let mut located = match near {
+        Some(Ok(returned)) => Located {
+            returned,
+            waited: 0,
+        },
+        _ => returned_from(map, guess)?,
+    };
     while map.periods.is_torus() {
         let sizes = harmonic_sizes(map.circle(), &located.returned.states, map.size());
         let Some(more) = more_harmonics(&sizes, tolerance) else {
@@ -111,7 +121,7 @@ pub(super) fn located_from(
         let at_nodes = before.values_at(&map.circle().angles);
         let guess = mixed(&at_nodes, &located.returned.states, map.size());
         // a curve that is smooth is found at once from one with fewer harmonics
-        located.returned = match solve(map, guess, None, tolerance) {
+        located.returned = match solve(map, guess, slopes, tolerance) {
             Err(ShootingError::NotFound { .. } | ShootingError::Singular) => return Err(rough),
             found => found?,
         };
@@ -158,6 +168,18 @@ fn is_final(error: &MapError) -> bool {
 fn later(map: &mut dyn ReturnMap, states: &DVector<f64>) -> Result<DVector<f64>, SteadyError> {
     let end = map.image(states, Slopes::None)?.end;
     Ok(mixed(&map.circle().back(), &end, map.size()))
+}
+
+/// Harmonics of a closed curve of states above a tolerance.
+pub(super) fn harmonics_above(
+    tolerance: f64,
+    circle: &Circle,
+    states: &DVector<f64>,
+    size: usize,
+) -> usize {
+    let sizes = harmonic_sizes(circle, states, size);
+    let last = sizes.iter().rposition(|size| *size > tolerance);
+    last.unwrap_or(0)
 }
 
 /// Largest component of every harmonic of the closed curve, the mean first.

@@ -146,7 +146,7 @@ fn answer(
 }
 
 /// The motion of a single period as it is observed, to a tolerance of its own size.
-fn located_in_scale(
+pub(super) fn located_in_scale(
     map: &mut RotorMap<'_>,
     model: &Model,
 ) -> Result<(Located, Observed), SteadyError> {
@@ -160,7 +160,7 @@ fn located_in_scale(
         let states = map.states(&located.returned.states);
         map.rescale(scale);
         let guess = map.scaled(&states);
-        located = located_from(map, guess)?;
+        located = located_from(map, guess, None)?;
         observed = Observed::new(map, &located.returned.states, model)?;
     }
     Ok((located, observed))
