@@ -4,7 +4,8 @@ use super::Row;
 use crate::analysis::Channel;
 use crate::fit::{Fit, Profile, Wanted};
 use crate::report::compare::Overlay;
-use crate::report::figure::{Axis, Curve, Figure, GREY, Mark, Name, Panel, distinct, ends};
+use crate::report::figure::{Axis, Curve, Figure, GREY, Mark, Name, Panel, Point, distinct, ends};
+use crate::report::terminal::shown_unit;
 use crate::report::variable::axis_label;
 use crate::scenario::FitFile;
 use crate::steady::SteadyLines;
@@ -12,6 +13,79 @@ use crate::table::{Column, Table};
 
 /// Height of plots, px.
 const HEIGHT: u32 = 250;
+/// Values that differ by more than this factor are shown over a logarithmic axis.
+const WIDE: f64 = 10.0;
+
+/// Half the length of the strokes at the ends of a bar, in lines.
+const CROSS: f64 = 0.25;
+
+/// Height of a panel of so many names, px.
+fn height(rows: usize) -> u32 {
+    60 + 22 * rows as u32
+}
+
+/// What was measured, a standard deviation to either side, and what is computed: a panel a unit, an observation a line.
+pub(super) fn observations_figure(title: &str, rows: &[Row<'_>]) -> Figure {
+    let mut units: Vec<&str> = Vec::new();
+    for row in rows {
+        if !units.contains(&row.unit) {
+            units.push(row.unit);
+        }
+    }
+    let panel = |unit: &str| {
+        let own: Vec<_> = rows.iter().filter(|row| row.unit == unit).collect();
+        let (unit, factor) = shown_unit(unit);
+        let points = |value: &dyn Fn(&Row<'_>) -> f64| -> Vec<Point> {
+            let rows = own.iter().enumerate();
+            rows.map(|(place, row)| (factor * value(row), place as f64 + 0.5))
+                .collect()
+        };
+        let measured = points(&|row| row.measured);
+        let computed = points(&|row| row.computed);
+        let bars = [-1.0, 1.0].map(|side| points(&|row| row.measured + side * row.sigma));
+        let all = bars
+            .iter()
+            .chain([&computed])
+            .flatten()
+            .map(|point| point.0);
+        let [least, most] = ends(all.clone()).unwrap_or([0.0, 1.0]);
+        let label = ("value", unit);
+        let across = match least > 0.0 && most > WIDE * least {
+            true => Axis::logarithmic(label, all),
+            false => Axis::spanning(label, all),
+        };
+        // a bar from end to end, with a stroke across either of them
+        let strokes = bars
+            .iter()
+            .flatten()
+            .flat_map(|&(at, row)| [row - CROSS, row + CROSS, f64::NAN].map(|height| (at, height)));
+        let [from, to] = &bars;
+        let pairs = from.iter().zip(to);
+        let lines = pairs.flat_map(|(from, to)| [*from, *to, (to.0, f64::NAN)]);
+        let marked = |colour, mark, points| Curve {
+            mark,
+            ..Curve::dots(colour, points)
+        };
+        Panel {
+            curves: vec![
+                Curve::line(distinct(0), lines.chain(strokes).collect()),
+                marked(distinct(0), Mark::Dot, measured),
+                marked(distinct(1), Mark::Triangle, computed),
+            ],
+            ..Panel::new(
+                across,
+                Axis::names(own.iter().map(|row| row.name.to_owned())),
+                height(own.len()),
+            )
+        }
+    };
+    let panels: Vec<_> = units.into_iter().map(panel).collect();
+    let columns = panels.len().min(2);
+    let mut names = Name::each(["measured, a standard deviation to either side", "computed"]);
+    names[1].mark = Some(Mark::Triangle);
+    Figure::new("fit_observations", title, columns, panels).with_names(names)
+}
+
 /// Residuals in standard deviations, an observation a line, beside one and two of them.
 pub(super) fn residuals_figure(title: &str, rows: &[Row<'_>]) -> Figure {
     let count = rows.len() as f64;
@@ -36,8 +110,8 @@ pub(super) fn residuals_figure(title: &str, rows: &[Row<'_>]) -> Figure {
         curves: limits.into_iter().chain([dots]).collect(),
         ..Panel::new(
             across,
-            Axis::names(rows.iter().map(|row| row.observation.name.clone())),
-            60 + 22 * rows.len() as u32,
+            Axis::names(rows.iter().map(|row| row.name.to_owned())),
+            height(rows.len()),
         )
     };
     Figure::new("fit_residuals", title, 1, vec![panel])

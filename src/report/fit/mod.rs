@@ -14,16 +14,21 @@ use super::{FileSet, Findings};
 use crate::fit::{Fit, Minimum, Number, Observation, Unidentified, Unknown};
 use crate::scenario::{Balance, FitFile, Output};
 use crate::table::Table;
-use figures::{predictions, profiles_figure, residuals_figure};
+use figures::{observations_figure, predictions, profiles_figure, residuals_figure};
 use text::{tell, tell_balance};
 use warnings::warnings;
 
-/// A row of the observations.
+/// A row of the observations, phases in degrees of one turn.
 struct Row<'a> {
-    observation: &'a Observation,
-    computed: &'a Number,
-    residual: f64,
+    name: &'a str,
+    unit: &'a str,
+    measured: f64,
+    computed: f64,
     sigma: f64,
+    /// Difference in standard deviations.
+    residual: f64,
+    /// Error of the computed number.
+    error: f64,
 }
 
 /// What a fit has found by so many answers of the scene.
@@ -44,7 +49,10 @@ pub fn fit_findings(file: &FitFile, fit: &Fit, answers: u64) -> Findings {
         tables.push(("fit_profiles", profiles_table(file, fit)));
     }
     let (records, predicted) = predictions(file, fit);
-    let mut figures = vec![residuals_figure(&file.title, &rows)];
+    let mut figures = vec![
+        observations_figure(&file.title, &rows),
+        residuals_figure(&file.title, &rows),
+    ];
     figures.extend(profiles_figure(file, fit));
     figures.extend(match records.is_empty() {
         true => Vec::new(),
@@ -85,13 +93,20 @@ fn rows<'a>(file: &'a FitFile, fit: &'a Fit) -> Vec<Row<'a>> {
         .zip(&fit.computed)
         .zip(&fit.residuals);
     let row = |((observation, computed), residual): ((&'a Observation, &'a Number), &f64)| {
-        // what fits to round-off has no scatter
-        let scale = fit.estimated_sigma.unwrap_or(1.0).max(f64::EPSILON);
+        let scale = fit.estimated_sigma.unwrap_or(1.0);
+        let sigma = scale * observation.sigma.unwrap_or_else(|| observation.scale());
+        let (unit, factor) = match observation.wraps {
+            true => ("deg", 1f64.to_degrees()),
+            false => (&*observation.unit, 1.0),
+        };
         Row {
-            observation,
-            computed,
+            name: &observation.name,
+            unit,
+            measured: factor * observation.in_turn(observation.measured),
+            computed: factor * observation.in_turn(computed.value),
+            sigma: factor * sigma,
             residual: residual / scale,
-            sigma: scale * observation.sigma.unwrap_or_else(|| observation.scale()),
+            error: factor * computed.error,
         }
     };
     pairs.map(row).collect()
@@ -124,13 +139,13 @@ fn unknowns_table(file: &FitFile, fit: &Fit) -> Table<'static> {
 
 fn observations_table(rows: &[Row<'_>]) -> Table<'static> {
     Table::of(rows)
-        .word("observation", |row| &row.observation.name)
-        .number("measured", "", |row| row.observation.measured)
-        .number("computed", "", |row| row.computed.value)
-        .word("unit", |row| &row.observation.unit)
+        .word("observation", |row| row.name)
+        .number("measured", "", |row| row.measured)
+        .number("computed", "", |row| row.computed)
+        .word("unit", |row| row.unit)
         .number("sigma", "", |row| row.sigma)
         .number("residual", "", |row| row.residual)
-        .number("numerical_error", "", |row| row.computed.error)
+        .number("numerical_error", "", |row| row.error)
         .end()
 }
 

@@ -16,9 +16,13 @@ fn with_error(variable: &Variable, value: f64, error: f64) -> [String; 3] {
         true => (1.0 - error.log10().floor()).clamp(0.0, 12.0) as usize,
         false => 6,
     };
+    let shown_error = match error.is_nan() {
+        true => "–".to_owned(),
+        false => format!("{error:.decimals$}"),
+    };
     [
         format!("{value:.decimals$}"),
-        format!("{error:.decimals$}"),
+        shown_error,
         variable.shown_unit.clone(),
     ]
 }
@@ -73,20 +77,17 @@ pub(super) fn tell(text: &mut Lines, file: &FitFile, fit: &Fit, rows: &[Row<'_>]
         values,
     );
     let observed = rows.iter().map(|row| {
-        let (unit, factor) = match row.observation.wraps {
-            true => ("deg".to_owned(), 1f64.to_degrees()),
-            false => shown_unit(&row.observation.unit),
-        };
+        let (unit, factor) = shown_unit(row.unit);
         let shown = |value: f64| digits(factor * value);
         vec![
-            row.observation.name.clone(),
-            shown(row.observation.measured),
-            shown(row.computed.value),
-            unit.clone(),
+            row.name.to_owned(),
+            shown(row.measured),
+            shown(row.computed),
+            unit,
             shown(row.sigma),
             format!("{:+.2}", row.residual),
-            match row.computed.error.is_finite() {
-                true => digits(to_digits(row.computed.error / row.sigma, 2)),
+            match row.error.is_finite() {
+                true => digits(to_digits(row.error / row.sigma, 2)),
                 false => "–".to_owned(),
             },
         ]

@@ -19,8 +19,15 @@ const CORRELATED: f64 = 0.95;
 pub(super) fn warnings(file: &FitFile, fit: &Fit, rows: &[Row<'_>]) -> Vec<String> {
     let mut warnings = file.warnings.clone();
     if !fit.is_complete {
-        warnings
-            .push("the search did not come to its end: the values are the best so far".to_owned());
+        let errors = match fit.errors.iter().any(|error| error.is_nan()) {
+            true => {
+                "they have no standard errors, as it is not known yet how what is computed depends on them"
+            }
+            false => "their standard errors rest on what the search knows of the slopes there",
+        };
+        warnings.push(format!(
+            "the search did not come to its end: the values are the best so far; {errors}"
+        ));
     }
     for one in &fit.unidentified {
         let parts = one.parts.iter().map(|(unknown, change)| {
@@ -77,14 +84,12 @@ pub(super) fn warnings(file: &FitFile, fit: &Fit, rows: &[Row<'_>]) -> Vec<Strin
             ));
         }
     }
-    let inexact = rows
-        .iter()
-        .filter(|row| row.computed.error > NUMERICAL * row.sigma);
+    let inexact = rows.iter().filter(|row| row.error > NUMERICAL * row.sigma);
     warnings.extend(inexact.map(|row| {
         format!(
             "{}: the error of the computed number is {:.1e} of the standard deviation: tighten integrator.tolerance",
-            row.observation.name,
-            row.computed.error / row.sigma
+            row.name,
+            row.error / row.sigma
         )
     }));
     warnings

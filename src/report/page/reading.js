@@ -202,6 +202,7 @@ const figures = (() => {
     accuracy: "Error over cost, a curve a method.",
     ladder: "Cost and error of each model.",
     tornado: "Per cent by which a number changes where a quantity changes by one per cent.",
+    fit_observations: "What was measured, a standard deviation to either side, and what is computed with the fitted values.",
     fit_residuals: "Computed less measured, in standard deviations; grey lines are none, one and two.",
     fit_profiles: "How much χ² grows where one unknown is held and the others are at their best; at 1 lies a standard error.",
     comparison: "To the left both curves, to the right their difference.",
