@@ -132,7 +132,7 @@ class _KeptRun(_Kept):
 
     def estimated(self, asked: Any) -> Sequence[tuple[str, Any]]:
         # the same run again, to the last digit
-        return self._scenario.checked.run(None).estimated(asked)
+        return self._scenario.checked.run(None, []).estimated(asked)
 
 
 class Result:
@@ -223,6 +223,15 @@ class Result:
         return f"{figures}<pre>{escape(str(self))}</pre>"
 
 
+def _sensitivity(keys: tuple[str, ...], again: Callable[[list[str]], _Source]) -> Table:
+    """The table of derivatives of a question that is asked again with keys."""
+    if not keys:
+        raise ValueError("name at least one key, as \"shaft.mass\"")
+    found = again([str(key) for key in keys])
+    name = next(name for name in found.tables() if name.endswith("_sensitivity"))
+    return Table(name, found.table(name) or [])
+
+
 class Run(Result):
     """A run: samples of the motion, events, spectra.
 
@@ -258,6 +267,10 @@ class Run(Result):
     def keys(self) -> list[str]:
         """Names of the columns of the trace."""
         return list(self.trace)
+
+    def sensitivity(self, *keys: str) -> Table:
+        """How its numbers change with quantities of the scenario, as those of `steady()`; of a motion that has settled."""
+        return _sensitivity(keys, lambda asked: self.scenario.checked.run(None, asked))
 
     def __len__(self) -> int:
         """Number of samples."""
@@ -314,11 +327,7 @@ class Differentiable(Result):
 
         A row a number and a key: derivative in SI units, per cent per per cent, and the errors of both, by two step sizes.
         """
-        if not keys:
-            raise ValueError("name at least one key, as \"shaft.mass\"")
-        found = self._again([str(key) for key in keys])
-        name = next(name for name in found.tables() if name.endswith("_sensitivity"))
-        return Table(name, found.table(name) or [])
+        return _sensitivity(keys, self._again)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (*super().__reduce__()[1], self._again)

@@ -279,7 +279,7 @@ class Scenario:
         """
         asked = self._with_integrator(tolerance, verify)
         with told(progress, self.title) as tell:
-            return asked._answer(results.Run(asked.checked.run(tell), asked))
+            return asked._answer(results.Run(asked.checked.run(tell, []), asked))
 
     def bearing(self) -> results.Statics:
         """Where the shaft stands, without motion: equilibrium, stiffness, every ball. Of many values `sweep` with

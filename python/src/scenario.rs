@@ -127,9 +127,15 @@ impl CheckedScenario {
     }
 
     /// Runs it.
-    fn run(&self, py: Python<'_>, progress: Option<Py<PyAny>>) -> PyResult<RunFindings> {
+    fn run(
+        &self,
+        py: Python<'_>,
+        progress: Option<Py<PyAny>>,
+        sensitivity: Vec<String>,
+    ) -> PyResult<RunFindings> {
         let question = RunQuestion::new(&self.scenario);
-        let question = question.map_err(|error| ask_error(py, &error))?;
+        let mut question = question.map_err(|error| ask_error(py, &error))?;
+        question.sensitivity = self.sensitivity(py, &sensitivity)?;
         let answer = watched(py, None, progress.as_ref(), |watch| {
             question.answer(&mut Monitor {
                 stop: watch.stop,

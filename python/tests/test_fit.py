@@ -29,6 +29,10 @@ def test_a_result_is_differentiated_by_keys_of_its_scenario() -> None:
     assert table["derivative"][row] == pytest.approx((stiffness[1] - stiffness[0]) / 2, rel=1e-4)
     with pytest.raises(jc.ScenarioError, match="did you mean"):
         result.sensitivity("bearing[1].prelaod")
+    moving = scenario.with_({"shaft.eccentricity": "1 um", "time": {"duration": "0.3 s", "settle": "0.2 s"}})
+    table = moving.run(verify=False).sensitivity("shaft.eccentricity")
+    row = list(table["number"]).index("x_order_1_m")
+    assert table["percent_per_percent"][row] == pytest.approx(1, abs=0.05)
 
 
 def test_a_preload_is_found() -> None:

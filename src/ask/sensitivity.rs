@@ -9,16 +9,25 @@ use super::AskError;
 use crate::fit::{Answer, Effort, NamedLine, NoAnswer, Number, Point, Question, Work, slopes};
 use crate::quasi_static::StaticQuestion;
 use crate::report::SensitivityTable;
+use crate::rotor::RotorDefinition;
 use crate::scenario::{Issue, OpenScenario, Scenario};
 use crate::simulate::Model;
 use crate::study::Variable;
+use crate::study::many::{NumberColumn, number_columns};
 
 /// Steps of the differences, in parts of the values.
 const STEP: f64 = 1e-3;
 /// Tolerance that motions are found to at least: what it leaves is to be far below what a step changes.
 const TOLERANCE: f64 = 1e-10;
 /// Numbers that say how an answer was computed, and change with nothing in particular.
-const OF_THE_SEARCH: [&str; 2] = ["condition", "residual"];
+const OF_THE_SEARCH: [&str; 6] = [
+    "condition",
+    "residual",
+    "period_cycles",
+    "drift",
+    "measured_error",
+    "evaluations",
+];
 /// Lines of each displacement, besides the first orders of the shaft.
 const LINES: usize = 3;
 
@@ -65,6 +74,13 @@ impl Sensitivity {
             }
             None => Ok(Some(asked)),
         }
+    }
+
+    /// The numbers of a run that are differentiated.
+    pub(super) fn columns_of_run(rotor: &RotorDefinition) -> Vec<NumberColumn> {
+        let mut columns = number_columns(rotor);
+        columns.retain(|own| !own.on_request && !OF_THE_SEARCH.contains(&&*own.column.name()));
+        columns
     }
 
     /// How fast the numbers change, of the question that is made of the scenario at values of the keys.

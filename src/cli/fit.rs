@@ -20,7 +20,7 @@ use crate::scenario;
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Examples:\n  jeffcott fit scenarios/studies/clearance-fit-6205.toml\n  \
-                  jeffcott fit scenarios/studies/balance-6208.toml --open\n\n\
+                  jeffcott fit scenarios/studies/clearance-fit-6205.toml --set starts=1 --open\n\n\
                   Writes to DIR/<name of the file>/: fit_unknowns.csv, fit_observations.csv, fit_minima.csv,\n\
                   fit_profiles.csv, figures, fit.html, the scenario with the fitted values, fitted.toml, and, last,\n\
                   fit.json. Ctrl-C ends the search with the best so far.\n\n\

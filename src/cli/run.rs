@@ -25,7 +25,8 @@ use crate::simulate::{Model, RunSize};
                   poincare.csv and orbit.svg at constant speed; waterfall, order_tracks and campbell\n\
                   (.csv and .svg) where the speed changes; trace_balls.csv and energy.csv where the\n\
                   scenario asks for them, spectrum_NAME.csv for each of its `[[spectrum]]`,\n\
-                  drive.csv where there is a drive. A run\n\
+                  drive.csv where there is a drive, run_sensitivity\n\
+                  and run_tornado (.csv and .svg) with --sensitivity. A run\n\
                   that cannot go on leaves trace.until-failure.csv and failure.json instead.\n\
                   With --format the tables have other formats.\n\n\
                   Exit code: 0 all runs are done, 1 a run failed or was interrupted, 2 a file is wrong."
@@ -36,6 +37,9 @@ pub struct Arguments {
     /// Leave out the second pass, which measures the error, whatever `[integrator] verify` says
     #[arg(long)]
     no_verify: bool,
+    /// Keys of the scenario that the numbers of a settled motion are differentiated by, as "bearing[*].preload,shaft.mass"
+    #[arg(long, value_name = "KEY,KEY", value_delimiter = ',')]
+    sensitivity: Vec<String>,
     /// Open the page in a browser when it is written
     #[arg(long)]
     open: bool,
@@ -67,7 +71,8 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
 impl Arguments {
     /// The motion of a job, where it fits into memory and has the columns that are asked for.
     fn question<'j>(&self, job: &'j Job) -> Result<RunQuestion<'j>, Failure> {
-        let question = RunQuestion::new(&job.scenario)?;
+        let mut question = RunQuestion::new(&job.scenario)?;
+        question.sensitivity = job.sensitivity(&self.sensitivity)?;
         // what keeps a run from beginning it tells itself
         if let Ok(size) = RunSize::from_model(question.model) {
             check_memory(&size, 1)?;

@@ -12,7 +12,7 @@ use super::run_answer::{Drawn, RunAnswer};
 use super::run_tables::{ball_columns, ball_row, event_columns, event_row, sample_table};
 use super::run_up::waterfall_table;
 use super::spectra::estimated_table;
-use super::{FileAction, ReportError, RunReport};
+use super::{FileAction, ReportError, RunReport, SensitivityTable};
 use crate::analysis::Channel;
 use crate::scenario::Scenario;
 use crate::simulate::{Maps, Model, Monitor, RecordedRun, SimulateError};
@@ -29,6 +29,8 @@ pub struct RunFindings {
     pub recorded: RecordedRun,
     campbell: Option<Campbell>,
     measured: Vec<Overlay>,
+    /// How its numbers change, where that is asked for.
+    pub(crate) sensitivity: Option<SensitivityTable>,
 }
 
 impl RunFindings {
@@ -51,6 +53,7 @@ impl RunFindings {
             recorded,
             campbell,
             measured,
+            sensitivity: None,
         })
     }
 
@@ -61,6 +64,7 @@ impl RunFindings {
             run: &self.recorded.run,
             campbell: self.campbell.as_ref(),
             measured: &self.measured,
+            sensitivity: self.sensitivity.as_ref(),
         }
     }
 
@@ -121,6 +125,9 @@ impl RunFindings {
         if let Some(Maps { waterfall, .. }) = &run.maps {
             add("waterfall", Box::new(|| waterfall_table(waterfall)));
         }
+        if let Some(found) = &self.sensitivity {
+            add("run_sensitivity", Box::new(|| found.table()));
+        }
         let answer = self.answer();
         for (name, table) in answer.tables() {
             add(&name, Box::new(|| table));
@@ -177,6 +184,7 @@ impl RunFindings {
     /// [`ReportError`] where a file cannot be written or drawn.
     pub fn write(&self, folder: &Path) -> Result<Vec<PathBuf>, ReportError> {
         let mut report = RunReport::new(&self.scenario, &self.model, folder)?;
+        report.sensitivity.clone_from(&self.sensitivity);
         let replayed = self.recorded.replay(&mut report);
         replayed.map_err(ReportError::file(FileAction::Write, folder))?;
         Ok(report.finish(&self.model, self.recorded.run.clone())?.files)

@@ -17,7 +17,7 @@ use super::spectra::{
 };
 use super::statics::balls_figure;
 use super::text::{method_use_json, parted, text};
-use super::{FileSet, campbell, defects, spectrum_figure};
+use super::{FileSet, SensitivityTable, campbell, defects, spectrum_figure};
 use crate::analysis::{EstimatedSpectrum, Peak, Spectrum};
 use crate::scenario::Scenario;
 use crate::simulate::{Maps, Model, Run};
@@ -44,24 +44,37 @@ pub(super) struct RunAnswer<'a> {
     pub campbell: Option<&'a Campbell>,
     /// Spectra of records that are laid over its own.
     pub measured: &'a [Overlay],
+    /// How its numbers change, where that is asked for.
+    pub sensitivity: Option<&'a SensitivityTable>,
 }
 
 impl<'a> RunAnswer<'a> {
-    /// What is told of it, without tables and figures.
+    /// What is told of it, without its own tables and figures.
     pub fn told(&self) -> Findings {
+        self.with_sensitivity(self.bare())
+    }
+
+    fn bare(&self) -> Findings {
         let text = text(&self.scenario.title, self.model, self.run, self.campbell);
         Findings::new(FileSet::MOTION, self.scenario, RunSummary::new(self), text)
+    }
+
+    fn with_sensitivity(&self, mut findings: Findings) -> Findings {
+        if let Some(found) = self.sensitivity {
+            findings.add_sensitivity(found);
+        }
+        findings
     }
 
     /// All of it but the tables that are too large to be held twice.
     pub fn findings(&self, drawn: Drawn<'_>) -> Findings {
         let peaks = self.peaks().map(|table| ("peaks", table));
-        Findings {
+        self.with_sensitivity(Findings {
             tables: peaks.into_iter().collect(),
             figures: self.figures(drawn.histories),
             film: drawn.film.and_then(|film| film.json(&self.model.rotor)),
-            ..self.told()
-        }
+            ..self.bare()
+        })
     }
 
     /// What is drawn of a run, in the order of its page.
@@ -72,6 +85,7 @@ impl<'a> RunAnswer<'a> {
             run,
             campbell,
             measured,
+            ..
         } = *self;
         let title = &scenario.title;
         let limit = frequency_limit_of(run);

@@ -15,7 +15,7 @@ use super::run_answer::{Drawn, RunAnswer};
 use super::run_tables::{SampleFiles, ball_columns, ball_row, event_columns, event_row};
 use super::run_up::{waterfall_columns, waterfall_rows};
 use super::table::TableFiles;
-use super::{FileSet, ReportError, RunFolder};
+use super::{FileSet, ReportError, RunFolder, SensitivityTable};
 use crate::analysis::Channel;
 use crate::integrate::{Counters, IntegrateError};
 use crate::rotor::{BallContacts, Sample};
@@ -43,6 +43,8 @@ pub struct RunReport {
     film: Option<Film>,
     /// Spectra of records that are laid over those of the run.
     measured: Vec<Overlay>,
+    /// How the numbers of the run change, where that is asked for.
+    pub(crate) sensitivity: Option<SensitivityTable>,
     samples: u64,
 }
 
@@ -97,6 +99,7 @@ impl RunReport {
             folder,
             scenario: scenario.clone(),
             measured,
+            sensitivity: None,
             samples: 0,
         })
     }
@@ -156,6 +159,7 @@ impl RunReport {
             run: &run,
             campbell: campbell.as_ref(),
             measured: &self.measured,
+            sensitivity: self.sensitivity.as_ref(),
         };
         let drawn = Drawn {
             histories: self.histories.as_ref(),

@@ -68,7 +68,8 @@ impl SensitivityTable {
         }
     }
 
-    fn table(&self) -> Table<'static> {
+    /// A row a number and a quantity.
+    pub(super) fn table(&self) -> Table<'static> {
         let numbers = 0..self.numbers.len();
         let rows = numbers.flat_map(|number| {
             let keys = 0..self.variables.len();
@@ -144,6 +145,7 @@ impl Findings {
         let [table, name] = match self.set.seal {
             "bearing.json" => ["bearing_sensitivity", "bearing"],
             "campbell.json" => ["campbell_sensitivity", "campbell"],
+            "summary.json" => ["run_sensitivity", "run"],
             _ => ["steady_sensitivity", "steady"],
         };
         let rows = found.table();

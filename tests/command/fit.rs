@@ -39,7 +39,9 @@ fn the_clearance_of_the_shipped_twin_is_found() {
         &["check", fitted.to_str().expect("a path")],
     ));
     let page = fs::read_to_string(folder.join("fit.html")).expect("a page");
-    assert!(page.contains("fit_profiles") && page.contains("fit_residuals"));
+    for figure in ["fit_observations", "fit_residuals", "fit_profiles"] {
+        assert!(page.contains(figure), "{figure}");
+    }
 }
 
 /// A fit of where a pair stands, written into a folder, with some text in place of another.
@@ -244,17 +246,59 @@ fn sensitivities_are_the_differences_of_answers() {
     );
 }
 
+/// A shaft on springs and dampers under an unbalance, which has settled after 0.4 s.
+const ON_SPRINGS: &str = "[shaft]\nmass = '5 kg'\nfreedoms = 'radial'\n[speed]\nconstant = '3000 rpm'\n\
+    [[unbalance]]\namount = '70 g mm'\n\
+    [[element]]\n[element.linear]\nstiffness = { x = '2 N/um', y = '3 N/um' }\ndamping = { x = '500 N s/m', y = '400 N s/m' }\n\
+    [time]\nduration = '0.6 s'\nsettle = '0.4 s'\n";
+
+#[test]
+fn a_settled_run_is_differentiated_as_in_closed_form() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("scene.toml"), ON_SPRINGS).expect("a file");
+    let run = |further: &[&str]| {
+        let keys = "element[1].linear.stiffness.x,unbalance[1].amount";
+        let asked = ["run", "scene.toml", "--json", "--sensitivity", keys];
+        jeffcott_in(folder.path(), &[&asked, further].concat())
+    };
+    let found: Value = serde_json::from_slice(&done(run(&[])).stdout).expect("JSON");
+    // a = u ω²/|k − m ω² + i c ω|
+    let (k, m, c, speed) = (2e6, 5.0, 500.0, 50.0 * std::f64::consts::TAU);
+    let [real, imaginary] = [k - m * speed * speed, c * speed];
+    let square = real * real + imaginary * imaginary;
+    let rms = 70e-6 * speed * speed / (2.0 * square).sqrt();
+    for (key, expected) in [
+        ("element[1].linear.stiffness.x", -rms * real / square),
+        ("unbalance[1].amount", rms / 70e-6),
+    ] {
+        let own = derivative(&found, "x_rms_m", key);
+        assert!(
+            (own / expected - 1.0).abs() < 1e-5,
+            "{key}: {own} {expected}"
+        );
+    }
+    let files = folder.path().join("output/scene");
+    assert!(files.join("run_tornado.svg").exists() && files.join("run_sensitivity.csv").exists());
+
+    // while the start dies out no number is that of the motion; the run is kept all the same
+    let short = ["--set", "time.settle=0 s", "--set", "time.duration=0.06 s"];
+    let output = run(&short);
+    let message = told(&output);
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    assert!(
+        message.contains("no sensitivities: the motion has not settled"),
+        "{message}"
+    );
+    assert!(files.join("trace.csv").exists() && !files.join("run_sensitivity.csv").exists());
+}
+
 #[test]
 fn lines_of_a_record_are_fitted_and_drawn_over_it() {
     let folder = tempfile::tempdir().expect("a folder");
-    let scene = "[shaft]\nmass = '5 kg'\nfreedoms = 'radial'\n[speed]\nconstant = '3000 rpm'\n\
-        [[unbalance]]\namount = '70 g mm'\n\
-        [[element]]\n[element.linear]\nstiffness = { x = '2 N/um', y = '3 N/um' }\ndamping = { x = '500 N s/m', y = '400 N s/m' }\n\
-        [time]\nduration = '0.6 s'\nsettle = '0.4 s'\n";
-    fs::write(folder.path().join("truth.toml"), scene).expect("a file");
+    fs::write(folder.path().join("truth.toml"), ON_SPRINGS).expect("a file");
     fs::write(
         folder.path().join("guess.toml"),
-        scene.replace("70 g mm", "20 g mm"),
+        ON_SPRINGS.replace("70 g mm", "20 g mm"),
     )
     .expect("a file");
     done(jeffcott_in(folder.path(), &["run", "truth.toml"]));
