@@ -200,9 +200,12 @@ impl Structure {
                 unbalance: definition.shaft.whole_unbalance(),
             }],
             Some(flexible) => {
-                let unbalanced = flexible.unbalances.iter().map(|own| UnbalancedPoint {
-                    point: self.place_at(own.position).point,
-                    unbalance: own.at_its_point(),
+                let unbalanced = flexible.unbalances.iter().map(|own| {
+                    let Place { point, arm } = self.place_at(own.position);
+                    UnbalancedPoint {
+                        point,
+                        unbalance: own.about(arm),
+                    }
                 });
                 unbalanced.collect()
             }
@@ -242,10 +245,7 @@ impl Structure {
                 point: self.shaft,
                 arm: position,
             },
-            Some(bending) => Place {
-                point: bending.point_at(position),
-                arm: 0.0,
-            },
+            Some(bending) => bending.place_at(position),
         }
     }
 

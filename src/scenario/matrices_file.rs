@@ -71,6 +71,7 @@ impl MatricesFile {
         let across = block(&gyroscopic, &planes[0], &planes[1]);
         Ok(Mesh {
             nodes: self.nodes.clone(),
+            whole: None,
             plane: Plane {
                 mass: plane_matrix("M", &mass, &planes)?,
                 stiffness: plane_matrix("K", &stiffness, &planes)?,

@@ -165,22 +165,93 @@ fn small_motions_on_ball_bearings_are_those_of_steady() {
 fn receptances_of_a_standing_shaft_are_reciprocal() {
     let text = BENDING.replace("3000 rpm", "0 rpm");
     let text = text.split("[integrator]").next().expect("a scene");
-    let places = [
-        Pickup {
-            position: 0.1,
-            axis: 1,
-        },
-        Pickup {
-            position: 0.37,
-            axis: 1,
-        },
-    ];
-    let [one, other] = [(places[0], places[1]), (places[1], places[0])]
-        .map(|(at, by)| asked(text, vec![at], Some(by), [10.0, 3000.0]));
-    for ((_, one), (_, other)) in one.points.iter().zip(&other.points) {
-        let [one, other] = [one, other].map(|own| own.as_ref().expect("damped")[0]);
-        assert!((one - other).norm() < 1e-9 * one.norm(), "{one} {other}");
+    let force = Pickup {
+        position: 0.1,
+        axis: 1,
+    };
+    // another force, and a moment
+    for axis in [1, 3] {
+        let position = 0.37;
+        let other = Pickup { position, axis };
+        let [one, other] = [(force, other), (other, force)]
+            .map(|(at, by)| asked(text, vec![at], Some(by), [10.0, 3000.0]));
+        for ((_, one), (_, other)) in one.points.iter().zip(&other.points) {
+            let [one, other] = [one, other].map(|own| own.as_ref().expect("damped")[0]);
+            assert!((one - other).norm() < 1e-9 * one.norm(), "{one} {other}");
+        }
     }
+}
+
+/// A fan with a hub of 120 mm, within which a bearing and both unbalances sit: a shaft of the same mass that is ten million times
+/// as stiff there.
+#[test]
+fn a_hub_is_the_limit_of_a_stiff_section() {
+    let text = r#"
+[shaft]
+observed = "300 mm"
+[[shaft.section]]
+length = "200 mm"
+outer_diameter = "30 mm"
+[[shaft.section]]
+length = "120 mm"
+outer_diameter = "30 mm"
+[[shaft.section]]
+length = "180 mm"
+outer_diameter = "30 mm"
+[[disc]]
+position = "260 mm"
+mass = "9 kg"
+inertia_transverse = "0.06 kg m^2"
+inertia_polar = "0.1 kg m^2"
+hub_width = "120 mm"
+[[unbalance]]
+amount = "20 g mm"
+position = "220 mm"
+[[unbalance]]
+amount = "30 g mm"
+position = "310 mm"
+angle = "70 deg"
+[[element]]
+position = "20 mm"
+linear = { stiffness = { x = "50 N/um", y = "30 N/um" }, damping = { x = "500 N s/m", y = "500 N s/m" } }
+[[element]]
+position = "240 mm"
+linear = { stiffness = { x = "5 N/um", y = "5 N/um" }, damping = { x = "300 N s/m", y = "300 N s/m" } }
+[speed]
+constant = "3000 rpm"
+"#;
+    let scenario = Scenario::from_toml(text);
+    let scenario = scenario.unwrap_or_else(|error| panic!("{}", error.render(false)));
+    let [hub, stiff] = [false, true].map(|is_stiff| {
+        let mut rotor = scenario.question.rotor.clone();
+        let shaft = rotor.flexible.as_mut().expect("it bends");
+        if is_stiff {
+            shaft.discs[0].hub_width = 0.0;
+            shaft.sections[1].material.youngs_modulus *= 1e7;
+        }
+        let question = LinearResponseQuestion {
+            rotor,
+            at: [0.0, 0.21, 0.305, 0.48].map(across).concat(),
+            by: None,
+            range: [30.0, 1500.0],
+            count: 41,
+        };
+        question.solve().unwrap_or_else(|error| panic!("{error}"))
+    });
+    for ((speed, hub), (_, stiff)) in hub.points.iter().zip(&stiff.points) {
+        let (hub, stiff) = (
+            hub.as_ref().expect("damped"),
+            stiff.as_ref().expect("damped"),
+        );
+        let largest = stiff.iter().map(|own| own.norm()).fold(0.0, f64::max);
+        for (hub, stiff) in hub.iter().zip(stiff) {
+            let apart = (hub - stiff).norm();
+            assert!(apart < 1e-5 * largest, "{speed}: {hub} {stiff}");
+        }
+    }
+    let wrong = text.replace("120 mm\"\n[[unb", "700 mm\"\n[[unb");
+    let refused = Scenario::from_toml(&wrong).expect_err("off the shaft");
+    assert!(refused.render(false).contains("lies off the shaft"));
 }
 
 /// The margins of API 617: none below AF 2.5, 17 (1 − 1/(AF − 1.5)) % and 10 % more above the range, with their limits.

@@ -2,11 +2,11 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::mesh::{FlexibleShaft, ShaftError};
+use super::mesh::{FlexibleShaft, Hub, ShaftError};
 use super::reduction::ReducedShaft;
 use crate::rotor::coordinate::{Coordinate, CoordinateKind};
 use crate::rotor::matrices::Matrices;
-use crate::rotor::point::Point;
+use crate::rotor::point::{Place, Point};
 use crate::rotor::structure::Structure;
 use crate::rotor::{FREEDOMS, RotorDefinition};
 
@@ -107,6 +107,7 @@ pub(in crate::rotor) struct Bending {
     positions: Vec<f64>,
     /// Positions nearer than this are one, m.
     same: f64,
+    hubs: Vec<Hub>,
 }
 
 impl Bending {
@@ -115,9 +116,13 @@ impl Bending {
         self.positions[0]
     }
 
-    /// The point at a position in m; the observed one where none is kept there.
-    pub fn point_at(&self, position: f64) -> Point {
-        self.points[index_of(position, &self.positions, self.same).unwrap_or(0)]
+    /// The place at a position in m, on an arm where a hub holds it; the observed point where none is kept there.
+    pub fn place_at(&self, position: f64) -> Place {
+        let node = Hub::node_of(&self.hubs, position);
+        Place {
+            point: self.points[index_of(node, &self.positions, self.same).unwrap_or(0)],
+            arm: position - node,
+        }
     }
 
     /// Puts the coordinates into another order: the old index of each new one, and the new index of each old one.
@@ -150,7 +155,9 @@ impl FlexibleShaft {
         let mut points = vec![self.observed];
         let discs = self.discs.iter().filter(|_| self.is_massless());
         let discs = discs.map(|disc| disc.position);
+        let hubs = self.hubs();
         for position in definition.positions().chain(unbalances).chain(discs) {
+            let position = Hub::node_of(&hubs, position);
             if index_of(position, &points, self.same_position()).is_none() {
                 points.push(position);
             }
@@ -224,6 +231,7 @@ impl Structure {
                 points: (0..points.len()).map(|own| layout.point(own)).collect(),
                 positions: points,
                 same: shaft.same_position(),
+                hubs: shaft.hubs(),
             }),
         })
     }

@@ -22,6 +22,15 @@ pub struct Disc {
     pub inertia_transverse: f64,
     /// Moment of inertia about the axis of the shaft, kg m².
     pub inertia_polar: f64,
+    /// Length of the shaft about its centre that it keeps from bending, m; zero of a thin disc.
+    pub hub_width: f64,
+}
+
+/// A part of the shaft that does not bend: what lies within it moves with its node.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Hub {
+    ends: [f64; 2],
+    node: f64,
 }
 
 impl Disc {
@@ -35,7 +44,13 @@ impl Disc {
             mass,
             inertia_transverse: mass * (squares / 16.0 + width * width / 12.0),
             inertia_polar: mass * squares / 8.0,
+            hub_width: 0.0,
         }
+    }
+
+    /// Positions of both ends of its hub, m.
+    pub(crate) fn hub_ends(&self) -> [f64; 2] {
+        [-0.5, 0.5].map(|part| self.position + part * self.hub_width)
     }
 
     /// The inner ring of a bearing, of which the geometry of the balls says about as much as is true of common series: bore
@@ -61,10 +76,10 @@ pub struct PointUnbalance {
 }
 
 impl PointUnbalance {
-    /// As an unbalance of the point of the shaft that it is at.
-    pub(in crate::rotor) fn at_its_point(&self) -> PlaneUnbalance {
+    /// As an unbalance of a point of the shaft so far before it, m.
+    pub(in crate::rotor) fn about(&self, arm: f64) -> PlaneUnbalance {
         let mut unbalance = PlaneUnbalance::default();
-        unbalance.add(self.amount, self.angle, 0.0);
+        unbalance.add(self.amount, self.angle, arm);
         unbalance
     }
 }
@@ -160,6 +175,8 @@ pub struct Mesh {
     pub nodes: Vec<f64>,
     /// Matrices of deflection and slope of the nodes.
     pub plane: Plane,
+    /// With hubs, positions of all nodes, those within hubs too, and their deflections and slopes by those of `nodes`.
+    pub whole: Option<(Vec<f64>, DMatrix<f64>)>,
 }
 
 impl FlexibleShaft {
@@ -230,7 +247,7 @@ impl FlexibleShaft {
 
     /// Moment of inertia about a transverse axis through the centre of mass, were it rigid, kg m².
     pub(crate) fn inertia_transverse(&self) -> f64 {
-        let Ok(Mesh { nodes, plane }) = self.mesh(&[], None) else {
+        let Ok(Mesh { nodes, plane, .. }) = self.mesh(&[], None) else {
             return 0.0;
         };
         let about = |origin: f64| Plane::of_motion(&plane.mass, |node| [nodes[node] - origin, 1.0]);
@@ -240,6 +257,22 @@ impl FlexibleShaft {
         let (first, last) = (about(left), about(right));
         let centre = 0.5 * (left + right) + (first - last) / (2.0 * mass * (right - left));
         about(centre)
+    }
+
+    /// The parts that discs keep from bending, with the observed point for a node where they hold it.
+    pub(super) fn hubs(&self) -> Vec<Hub> {
+        let discs = self.discs.iter().filter(|disc| disc.hub_width > 0.0);
+        let same = self.same_position();
+        let hub = |disc: &Disc| {
+            let half = 0.5 * disc.hub_width + same;
+            let ends = [disc.position - half, disc.position + half];
+            let node = match (ends[0]..=ends[1]).contains(&self.observed) {
+                true => self.observed,
+                false => disc.position,
+            };
+            Hub { ends, node }
+        };
+        discs.map(hub).collect()
     }
 
     /// Positions nearer than this are one, m.
@@ -278,8 +311,11 @@ impl FlexibleShaft {
                 let nearest = given.nodes[given.node_at(position)];
                 return Err(ShaftError::NoNode { position, nearest });
             }
-            return Ok(given.clone().with_discs(&self.discs));
+            let whole = given.clone().with_discs(&self.discs);
+            return Ok(whole.with_hubs(&self.hubs()));
         }
+        let widths = self.discs.iter().filter(|disc| disc.hub_width > 0.0);
+        fixed.extend(widths.flat_map(Disc::hub_ends));
         fixed.extend(self.elements_of_sections().map(|(start, _)| start));
         fixed.push(length);
         fixed.sort_by(f64::total_cmp);
@@ -287,7 +323,13 @@ impl FlexibleShaft {
         let longest = longest.unwrap_or(length / LEAST_ELEMENTS);
         let nodes = subdivided(&fixed, longest);
         let plane = self.plane(&nodes);
-        Ok(Mesh { nodes, plane }.with_discs(&self.discs))
+        let whole = None;
+        let mesh = Mesh {
+            nodes,
+            plane,
+            whole,
+        };
+        Ok(mesh.with_discs(&self.discs).with_hubs(&self.hubs()))
     }
 
     fn plane(&self, nodes: &[f64]) -> Plane {
@@ -343,6 +385,39 @@ impl Mesh {
         self
     }
 
+    /// With one node for each hub, which the nodes within it follow as parts of a rigid body.
+    fn with_hubs(self, hubs: &[Hub]) -> Self {
+        if hubs.is_empty() {
+            return self;
+        }
+        let followed: Vec<f64> = self
+            .nodes
+            .iter()
+            .map(|at| Hub::node_of(hubs, *at))
+            .collect();
+        let mut nodes = followed.clone();
+        nodes.dedup();
+        let mut carried = DMatrix::zeros(2 * followed.len(), 2 * nodes.len());
+        let mut node = 0;
+        for (row, (at, followed)) in self.nodes.iter().zip(&followed).enumerate() {
+            node += usize::from(nodes[node] != *followed);
+            // w = w_c + a θ_c, θ = θ_c
+            carried[(2 * row, 2 * node)] = 1.0;
+            carried[(2 * row, 2 * node + 1)] = at - followed;
+            carried[(2 * row + 1, 2 * node + 1)] = 1.0;
+        }
+        let reduce = |matrix: &DMatrix<f64>| carried.tr_mul(&(matrix * &carried));
+        Self {
+            plane: Plane {
+                mass: reduce(&self.plane.mass),
+                polar: reduce(&self.plane.polar),
+                stiffness: reduce(&self.plane.stiffness),
+            },
+            nodes,
+            whole: Some((self.nodes, carried)),
+        }
+    }
+
     /// Index of the node at a position.
     pub fn node_at(&self, position: f64) -> usize {
         let after = self.nodes.partition_point(|node| *node < position);
@@ -354,6 +429,15 @@ impl Mesh {
             .into_iter()
             .min_by(|a, b| distance(a).total_cmp(&distance(b)))
             .unwrap_or(0)
+    }
+}
+
+impl Hub {
+    /// Position of the node that a position moves with: itself outside all hubs.
+    pub fn node_of(hubs: &[Self], position: f64) -> f64 {
+        let mut hubs = hubs.iter();
+        let hub = hubs.find(|own| (own.ends[0]..=own.ends[1]).contains(&position));
+        hub.map_or(position, |own| own.node)
     }
 }
 

@@ -42,6 +42,7 @@ fn shaft(softness: f64) -> FlexibleShaft {
             mass: 6.0,
             inertia_transverse: 0.02,
             inertia_polar: 0.03,
+            hub_width: 0.0,
         }],
         unbalances: UNBALANCES
             .map(|(amount, angle, position)| PointUnbalance {
@@ -514,6 +515,7 @@ fn laval(density: f64, internal_damping: f64) -> RotorDefinition {
             mass: 4.0,
             inertia_transverse: 0.02,
             inertia_polar: 0.03,
+            hub_width: 0.0,
         }],
         observed: 0.4,
         modes: Some(4),

@@ -66,6 +66,7 @@ impl Mesh {
             points: positions.len(),
         };
         let transformation = self.transformation(positions, count).ok_or(singular)?;
+        let modes = transformation.ncols() - 2 * positions.len();
         let reduce = |matrix: &DMatrix<f64>| {
             let reduced = transformation.tr_mul(&(matrix * &transformation));
             // what round-off leaves of the symmetry
@@ -76,9 +77,13 @@ impl Mesh {
             polar: reduce(&self.plane.polar),
             stiffness: reduce(&self.plane.stiffness),
         };
+        let (nodes, transformation) = match self.whole {
+            None => (self.nodes, transformation),
+            Some((nodes, carried)) => (nodes, carried * transformation),
+        };
         Ok(ReducedShaft {
-            modes: transformation.ncols() - 2 * positions.len(),
-            nodes: self.nodes,
+            modes,
+            nodes,
             transformation,
             plane,
         })

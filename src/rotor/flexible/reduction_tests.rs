@@ -172,6 +172,59 @@ fn a_reduction_errs_as_its_modes_allow_and_not_at_all_in_statics() {
     near(&[few], &[whole], 1e-8);
 }
 
+/// Pinned at its ends, with a hub in the middle: both ends bend and shear as cantilevers clamped there.
+#[test]
+fn a_hub_leaves_the_shaft_beside_it_to_bend() {
+    let (length, width, diameter): (f64, f64, f64) = (1.0, 0.3, 0.03);
+    let section = BeamElement {
+        length,
+        outer_diameter: diameter,
+        inner_diameter: 0.0,
+        material: STEEL,
+    };
+    let disc = Disc::of_size(0.5, width, [0.2, diameter], 7810.0);
+    let shaft = FlexibleShaft {
+        sections: vec![section],
+        discs: vec![Disc {
+            hub_width: width,
+            ..disc
+        }],
+        observed: 0.5,
+        ..FlexibleShaft::default()
+    };
+    let points = [0.0, 0.5, 1.0];
+    let mesh = shaft.mesh(&points, None).expect("a mesh");
+    let reduced = mesh.reduced(&points, |_| 3).expect("a reduction");
+    let all = reduced.plane.stiffness.nrows();
+    // deflections of the ends are held
+    let free: Vec<usize> = (0..all).filter(|row| ![0, 4].contains(row)).collect();
+    let stiffness = reduced.plane.stiffness.select_rows(&free);
+    let compliance = stiffness.select_columns(&free).try_inverse();
+    let compliance = compliance.expect("held");
+    let (end, nu) = (0.5 * (length - width), STEEL.poisson_ratio);
+    let shear = STEEL.youngs_modulus / (2.0 * (1.0 + nu)) * section.area() * 6.0 * (1.0 + nu)
+        / (7.0 + 6.0 * nu);
+    let bending = STEEL.youngs_modulus * section.second_moment();
+    let tip = end.powi(3) / (3.0 * bending) + end / shear;
+    near(&[compliance[(1, 1)]], &[0.5 * tip], 1e-8);
+    near(&[compliance[(2, 2)]], &[2.0 * tip / length.powi(2)], 1e-8);
+    // the hub is straight, and the shaft within it has its mass
+    let rows = reduced
+        .nodes
+        .iter()
+        .zip(reduced.transformation.row_iter().step_by(2));
+    for (at, row) in rows.filter(|(at, _)| (**at - 0.5).abs() < 0.15) {
+        assert!((row[2] - 1.0).abs() < 1e-12 && (row[3] - at + 0.5).abs() < 1e-12);
+    }
+    let along: Vec<f64> = [1.0, 0.0, 1.0, 0.0, 1.0, 0.0]
+        .into_iter()
+        .chain([0.0; 3])
+        .collect();
+    let along = nalgebra::DVector::from_vec(along);
+    let mass = (&reduced.plane.mass * &along).dot(&along);
+    near(&[mass], &[shaft.mass()], 1e-9);
+}
+
 #[test]
 fn a_rigid_motion_has_the_inertia_of_the_whole_shaft() {
     let shaft = book_shaft();

@@ -65,6 +65,11 @@ pub struct DiscInput {
     /// Width along the shaft.
     #[schemars(extend("examples" = ["70 mm"], "x-above" = 0.0))]
     pub width: Option<Quantity<Length>>,
+    /// Length of the shaft about its centre that its hub keeps from bending: bearings, loads and unbalances within it move with
+    /// it. Default: "0 m", a thin disc.
+    #[schemars(extend("examples" = ["60 mm"], "x-minimum" = 0.0))]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hub_width: Option<Quantity<Length>>,
     /// Its material, of which the density counts. Default: steel of 7850 kg/m³.
     pub material: Option<MaterialInput>,
 }
@@ -105,9 +110,10 @@ pub fn build(
         ..FlexibleShaft::default()
     };
     let discs = problems.each("disc", discs, |disc, problems| {
-        disc.build(&flexible, problems)
+        disc.with_hub(&flexible, problems)
     });
     flexible.discs = discs?;
+    check_hubs(&flexible.discs, problems);
     for (index, plane) in unbalances.iter().enumerate() {
         let path = format!("unbalance[{}].position", index + 1);
         if problems.node(&path).is_none() {
@@ -277,7 +283,37 @@ impl SectionInput {
     }
 }
 
+/// Refuses hubs that overlap.
+fn check_hubs(discs: &[Disc], problems: &mut Problems<'_>) {
+    for (index, disc) in discs.iter().enumerate() {
+        let [left, right] = disc.hub_ends();
+        let overlaps = |own: &Disc| {
+            let [begin, end] = own.hub_ends();
+            own.hub_width > 0.0 && begin < right && left < end
+        };
+        let other = discs[..index].iter().position(overlaps);
+        if let Some(other) = other.filter(|_| disc.hub_width > 0.0) {
+            let message = "the hub overlaps that of another disc";
+            let issue = Issue::new(format!("disc[{}].hub_width", index + 1), message)
+                .help("give one of both the width of the two, and the other none");
+            problems.refuse(issue.against(format!("disc[{}].hub_width", other + 1)));
+        }
+    }
+}
+
 impl DiscInput {
+    fn with_hub(&self, shaft: &FlexibleShaft, problems: &mut Problems<'_>) -> Option<Disc> {
+        let disc = self.build(shaft, problems)?;
+        let hub_width = si(&self.hub_width).unwrap_or(0.0);
+        let disc = Disc { hub_width, ..disc };
+        if hub_width > 0.0 {
+            for end in disc.hub_ends() {
+                check_position(shaft, ".hub_width", end, problems);
+            }
+        }
+        Some(disc)
+    }
+
     fn build(&self, shaft: &FlexibleShaft, problems: &mut Problems<'_>) -> Option<Disc> {
         let position = self.position.si();
         check_position(shaft, ".position", position, problems);
@@ -295,6 +331,7 @@ impl DiscInput {
                 mass: mass.si(),
                 inertia_transverse: transverse,
                 inertia_polar: polar,
+                hub_width: 0.0,
             });
         }
         let outer = si(&self.outer_diameter)?;
