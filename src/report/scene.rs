@@ -355,7 +355,16 @@ impl Drawing {
     fn loads(&mut self, rotor: &RotorDefinition, scale: &Scale) {
         let colour = distinct(LOADS);
         let [left, right] = scale.ends;
-        for (index, load) in rotor.loads.iter().enumerate() {
+        // a coupling has several loads in one
+        let mut shown: Vec<(f64, String)> = Vec::new();
+        for load in &rotor.loads {
+            let named = (load.position, name_of(load));
+            if !shown.contains(&named) {
+                shown.push(named);
+            } else {
+                continue;
+            }
+            let index = shown.len() - 1;
             let at = MILLI * load.position;
             let from = (1.35 + 0.3 * index as f64).min(1.95) * scale.outer;
             let constant = load.as_constant().copied();

@@ -10,6 +10,7 @@ mod bodies;
 mod coefficient_table;
 mod coefficients;
 mod coordinate;
+mod coupling;
 mod damping;
 mod definition;
 mod drive;
@@ -55,6 +56,7 @@ pub(crate) use assembly::build_supports;
 pub(crate) use bodies::BodyMotion;
 pub use bodies::{Body, BodyMotions, MOST_HOUSINGS};
 pub use coefficient_table::CoefficientTable;
+pub use coupling::Coupling;
 pub use definition::{
     Damping, FREEDOMS, Freedoms, InitialPosition, InitialState, RotorDefinition, STANDARD_GRAVITY,
     Shaft,

@@ -8,7 +8,7 @@ use nalgebra::Complex;
 
 use crate::analysis::Channel;
 use crate::integrate::Method;
-use crate::rotor::{ElementLaw, Rotor, Works};
+use crate::rotor::{Coupling, ElementLaw, Rotor, Works};
 use crate::scenario::{Scenario, ScenarioError, load};
 use crate::simulate::RecordedRun;
 use crate::steady::{Steady, SteadyQuestion, steady};
@@ -19,6 +19,9 @@ const SPRING: &str = "[[element]]\nlinear = { stiffness = { x = \"1 N/um\", y = 
 const RUB: &str = "[[element]]\n[element.rub]\nclearance = \"50 um\"\nstiffness = \"2 N/um\"\nfriction = 0.1\nshaft_diameter = \"40 mm\"\n";
 const FILM: &str = "[[element]]\n[element.squeeze_film]\ndiameter = \"100 mm\"\nlength = \"20 mm\"\nclearance = \"0.1 mm\"\nviscosity = \
                     \"5 mPa s\"\n";
+
+const COUPLING: &str = "[[element]]\n[element.coupling]\nbending_stiffness = \"800 N m/rad\"\nbending_damping = \"0.02 N m s/rad\"\nlength = \"80 \
+                        mm\"\ntorque = \"40 N m\"\noffset = \"0.1 mm\"\nangle = \"0.3 deg\"\ndirection = \"30 deg\"\ntowards = \"-z\"\n";
 
 /// A mass of 5 kg without weight, so far beside the axis, at a speed in rad/s.
 fn laval(eccentricity: &str, speed: f64, parts: &[&str]) -> String {
@@ -135,6 +138,89 @@ fn a_squeeze_film_whirls_with_the_closed_form_amplitude() {
     }
 }
 
+/// Springs and reaction are the slopes of the energy of both joints, torque that of a turned vector.
+#[test]
+fn a_coupling_acts_as_its_joints_store_energy() {
+    for side in [1.0, -1.0] {
+        let coupling = Coupling {
+            bending_stiffness: 800.0,
+            bending_damping: 0.4,
+            length: 0.08,
+            torque: 0.0,
+            offset: 2e-4,
+            angle: 3e-3,
+            direction: 0.7,
+            side,
+        };
+        let (sin, cos) = coupling.direction.sin_cos();
+        // of displacements x, y and slopes dx/dz = θy, dy/dz = −θx
+        let energy = |q: [f64; 5]| {
+            let plane = |u: f64, slope: f64, part: f64| {
+                let spacer = side * (part * coupling.offset - u) / coupling.length;
+                400.0 * ((spacer - slope).powi(2) + (part * coupling.angle - spacer).powi(2))
+            };
+            plane(q[0], q[4], cos) + plane(q[1], -q[3], sin)
+        };
+        let (at, law) = ([3e-5, -2e-5, 0.0, 1e-3, 4e-4], coupling.law());
+        let held = law.stiffness * nalgebra::SVector::from(at);
+        for axis in [0, 1, 3, 4] {
+            let step = 1e-5;
+            let moved = |step: f64| {
+                let mut moved = at;
+                moved[axis] += step;
+                energy(moved)
+            };
+            let slope = (moved(step) - moved(-step)) / (2.0 * step);
+            let force = held[axis] - coupling.reaction()[axis];
+            assert_near("force", force, slope, 1e-9 * slope.abs() + 1e-9);
+        }
+        assert!((law.damping - law.stiffness * 5e-4).amax() < 1e-12 * law.stiffness.amax());
+        let turned = Coupling {
+            torque: 40.0,
+            ..coupling
+        };
+        let more = turned.reaction();
+        let still = coupling.reaction();
+        let more: Vec<f64> = more.iter().zip(still).map(|(a, b)| a - b).collect();
+        let (across, about) = (40.0 * 3e-3 / 0.08, 40.0 * 2e-4 / 0.08);
+        for (found, expected) in
+            more.iter()
+                .zip([-across * sin, across * cos, 0.0, about * cos, about * sin])
+        {
+            assert_near("torque", *found, expected, 1e-12);
+        }
+    }
+}
+
+/// The lines at once and twice the speed on a round spring: reaction over dynamic stiffness; with the unbalance on the same side.
+#[test]
+fn a_misaligned_coupling_shakes_at_once_and_twice_the_speed() {
+    let (mass, speed) = (5.0, 200.0);
+    let found = settled(&laval("0 um", speed, &[SPRING, COUPLING]));
+    let (joint, length): (f64, f64) = (800.0, 0.08);
+    let angle = 0.3_f64.to_radians();
+    let along = 2.0 * joint * 1e-4 / (length * length) + joint * angle / length;
+    let across = 40.0 * angle / length;
+    let (sin, cos) = 30.0_f64.to_radians().sin_cos();
+    let reaction = [along * cos - across * sin, along * sin + across * cos];
+    for order in [1.0, 2.0] {
+        let omega = order * speed;
+        let own = Complex::new(
+            1e6 + 2.0 * joint / (length * length) - mass * omega * omega,
+            omega * (40.0 + 2.0 * 0.02 / (length * length)),
+        );
+        for (axis, reaction) in reaction.iter().enumerate() {
+            let expected = reaction.abs() / own.norm();
+            assert_near(
+                "line",
+                amplitude(&found, axis, omega),
+                expected,
+                1e-8 * expected,
+            );
+        }
+    }
+}
+
 /// What goes in by unbalance and rotation is stored or dissipated: film, rub with friction, and coefficients that change.
 #[test]
 fn energy_closes_with_every_element() {
@@ -153,6 +239,7 @@ fn energy_closes_with_every_element() {
         (vec![SPRING, RUB, FILM], run_up),
         (vec![SPRING, seal], run_up),
         (vec![SPRING, RUB, seal], drive),
+        (vec![SPRING, FILM, COUPLING], run_up),
     ] {
         let text = laval("60 um", 440.0, &parts);
         let text = text

@@ -5,10 +5,14 @@ use serde::{Deserialize, Serialize};
 
 use super::components::{Components, PerFreedom};
 use super::support::HousingInput;
-use crate::rotor::{ElementLaw, FREEDOMS, ForceElement, Freedoms, LinearLaw, Rub, SqueezeFilm};
+use crate::bearing::Facing;
+use crate::rotor::{
+    Coupling, ElementLaw, FREEDOMS, ForceElement, Freedoms, LinearLaw, Load, Rub, SqueezeFilm,
+};
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{
-    Damping, Length, Measure, Quantity, Stiffness, TiltDamping, TiltStiffness, Viscosity, si,
+    Angle, Damping, Length, Measure, Moment, Quantity, Stiffness, TiltDamping, TiltStiffness,
+    Viscosity, si,
 };
 use crate::scenario::{Issue, coefficients_file};
 
@@ -19,7 +23,7 @@ const SHORT: f64 = 0.5;
 /// or a housing, or between a housing and the ground.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(extend("x-exactly-one" = ["linear", "coefficients", "squeeze_film", "rub"]))]
+#[schemars(extend("x-exactly-one" = ["linear", "coefficients", "squeeze_film", "rub", "coupling"]))]
 pub struct ElementInput {
     /// Position along the shaft, from the centre of mass towards +Z, or, of a shaft that bends, from its left end.
     /// Default: "0 m"; with `housing_of` and without a position the element sits between that housing and the ground.
@@ -40,6 +44,9 @@ pub struct ElementInput {
     pub squeeze_film: Option<SqueezeFilmInput>,
     /// A ring about the shaft that it rubs where it has crossed its clearance.
     pub rub: Option<RubInput>,
+    /// A flexible coupling to a shaft that does not vibrate, which may be misaligned.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub coupling: Option<CouplingInput>,
     /// The housing that it stands in. Default: it stands on the ground.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub housing: Option<HousingInput>,
@@ -96,6 +103,37 @@ pub struct RubInput {
     pub shaft_diameter: Option<Quantity<Length>>,
 }
 
+/// A coupling of two flexible joints with a spacer between them. A misalignment loads the shaft with a constant reaction and
+/// with parts of the same size at once and twice the speed (Gibbons 1976; Sekhar & Prabhu 1995).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CouplingInput {
+    /// Stiffness of each joint against bending, for instance "2000 N m/rad".
+    #[schemars(extend("examples" = ["2000 N m/rad"], "x-above" = 0.0))]
+    pub bending_stiffness: Quantity<TiltStiffness>,
+    /// Damping of each joint. Default: none.
+    #[schemars(extend("examples" = ["0.5 N m s/rad"], "x-minimum" = 0.0))]
+    pub bending_damping: Option<Quantity<TiltDamping>>,
+    /// Distance of the joints, the first of which sits at `position`.
+    #[schemars(extend("examples" = ["100 mm"], "x-above" = 0.0))]
+    pub length: Quantity<Length>,
+    /// Torque that it carries. Default: "0 N m".
+    #[schemars(extend("examples" = ["50 N m"]))]
+    pub torque: Option<Quantity<Moment>>,
+    /// Parallel offset of the other shaft. Default: "0 m".
+    #[schemars(extend("examples" = ["0.2 mm"]))]
+    pub offset: Option<Quantity<Length>>,
+    /// Angle between the shafts, of which small ones are meant. Default: "0 rad".
+    #[schemars(extend("examples" = ["0.2 deg"]))]
+    pub angle: Option<Quantity<Angle>>,
+    /// Direction of offset and angle, from +X towards +Y. Default: "0 rad".
+    #[schemars(extend("examples" = ["90 deg"]))]
+    pub direction: Option<Quantity<Angle>>,
+    /// Which way along Z the other shaft lies. Default: "+z".
+    #[serde(default)]
+    pub towards: Facing,
+}
+
 /// Values along the axes (`T`) and about them (`R`), and across between x and y.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(bound(
@@ -139,7 +177,32 @@ impl LinearInput {
     }
 }
 
+impl CouplingInput {
+    fn build(&self) -> Coupling {
+        Coupling {
+            bending_stiffness: self.bending_stiffness.si(),
+            bending_damping: si(&self.bending_damping).unwrap_or(0.0),
+            length: self.length.si(),
+            torque: si(&self.torque).unwrap_or(0.0),
+            offset: si(&self.offset).unwrap_or(0.0),
+            angle: si(&self.angle).unwrap_or(0.0),
+            direction: si(&self.direction).unwrap_or(0.0),
+            side: match self.towards {
+                Facing::PlusZ => 1.0,
+                Facing::MinusZ => -1.0,
+            },
+        }
+    }
+}
+
 impl ElementInput {
+    /// What loads the shaft besides, of a misaligned coupling.
+    pub fn loads(&self) -> Vec<Load> {
+        let coupling = self.coupling.as_ref().map(CouplingInput::build);
+        let position = si(&self.position).unwrap_or(0.0);
+        coupling.map_or_else(Vec::new, |own| own.loads(position))
+    }
+
     /// Whether it holds the shaft along z.
     pub fn holds_z(&self) -> bool {
         let linear = self.linear.as_ref();
@@ -179,6 +242,13 @@ impl ElementInput {
         }
         if let Some(film) = &self.squeeze_film {
             return Some(ElementLaw::SqueezeFilm(film.build(problems)));
+        }
+        if let Some(coupling) = &self.coupling {
+            if self.housing_of.is_some() || self.housing.is_some() {
+                let message = "a coupling leads to another shaft, and not to a housing";
+                problems.refuse(Issue::new(".coupling", message).help("leave the housing out"));
+            }
+            return Some(ElementLaw::Linear(Box::new(coupling.build().law())));
         }
         let rub = self.rub.as_ref()?;
         if rub.friction > 0.0 && rub.shaft_diameter.is_none() {

@@ -267,7 +267,8 @@ impl ScenarioInput {
             duration: self.time.as_ref().map_or(0.0, |time| time.duration.si()),
             observed: flexible.as_ref().map(|shaft| shaft.observed),
         };
-        let loads = load::build(&self.load, context, problems);
+        let mut loads = load::build(&self.load, context, problems);
+        loads.extend(self.element.iter().flat_map(ElementInput::loads));
         let initial = self.initial.build(shaft.freedoms, problems);
         let freedoms = self.held_along_z(shaft.freedoms, &loads, &initial, problems);
         shaft.freedoms = freedoms;
