@@ -108,9 +108,9 @@ fn a_misspelled_key_draws_one_message() {
         let table = scenario.pointer_mut(table).and_then(Value::as_object_mut);
         let table = table.expect("a table");
         let value = table.remove(key).expect("a value");
-        table.insert(format!("{key}x"), value);
+        table.insert(format!("{key}q"), value);
     };
-    one_message_each(change, |pointer| key_path(pointer) + "x");
+    one_message_each(change, |pointer| key_path(pointer) + "q");
 }
 
 const MACHINE: &str = r#"
