@@ -7,7 +7,7 @@
     >>> run["x_m"], run.error.relative         # numpy; the measured error is always there
     >>> run.figure("trace")                    # SVG, which notebooks show
 
-A scenario (a file, a text or a dict) answers by `run`, `steady`, `bearing`, `campbell` and `accuracy`; `study` and
+A scenario (a file, a text or a dict) answers by `run`, `steady`, `bearing`, `campbell`, `frequency_response`, `matrices` and `accuracy`; `study` and
 `sweep` make many runs of it, on threads or on any executor of `concurrent.futures`; `compare` tells whether two results
 are the same; a `Bearing` is asked by itself; `analyze` finds out what is in a record of sensors, and `fit` which values
 of a scenario explain what was measured.
@@ -36,6 +36,8 @@ from ._results import (
     Campbell,
     Error,
     Figure,
+    FrequencyResponse,
+    Matrices,
     Response,
     Result,
     Run,
@@ -57,6 +59,8 @@ __all__ = [
     "Figure",
     "Findings",
     "Fit",
+    "FrequencyResponse",
+    "Matrices",
     "ModelWarning",
     "Problem",
     "Response",

@@ -94,6 +94,15 @@ class CheckedScenario:
         highest: str | None,
         sensitivity: Sequence[str],
     ) -> Findings: ...
+    def frequency_response(
+        self,
+        at: Sequence[str],
+        ends: tuple[str, str],
+        by: str | None,
+        at_speed: str | None,
+        count: int,
+    ) -> Findings: ...
+    def matrices(self, at: Sequence[str], at_speed: str | None) -> Findings: ...
     def accuracy(
         self, methods: Sequence[str], tolerances: Sequence[float], longest: str, progress: _Told
     ) -> Findings: ...

@@ -440,6 +440,90 @@ class Campbell(Differentiable):
         return list(self.summary["critical_speeds"])
 
 
+class FrequencyResponse(Result):
+    """The response of the linearised shaft to a force over its frequency, or to the unbalances over the speed.
+
+    `response["x_1"]` is complex: receptance, or motion by the unbalances as `Re u exp(iψ)`, in the unit that `summary["at"]`
+    tells; NaN at an undamped resonance.
+    """
+
+    @property
+    def points(self) -> Table:
+        """Amplitudes and phases; of a force receptance, mobility and accelerance."""
+        return self.table("frequency_response")
+
+    @property
+    def over(self) -> Array:
+        """Frequencies of the force in Hz, or speeds in rad/s."""
+        return self.points[next(iter(self.points))]
+
+    def __getitem__(self, column: str) -> Array:
+        """The complex response of a place: its direction and its number among the positions, from 1, as "y_2"."""
+        what = "" if self.summary["by"] == "unbalance" else "_receptance"
+        phase = f"{column}{what}_phase_rad"
+        phases, names = self.points[phase], list(self.points)
+        found: Array = self.points[names[names.index(phase) - 1]] * np.exp(1j * phases)
+        return found
+
+    @property
+    def resonances(self) -> Table:
+        """Peaks with their amplification factors and separation margins."""
+        return self.table("resonances")
+
+    @property
+    def error(self) -> Error | None:
+        """Largest difference from the response with fewer modes of bending, as `relative`; None of a rigid shaft."""
+        found = self.summary["reduction_error"]
+        return None if found is None else Error(float("nan"), float(found), float("nan"))
+
+
+class Matrices(Result):
+    """`M q'' + (C + speed G) q' + K q = f` of the linearised shaft, and A of `d/dt (q, q') = A (q, q')`."""
+
+    def _square(self, name: str) -> Array:
+        return np.column_stack(list(self.table(name).values()))
+
+    @property
+    def M(self) -> Array:
+        """Masses and moments of inertia."""
+        return self._square("mass")
+
+    @property
+    def C(self) -> Array:
+        """Damping of shaft and elements."""
+        return self._square("damping")
+
+    @property
+    def G(self) -> Array:
+        """Gyroscopic forces per velocity and rad/s."""
+        return self._square("gyroscopic")
+
+    @property
+    def K(self) -> Array:
+        """Stiffness of shaft, bearings and elements; unsymmetric with films and with damping inside the shaft."""
+        return self._square("stiffness")
+
+    @property
+    def A(self) -> Array:
+        """State matrix."""
+        return self._square("state_matrix")
+
+    @property
+    def speed(self) -> float:
+        """Speed of the shaft, rad/s."""
+        return float(self.summary["speed_rad_s"])
+
+    @property
+    def coordinates(self) -> list[str]:
+        """Names of the coordinates q."""
+        return [own["name"] for own in self.summary["coordinates"]]
+
+    @property
+    def units(self) -> list[str]:
+        """Units of q. Shares of modes of bending have a modal mass of one, and are in sqrt(kg) m."""
+        return [own["unit"] for own in self.summary["coordinates"]]
+
+
 class Accuracy(Result):
     """Speed against error of methods at tolerances, and what each level of the physics costs and changes."""
 

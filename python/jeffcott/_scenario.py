@@ -343,6 +343,40 @@ class Scenario:
         again = partial(_campbell, self.copy(), ends, speeds, [str(order) for order in orders], highest)
         return self._answer(results.Campbell(again([]), again))
 
+    def frequency_response(
+        self,
+        at: str | Sequence[str],
+        start: str,
+        stop: str,
+        *,
+        by: str | None = None,
+        speed: str | None = None,
+        count: int = 301,
+    ) -> results.FrequencyResponse:
+        """The motion at places of the linearised shaft by its unbalances from speed `start` to `stop`, or by a harmonic force.
+
+        `at` names places, as "250 mm" for x and y, "y@250 mm" or "tilt_x@250 mm". With `by`, as "y@100 mm" for a force and
+        "tilt_x@100 mm" for a moment, `start` and `stop` are frequencies, and `speed` is that of the shaft, or that at the
+        start of the scenario.
+        """
+        found = self.checked.frequency_response(
+            _places(at),
+            (text_of(start), text_of(stop)),
+            None if by is None else text_of(by),
+            None if speed is None else text_of(speed),
+            whole("count", count, 3, 100_000),
+        )
+        return self._answer(results.FrequencyResponse(found))
+
+    def matrices(self, speed: str | None = None, *, at: str | Sequence[str] = ()) -> results.Matrices:
+        """M, C, G, K and the state matrix A of the shaft linearised about its static equilibrium at `speed`, as "3000 rpm", or
+        at that of the start of the scenario.
+
+        A shaft that bends has coordinates at bearings, elements, loads and unbalances, and at the places that `at` names.
+        """
+        found = self.checked.matrices(_places(at), None if speed is None else text_of(speed))
+        return self._answer(results.Matrices(found))
+
     def accuracy(
         self,
         *,
@@ -364,6 +398,10 @@ class Scenario:
         from ._study import sweep
 
         return sweep(self, axes, **settings)
+
+
+def _places(at: str | Sequence[str]) -> list[str]:
+    return [text_of(at)] if isinstance(at, str) else [text_of(place) for place in at]
 
 
 def _bearing(scenario: Scenario, keys: list[str]) -> Findings:

@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicU64;
 
 use jeffcott::ask::{
-    self, AccuracyQuestion, AskError, BearingQuestion, CampbellQuestion, Followed, Order,
-    ResponseQuestion, RunQuestion, Sensitivity, SteadyQuestion,
+    self, AccuracyQuestion, AskError, BearingQuestion, CampbellQuestion, Followed, LinearRange,
+    LinearResponseQuestion, MatricesQuestion, Order, Place, ResponseQuestion, RunQuestion,
+    Sensitivity, SteadyQuestion,
 };
 use jeffcott::bearing::CATALOGUE;
 use jeffcott::internals::{frequency, method, speed, time, tolerance, written};
@@ -61,6 +62,20 @@ impl CheckedScenario {
         let findings = watched(py, None, progress, answer)?;
         Ok(Findings(findings.map_err(|error| ask_error(py, &error))?))
     }
+}
+
+/// A speed in rad/s, where one is given.
+fn given_speed(py: Python<'_>, text: Option<String>) -> PyResult<Option<f64>> {
+    let read = text.map(|text| speed(&text).map_err(|issue| issue_error(py, &issue)));
+    read.transpose()
+}
+
+/// Places of the shaft.
+fn places(texts: &[String]) -> PyResult<Vec<Place>> {
+    let places = texts.iter().map(|text| text.parse());
+    places
+        .collect::<Result<_, _>>()
+        .map_err(PyValueError::new_err)
 }
 
 pub fn format(json: bool) -> Format {
@@ -201,11 +216,7 @@ impl CheckedScenario {
         sensitivity: Vec<String>,
     ) -> PyResult<Findings> {
         let refused = |issue| issue_error(py, &issue);
-        let to = ends
-            .1
-            .map(|text| speed(&text).map_err(refused))
-            .transpose()?;
-        let range = (speed(&ends.0).map_err(refused)?, to);
+        let range = (speed(&ends.0).map_err(refused)?, given_speed(py, ends.1)?);
         let highest = highest.map(|text| frequency(&text).map_err(refused));
         let orders = orders.iter().map(|order| order.parse::<Order>());
         let orders = orders.collect::<Result<Vec<_>, _>>();
@@ -214,6 +225,42 @@ impl CheckedScenario {
             CampbellQuestion::new(&self.scenario, range, count, &orders, highest.transpose()?);
         let mut question = question.map_err(|error| ask_error(py, &error))?;
         question.sensitivity = self.sensitivity(py, &sensitivity)?;
+        Self::answer(py, None, |_| question.answer())
+    }
+
+    /// The response of the linearised shaft to a force, or to its unbalances.
+    fn frequency_response(
+        &self,
+        py: Python<'_>,
+        at: Vec<String>,
+        ends: (String, String),
+        by: Option<String>,
+        at_speed: Option<String>,
+        count: usize,
+    ) -> PyResult<Findings> {
+        let (at, by) = (places(&at)?, places(by.as_slice())?);
+        let at_speed = given_speed(py, at_speed)?;
+        let range = LinearRange {
+            from: &ends.0,
+            to: &ends.1,
+            count,
+        };
+        let by = by.first().map(|by| (by, at_speed));
+        let question = LinearResponseQuestion::new(&self.scenario, &at, by, &range);
+        let question = question.map_err(|error| ask_error(py, &error))?;
+        Self::answer(py, None, |_| question.answer())
+    }
+
+    /// The matrices of the linearised shaft.
+    fn matrices(
+        &self,
+        py: Python<'_>,
+        at: Vec<String>,
+        at_speed: Option<String>,
+    ) -> PyResult<Findings> {
+        let question =
+            MatricesQuestion::new(&self.scenario, &places(&at)?, given_speed(py, at_speed)?);
+        let question = question.map_err(|error| ask_error(py, &error))?;
         Self::answer(py, None, |_| question.answer())
     }
 

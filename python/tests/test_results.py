@@ -71,12 +71,54 @@ def test_answers_write_the_bytes_of_the_command(scenarios: Path, tmp_path: Path,
         "bearing": ([], scenario.bearing()),
         "steady": ([], scenario.steady()),
         "campbell": (["--to", "60000 rpm"], scenario.campbell("60000 rpm")),
+        "matrices": (["--speed", "3000 rpm"], scenario.matrices("3000 rpm")),
+        "response": (
+            ["--at", "0 mm", "--from", "500 rpm", "--to", "9000 rpm"],
+            scenario.frequency_response("0 mm", "500 rpm", "9000 rpm"),
+        ),
     }
     for verb, (options, answer) in asked.items():
         subprocess.run([command, verb, file, *options, "--out", tmp_path / verb], check=True, capture_output=True)
         answer.write(tmp_path / f"{verb}-package")
         for path in (tmp_path / verb / "steady-7205c").iterdir():
             assert (tmp_path / f"{verb}-package" / path.name).read_bytes() == path.read_bytes(), path.name
+
+
+def test_matrices_answer_what_the_shaft_answers(scenarios: Path, tmp_path: Path) -> None:
+    scenario = jc.Scenario(scenarios / "flexible-spindle-7205c.toml")
+    scenario["shaft.modes"] = 12
+    found = scenario.matrices("9000 rpm", at="100 mm")
+    size = len(found.coordinates)
+    assert found.speed == pytest.approx(300 * np.pi) and len(found.units) == size
+    # frequencies of the damped vibration are the imaginary parts of the eigenvalues of A
+    modes = scenario.campbell("9000 rpm", start="8000 rpm", count=2, highest_frequency="2 kHz").modes
+    eigenvalues = np.linalg.eigvals(found.A)
+    frequencies = modes["frequency_Hz"][modes["speed_rad_s"] > 290 * np.pi]
+    assert len(frequencies) >= 4
+    for frequency in frequencies:
+        assert np.abs(eigenvalues.imag / (2 * np.pi) - frequency).min() < 1e-6 * frequency
+    # and so is the response to a force that of M, C, G and K
+    at = found.coordinates.index("y of the shaft at 100.0 mm")
+    response = scenario.frequency_response("y@100 mm", "10 Hz", "900 Hz", by="y@100 mm", speed="9000 rpm", count=5)
+    for frequency, receptance in zip(response.over, response["y_1"], strict=True):
+        w = 2 * np.pi * frequency
+        dynamic = found.K - w**2 * found.M + 1j * w * (found.C + found.speed * found.G)
+        assert abs(np.linalg.inv(dynamic)[at, at] - receptance) < 1e-6 * abs(receptance)
+    found.write(tmp_path)
+    with np.load(tmp_path / "matrices.npz") as file:
+        for name in "MCGKA":
+            assert np.array_equal(file[name], getattr(found, name)), name
+        assert list(file["coordinates"]) == found.coordinates and list(file["units"]) == found.units
+    assert np.array_equal(np.loadtxt(tmp_path / "state_matrix.csv", delimiter=",", skiprows=1), found.A)
+
+
+def test_tilts_answer_moments(scenarios: Path) -> None:
+    scenario = jc.Scenario(scenarios / "flexible-spindle-7205c.toml")
+    asked = {"start": "10 Hz", "stop": "900 Hz", "speed": "0 rpm", "count": 3}
+    tilt = scenario.frequency_response("tilt_x@100 mm", by="y@50 mm", **asked)
+    motion = scenario.frequency_response("y@50 mm", by="tilt_x@100 mm", **asked)
+    assert [own["unit"] for own in (tilt.summary["at"][0], motion.summary["at"][0])] == ["rad/N", "m/(N m)"]
+    assert np.allclose(tilt["tilt_x_1"], motion["y_1"], rtol=1e-6, atol=0)
 
 
 def test_a_motion_is_followed_along_a_key(scenarios: Path) -> None:

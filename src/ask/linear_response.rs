@@ -14,9 +14,9 @@ pub const COUNTS: std::ops::RangeInclusive<i64> = 3..=100_000;
 
 /// A point and a direction, or a point and both directions across the shaft.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Place(Vec<Pickup>);
+pub struct Place(pub(super) Vec<Pickup>);
 
-/// `250 mm`, along x and y, or `y@250 mm`.
+/// `250 mm`, along x and y, or `y@250 mm`, or a tilt, `tilt_x@250 mm`: of a force its moment about X.
 impl FromStr for Place {
     type Err = String;
 
@@ -24,11 +24,12 @@ impl FromStr for Place {
         let (axes, position) = match text.split_once('@') {
             None => (vec![0, 1], text),
             Some((name, position)) => {
-                let axis = FREEDOM_NAMES[..3]
-                    .iter()
-                    .position(|known| *known == name.trim());
+                let axis = FREEDOM_NAMES.iter().position(|known| *known == name.trim());
                 let axis = axis.ok_or_else(|| {
-                    format!("`{name}` is no direction: write x@, y@ or z@ before the position")
+                    format!(
+                        "`{name}` is no direction: write one of {}@ before the position",
+                        FREEDOM_NAMES.join("@, ")
+                    )
                 })?;
                 (vec![axis], position)
             }
@@ -139,7 +140,7 @@ impl<'a> LinearResponseQuestion<'a> {
 }
 
 /// Refuses a place off the shaft, and one that cannot move that way.
-fn check(pickup: &Pickup, scenario: &Scenario) -> Result<(), Issue> {
+pub(super) fn check(pickup: &Pickup, scenario: &Scenario) -> Result<(), Issue> {
     let rotor = &scenario.question.rotor;
     let (axis, position) = (FREEDOM_NAMES[pickup.axis], pickup.position);
     if !rotor.shaft.freedoms.moves(pickup.axis) {

@@ -15,6 +15,7 @@ mod describe;
 mod estimate;
 mod fit;
 mod jobs;
+mod matrices;
 mod new;
 mod pace;
 mod removed;
@@ -57,6 +58,7 @@ enum Verb {
     Bearing(bearing::Arguments),
     Campbell(campbell::Arguments),
     Response(response::Arguments),
+    Matrices(matrices::Arguments),
     Analyze(analyze::Arguments),
     Study(study::Arguments),
     Fit(fit::Arguments),
@@ -131,6 +133,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Bearing(arguments) => bearing::run(&arguments),
         Verb::Campbell(arguments) => campbell::run(&arguments),
         Verb::Response(arguments) => response::run(&arguments),
+        Verb::Matrices(arguments) => matrices::run(&arguments),
         Verb::Analyze(arguments) => analyze::run(&arguments),
         Verb::Study(arguments) => study::run(&arguments),
         Verb::Fit(arguments) => fit::run(&arguments),

@@ -24,7 +24,8 @@ use crate::scenario;
 pub struct Arguments {
     #[command(flatten)]
     files: Files,
-    /// Where it is looked at: a position along the shaft, for x and y, or with a direction as in "y@250 mm"; repeatable
+    /// Where it is looked at: a position along the shaft, for x and y, or with a direction as in "y@250 mm" or
+    /// "tilt_x@250 mm"; repeatable
     #[arg(
         long,
         required = true,
@@ -32,7 +33,7 @@ pub struct Arguments {
         allow_hyphen_values = true
     )]
     at: Vec<Place>,
-    /// Point and direction of a harmonic force, as "y@100 mm"; without it the unbalances act
+    /// Point and direction of a harmonic force, as "y@100 mm", or moment, as "tilt_x@100 mm"; without it the unbalances act
     #[arg(long, value_name = "POINT", allow_hyphen_values = true)]
     by: Option<Place>,
     /// Lowest speed, or with --by lowest frequency

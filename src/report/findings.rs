@@ -29,7 +29,7 @@ pub struct Findings {
     /// What the page shows in motion.
     pub(super) film: Option<Value>,
     /// Names and contents of further files.
-    pub(super) files: Vec<(&'static str, String)>,
+    pub(super) files: Vec<(&'static str, Vec<u8>)>,
     /// The document that seals the files.
     pub document: Value,
     /// What people read.
@@ -98,10 +98,10 @@ impl Findings {
         found.map(Figure::svg)
     }
 
-    /// The text of a further file by its name; none where no file is called so.
+    /// The text of a further file by its name; none where no file of text is called so.
     pub fn file(&self, name: &str) -> Option<&str> {
-        let found = self.files.iter().find(|(known, _)| *known == name);
-        found.map(|(_, text)| text.as_str())
+        let (_, content) = self.files.iter().find(|(known, _)| *known == name)?;
+        std::str::from_utf8(content).ok()
     }
 
     /// Writes tables, figures and page into a folder, and the document last.
@@ -127,7 +127,7 @@ impl Findings {
             files.extend(folder.write_table(stem, table)?);
         }
         for (name, content) in &self.files {
-            files.push(folder.write(name, content.as_bytes())?);
+            files.push(folder.write(name, content)?);
         }
         for figure in self.drawn().filter(|_| self.output.figures) {
             files.push(folder.write_figure(figure)?);

@@ -54,7 +54,12 @@ pub fn linear_response_findings(
         Some(by) => text.line(
             "response to",
             format!(
-                "a force of 1 N along {}, linear about the static equilibrium at {:.0} 1/min",
+                "a {} along {}, linear about the static equilibrium at {:.0} 1/min",
+                if by.axis < 3 {
+                    "force of 1 N"
+                } else {
+                    "moment of 1 N m"
+                },
                 place(&by),
                 PER_MINUTE * question.rotor.speed
             ),
@@ -96,6 +101,11 @@ fn place(pickup: &Pickup) -> String {
     format!("{} at {position} mm", FREEDOM_NAMES[pickup.axis])
 }
 
+/// Unit of a motion there.
+fn motion_unit(pickup: &Pickup) -> &'static str {
+    if pickup.axis < 3 { "m" } else { "rad" }
+}
+
 fn point_json(pickup: &Pickup) -> Value {
     json!({ "position_m": pickup.position, "direction": FREEDOM_NAMES[pickup.axis] })
 }
@@ -126,7 +136,29 @@ impl Told<'_> {
     fn point(&self, index: usize, pickup: &Pickup) -> Value {
         let mut point = point_json(pickup);
         point["column"] = json!(self.name(index));
+        point["unit"] = json!(motion_unit(pickup).to_owned() + self.per_force());
         point
+    }
+
+    /// What motions are divided by.
+    fn per_force(&self) -> &'static str {
+        match self.question.by {
+            None => "",
+            Some(by) if by.axis < 3 => "/N",
+            Some(_) => "/(N m)",
+        }
+    }
+
+    /// Unit of all motions, behind a prefix; of displacements and tilts side by side both.
+    fn unit(&self, prefix: &str) -> String {
+        let mut units: Vec<String> = Vec::new();
+        for own in &self.question.at {
+            let unit = format!("{prefix}{}{}", motion_unit(own), self.per_force());
+            if !units.contains(&unit) {
+                units.push(unit);
+            }
+        }
+        units.join(", ")
     }
 
     fn separation(&self, own: &Resonance) -> Option<(f64, Option<f64>)> {
@@ -185,19 +217,21 @@ impl Told<'_> {
             .column(self.first_column(), |(value, _)| self.own_unit(*value));
         for index in 0..self.question.at.len() {
             let name = self.name(index);
-            let kinds: &[(&str, &'static str, i32)] = match self.question.by {
+            let kinds: &[(&str, &str, i32)] = match self.question.by {
                 Some(_) => &[
-                    ("_receptance", "m/N", 0),
-                    ("_mobility", "m/s/N", 1),
-                    ("_accelerance", "m/s^2/N", 2),
+                    ("_receptance", "", 0),
+                    ("_mobility", "/s", 1),
+                    ("_accelerance", "/s^2", 2),
                 ],
-                None => &[("", "m", 0)],
+                None => &[("", "", 0)],
             };
-            for (what, unit, rates) in kinds {
+            let motion = motion_unit(&self.question.at[index]);
+            for (what, per_time, rates) in kinds {
                 let quantity = format!("{name}{what}");
+                let unit = format!("{motion}{per_time}{}", self.per_force());
                 let column = match what.is_empty() {
-                    true => Column::measure(quantity.clone(), "amplitude", *unit),
-                    false => Column::number(quantity.clone(), *unit),
+                    true => Column::measure(quantity.clone(), "amplitude", unit),
+                    false => Column::number(quantity.clone(), unit),
                 };
                 // a rate is iω times as large
                 let motion = move |(value, motions): &(f64, Option<Vec<Complex<f64>>>)| {
@@ -215,9 +249,16 @@ impl Told<'_> {
     /// The resonances, and which of their columns people are shown under which heads.
     fn resonances(&self) -> (Table<'static>, Vec<(&'static str, String)>) {
         let by_force = self.question.by.is_some();
+        // of displacements and tilts side by side the place says which unit it is
+        let unit = self.unit("");
+        let unit = if unit.contains(',') {
+            String::new()
+        } else {
+            unit
+        };
         let amplitude = match by_force {
-            true => Column::number("receptance", "m/N"),
-            false => Column::number("amplitude", "m"),
+            true => Column::number("receptance", unit),
+            false => Column::number("amplitude", unit),
         };
         let mut shown = vec![
             ("place", "place".to_owned()),
@@ -266,14 +307,6 @@ impl Told<'_> {
         (Axis::over(label, from..to), factor)
     }
 
-    fn unit(&self) -> &'static str {
-        if self.question.by.is_some() {
-            "µm/N"
-        } else {
-            "µm"
-        }
-    }
-
     /// Amplitude and phase over speed or frequency.
     fn bode(&self, title: &str) -> Figure {
         let (axis, factor) = self.axis();
@@ -287,7 +320,7 @@ impl Told<'_> {
             curves,
             ..Panel::new(
                 axis.clone(),
-                Axis::logarithmic(("amplitude", self.unit()), heights),
+                Axis::logarithmic(("amplitude", &self.unit("µ")), heights),
                 HEIGHT,
             )
         };
@@ -304,7 +337,7 @@ impl Told<'_> {
         let points = curves.iter().flat_map(|own| &own.points);
         let most = points.map(|own| own.0.hypot(own.1)).fold(0.0, f64::max);
         let most = if most > 0.0 { 1.1 * most } else { 1.0 };
-        let label = |part: &str| (format!("{part} part"), self.unit());
+        let label = |part: &str| (format!("{part} part"), self.unit("µ"));
         let (_, factor) = self.axis();
         let peaks = self.response.resonances.iter().filter_map(|own| {
             let nearest = self

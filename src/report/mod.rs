@@ -16,8 +16,10 @@ mod folder;
 mod histories;
 mod linear_response;
 pub(crate) mod many;
+mod matrices;
 mod measured;
 mod motion;
+mod npz;
 mod page;
 pub(crate) mod recorded;
 pub(crate) mod response;
@@ -51,6 +53,7 @@ pub(crate) use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole}
 #[cfg(test)]
 pub(crate) use histories::Histories;
 pub(crate) use linear_response::linear_response_findings;
+pub(crate) use matrices::matrices_findings;
 pub(crate) use response::{ResponseError, response_findings};
 pub(crate) use roller_catalogue::{
     add_roller_table, roller_entry_json, roller_entry_text, roller_estimate_json,

@@ -243,7 +243,8 @@ fn suffix(unit: &str) -> String {
         Some(format!("{above}_per_{per}"))
     });
     let unit = density.unwrap_or_else(|| unit.to_owned());
-    unit.replace('^', "").replace([' ', '/', '.'], "_")
+    unit.replace(['^', '(', ')'], "")
+        .replace([' ', '/', '.'], "_")
 }
 
 #[cfg(test)]

@@ -20,6 +20,7 @@ mod integrate;
 mod laws;
 mod linear_response;
 mod lines;
+mod matrices;
 mod measurement;
 mod motion;
 mod negative_clearance;

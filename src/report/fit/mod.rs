@@ -79,7 +79,7 @@ pub fn fit_findings(file: &FitFile, fit: &Fit, answers: u64) -> Findings {
         long_tables: Vec::new(),
         figures,
         film: None,
-        files: vec![("fitted.toml", file.fitted_toml(&fit.values))],
+        files: vec![("fitted.toml", file.fitted_toml(&fit.values).into_bytes())],
         document: document(&file.title, &file.echo, found),
         text,
         incomplete: !fit.is_complete,
