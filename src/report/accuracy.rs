@@ -3,7 +3,7 @@
 //! These files hold times, and so are the only ones that differ from one measurement to the next.
 
 use super::figure::{Axis, COLOURS, Curve, Figure, GREY, Mark, Name, Panel, distinct};
-use super::terminal::{Lines, MICRO, or_dash, shown_column, shown_quantity, wrapped};
+use super::terminal::{Lines, MICRO, or_dash, shown_column, wrapped};
 use super::{FileSet, Findings};
 use crate::scenario::Scenario;
 use crate::study::accuracy::{Accuracy, Agreement, Cost, Errors, FidelityRow, Row};
@@ -279,7 +279,6 @@ fn methods_panel(table: &Table<'_>, x: &str, (y, uncertainty): Uncertain) -> Opt
         let (label, factor) = shown_column(column);
         Axis::logarithmic(label, values.iter().map(|value| factor * value))
     });
-    let title = [y, x].map(|column| shown_quantity(&column.quantity));
     let ends = [x_axis.least(), x_axis.most()];
     let limit = Curve::line(GREY, ends.map(|end| (end, uncertainty)).to_vec());
     let curves = (0..methods(table).len()).map(|index| {
@@ -294,7 +293,6 @@ fn methods_panel(table: &Table<'_>, x: &str, (y, uncertainty): Uncertain) -> Opt
         }
     });
     Some(Panel {
-        title: title.join(" over "),
         curves: std::iter::once(limit).chain(curves).collect(),
         ..Panel::new(x_axis, y_axis, HEIGHT)
     })
