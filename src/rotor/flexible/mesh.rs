@@ -299,6 +299,8 @@ impl FlexibleShaft {
         let same = self.same_position();
         let discs = self.discs.iter().map(|disc| disc.position);
         let mut fixed: Vec<f64> = discs.chain(points.iter().copied()).collect();
+        let hubs = self.discs.iter().filter(|disc| disc.hub_width > 0.0);
+        fixed.extend(hubs.flat_map(Disc::hub_ends));
         if let Some(&position) = fixed
             .iter()
             .find(|at| !(-same..=length + same).contains(*at))
@@ -314,8 +316,6 @@ impl FlexibleShaft {
             let whole = given.clone().with_discs(&self.discs);
             return Ok(whole.with_hubs(&self.hubs()));
         }
-        let widths = self.discs.iter().filter(|disc| disc.hub_width > 0.0);
-        fixed.extend(widths.flat_map(Disc::hub_ends));
         fixed.extend(self.elements_of_sections().map(|(start, _)| start));
         fixed.push(length);
         fixed.sort_by(f64::total_cmp);
