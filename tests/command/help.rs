@@ -33,7 +33,8 @@ fn verbs() -> Vec<String> {
 /// A folder with the shipped scenarios in it.
 fn shipped() -> TempDir {
     let folder = tempfile::tempdir().unwrap();
-    for path in toml_files(&scenarios()) {
+    let tables = [scenarios().join("journal-bearing.csv")];
+    for path in toml_files(&scenarios()).into_iter().chain(tables) {
         fs::copy(&path, folder.path().join(path.file_name().unwrap())).unwrap();
     }
     folder
