@@ -97,13 +97,15 @@ def test_matrices_answer_what_the_shaft_answers(scenarios: Path, tmp_path: Path)
     assert len(frequencies) >= 4
     for frequency in frequencies:
         assert np.abs(eigenvalues.imag / (2 * np.pi) - frequency).min() < 1e-6 * frequency
-    # and so is the response to a force that of M, C, G and K
+    # and so is the response to a force that of M, C, G and K, but for the error of the modes that they lack
     at = found.coordinates.index("y of the shaft at 100.0 mm")
     response = scenario.frequency_response("y@100 mm", "10 Hz", "900 Hz", by="y@100 mm", speed="9000 rpm", count=5)
+    error = response.summary["reduction_error"]
+    assert error < 1e-4
     for frequency, receptance in zip(response.over, response["y_1"], strict=True):
         w = 2 * np.pi * frequency
         dynamic = found.K - w**2 * found.M + 1j * w * (found.C + found.speed * found.G)
-        assert abs(np.linalg.inv(dynamic)[at, at] - receptance) < 1e-6 * abs(receptance)
+        assert abs(np.linalg.inv(dynamic)[at, at] - receptance) < 1.01 * error * abs(receptance)
     found.write(tmp_path)
     with np.load(tmp_path / "matrices.npz") as file:
         for name in "MCGKA":
