@@ -1,6 +1,7 @@
 //! Internal geometry of a ball or roller bearing.
 
-use super::{GeometryError, RollerKind, Rollers};
+use super::free_position::position_of_clearance;
+use super::{FreePosition, GeometryError, RollerKind, Rollers};
 use crate::physics::{BallPass, ball_pass_frequencies};
 
 /// Dimensions of a bearing, checked at construction. Its rolling elements, balls or [`Rollers`], are called balls.
@@ -19,19 +20,6 @@ pub struct Geometry {
     groove_factors: [f64; 2],
     /// What it has in place of balls.
     rollers: Option<Rollers>,
-}
-
-/// How the free position of the races is given.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum FreePosition {
-    /// Free contact angle α0 in rad (angular contact bearing).
-    ContactAngle(f64),
-    /// Diametral clearance P_d in m (deep-groove bearing): α0 = acos(1 − P_d/(2A)) at either end of the axial play. A
-    /// negative one squeezes the balls between the races: α0 = 0, and the groove centres are A − P_d/2 apart.
-    DiametralClearance(f64),
-    /// Radial clearance in m of a literature model that knows no contact angle: the races are
-    /// as with `DiametralClearance` of twice the value, the balls roll as at 0°.
-    RadialClearance(f64),
 }
 
 impl Geometry {
@@ -406,21 +394,4 @@ impl Geometry {
         }
         self.groove_centre_distance() * self.contact_angle.cos() + self.squeeze
     }
-}
-
-/// Free contact angle α0 = acos(1 − P_d/(2A)) in rad, in the form that keeps its digits for small clearances, and the
-/// squeeze of the balls in m under a negative clearance.
-fn position_of_clearance(clearance: f64, distance: f64) -> Result<[f64; 2], GeometryError> {
-    // 1 − cos α0 = 2 sin²(α0/2)
-    let largest = 4.0 * distance * (0.5 * Geometry::LARGEST_CONTACT_ANGLE).sin().powi(2);
-    let smallest = -2.0 * distance * Geometry::LARGEST_SQUEEZE;
-    if !(smallest..=largest).contains(&clearance) {
-        return Err(GeometryError::Clearance {
-            clearance,
-            smallest,
-            largest,
-        });
-    }
-    let angle = 2.0 * (clearance.max(0.0) / (4.0 * distance)).sqrt().asin();
-    Ok([angle, 0.5 * (-clearance).max(0.0)])
 }

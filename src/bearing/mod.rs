@@ -12,6 +12,7 @@ pub(crate) mod definition;
 mod error;
 mod estimate;
 mod fit;
+mod free_position;
 mod geometry;
 mod geometry_error;
 pub(crate) mod law;
@@ -42,7 +43,8 @@ pub use estimate::{
     Candidate, CatalogueLine, Estimate, EstimateError, RollerCandidate, RollerEstimate, RollerLine,
 };
 pub use fit::Fit;
-pub use geometry::{FreePosition, Geometry};
+pub use free_position::FreePosition;
+pub use geometry::Geometry;
 pub use geometry_error::GeometryError;
 pub(crate) use law::{
     Ball, BallForce, BallLaw, ContactLaw, ForceLaw, RaceContacts, RaceFilms, TableError,

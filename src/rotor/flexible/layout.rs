@@ -2,8 +2,10 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::mesh::{FlexibleShaft, Hub, ShaftError};
+use super::hub::Hub;
+use super::mesh::FlexibleShaft;
 use super::reduction::ReducedShaft;
+use super::shaft_error::ShaftError;
 use crate::rotor::coordinate::{Coordinate, CoordinateKind};
 use crate::rotor::matrices::Matrices;
 use crate::rotor::point::{Place, Point};

@@ -2,7 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::bearing::MountedBearing;
+use super::disc::Disc;
+use super::shaft_error::ShaftError;
 use crate::physics::{BeamElement, ElementMatrix};
 use crate::rotor::PlaneUnbalance;
 
@@ -10,59 +11,6 @@ use crate::rotor::PlaneUnbalance;
 const SAME_NODE: f64 = 1e-9;
 /// Fewest elements of a shaft: the lowest ten frequencies are then those of the beam to 1e-4.
 const LEAST_ELEMENTS: f64 = 40.0;
-
-/// A rigid disc on the shaft.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Disc {
-    /// Distance of its centre from the left end of the shaft, m.
-    pub position: f64,
-    /// Mass, kg.
-    pub mass: f64,
-    /// Moment of inertia about a diameter, kg m².
-    pub inertia_transverse: f64,
-    /// Moment of inertia about the axis of the shaft, kg m².
-    pub inertia_polar: f64,
-    /// Length of the shaft about its centre that it keeps from bending, m; zero of a thin disc.
-    pub hub_width: f64,
-}
-
-/// A part of the shaft that does not bend: what lies within it moves with its node.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Hub {
-    ends: [f64; 2],
-    node: f64,
-}
-
-impl Disc {
-    /// A ring of a width and of outer and inner diameters in m, of a density in kg/m³.
-    pub fn of_size(position: f64, width: f64, diameters: [f64; 2], density: f64) -> Self {
-        let [outer, inner] = diameters;
-        let mass = density * std::f64::consts::FRAC_PI_4 * width * (outer * outer - inner * inner);
-        let squares = outer * outer + inner * inner;
-        Self {
-            position,
-            mass,
-            inertia_transverse: mass * (squares / 16.0 + width * width / 12.0),
-            inertia_polar: mass * squares / 8.0,
-            hub_width: 0.0,
-        }
-    }
-
-    /// Positions of both ends of its hub, m.
-    pub(crate) fn hub_ends(&self) -> [f64; 2] {
-        [-0.5, 0.5].map(|part| self.position + part * self.hub_width)
-    }
-
-    /// The inner ring of a bearing, of which the geometry of the balls says about as much as is true of common series: bore
-    /// d_m − 1.7 D, shoulders d_m − 0.6 D, width 1.9 D. Of a 6204 these are 20.0, 28.7 and 15.1 mm.
-    pub fn inner_ring(mounted: &MountedBearing) -> Self {
-        let geometry = &mounted.bearing.geometry;
-        let (pitch, ball) = (geometry.pitch_diameter(), geometry.ball_diameter());
-        let diameters = [pitch - 0.6 * ball, (pitch - 1.7 * ball).max(0.0)];
-        let density = mounted.bearing.ring_material.density;
-        Self::of_size(mounted.position, 1.9 * ball, diameters, density)
-    }
-}
 
 /// An unbalance in a plane of the shaft.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -101,60 +49,6 @@ pub struct FlexibleShaft {
     pub modes: Option<usize>,
     /// Time τ of the internal damping τ K, which turns with the shaft, s.
     pub internal_damping: f64,
-}
-
-/// Why a shaft cannot be built.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum ShaftError {
-    /// A position beyond the ends of the shaft.
-    #[error(
-        "a position of {position} m lies beyond the shaft, which is {length} m long from its left end"
-    )]
-    Beyond {
-        /// The position from the left end, m.
-        position: f64,
-        /// Length of the shaft, m.
-        length: f64,
-    },
-    /// The matrices cannot be reduced.
-    #[error(
-        "the shaft cannot be reduced to the {points} points where bearings, loads and unbalances sit: a part of it has no \
-         stiffness"
-    )]
-    Singular {
-        /// Number of points that are kept.
-        points: usize,
-    },
-    /// Points without mass or moment of inertia, positions from the left end in m, of a shaft that has some elsewhere.
-    #[error(
-        "bearings, loads, unbalances or the observed point sit at {}, where the shaft has no mass or no moment of inertia, \
-         although it has some between them: put a disc there that has both, or give these nodes some",
-        millimetres(.0)
-    )]
-    Massless(Vec<f64>),
-    /// Coordinates without mass follow from the forces on them, and these must not vary by themselves.
-    #[error(
-        "{0} have no mass or moment of inertia, and damping, an unbalance or a varying load acts there: put a disc there \
-         that has both, however small, or take what acts there to a disc"
-    )]
-    Followers(String),
-    /// A point between the nodes of given matrices.
-    #[error(
-        "no node of the shaft's matrices lies at {position} m: the nearest one is at {nearest} m"
-    )]
-    NoNode {
-        /// The position from the left end, m.
-        position: f64,
-        /// Of the nearest node, m.
-        nearest: f64,
-    },
-}
-
-/// `0.0 mm, 200.0 mm`.
-fn millimetres(positions: &[f64]) -> String {
-    let texts = positions.iter().map(|at| format!("{:.1} mm", 1e3 * at));
-    texts.collect::<Vec<_>>().join(", ")
 }
 
 /// Matrices of one plane of bending: deflection and slope of every node, from the left.
@@ -257,22 +151,6 @@ impl FlexibleShaft {
         let (first, last) = (about(left), about(right));
         let centre = 0.5 * (left + right) + (first - last) / (2.0 * mass * (right - left));
         about(centre)
-    }
-
-    /// The parts that discs keep from bending, with the observed point for a node where they hold it.
-    pub(super) fn hubs(&self) -> Vec<Hub> {
-        let discs = self.discs.iter().filter(|disc| disc.hub_width > 0.0);
-        let same = self.same_position();
-        let hub = |disc: &Disc| {
-            let half = 0.5 * disc.hub_width + same;
-            let ends = [disc.position - half, disc.position + half];
-            let node = match (ends[0]..=ends[1]).contains(&self.observed) {
-                true => self.observed,
-                false => disc.position,
-            };
-            Hub { ends, node }
-        };
-        discs.map(hub).collect()
     }
 
     /// Positions nearer than this are one, m.
@@ -385,39 +263,6 @@ impl Mesh {
         self
     }
 
-    /// With one node for each hub, which the nodes within it follow as parts of a rigid body.
-    fn with_hubs(self, hubs: &[Hub]) -> Self {
-        if hubs.is_empty() {
-            return self;
-        }
-        let followed: Vec<f64> = self
-            .nodes
-            .iter()
-            .map(|at| Hub::node_of(hubs, *at))
-            .collect();
-        let mut nodes = followed.clone();
-        nodes.dedup();
-        let mut carried = DMatrix::zeros(2 * followed.len(), 2 * nodes.len());
-        let mut node = 0;
-        for (row, (at, followed)) in self.nodes.iter().zip(&followed).enumerate() {
-            node += usize::from(nodes[node] != *followed);
-            // w = w_c + a θ_c, θ = θ_c
-            carried[(2 * row, 2 * node)] = 1.0;
-            carried[(2 * row, 2 * node + 1)] = at - followed;
-            carried[(2 * row + 1, 2 * node + 1)] = 1.0;
-        }
-        let reduce = |matrix: &DMatrix<f64>| carried.tr_mul(&(matrix * &carried));
-        Self {
-            plane: Plane {
-                mass: reduce(&self.plane.mass),
-                polar: reduce(&self.plane.polar),
-                stiffness: reduce(&self.plane.stiffness),
-            },
-            nodes,
-            whole: Some((self.nodes, carried)),
-        }
-    }
-
     /// Index of the node at a position.
     pub fn node_at(&self, position: f64) -> usize {
         let after = self.nodes.partition_point(|node| *node < position);
@@ -429,15 +274,6 @@ impl Mesh {
             .into_iter()
             .min_by(|a, b| distance(a).total_cmp(&distance(b)))
             .unwrap_or(0)
-    }
-}
-
-impl Hub {
-    /// Position of the node that a position moves with: itself outside all hubs.
-    pub fn node_of(hubs: &[Self], position: f64) -> f64 {
-        let mut hubs = hubs.iter();
-        let hub = hubs.find(|own| (own.ends[0]..=own.ends[1]).contains(&position));
-        hub.map_or(position, |own| own.node)
     }
 }
 
