@@ -19,8 +19,8 @@ use crate::bearing::{Matrix5, Vector5};
 /// p = 2KΔ/L² − σKα/L,   m = σKΔ/L,   q = Tα/L,   t = TΔ/L
 /// ```
 ///
-/// The reaction at rest is that of Gibbons, for small angles; while the shaft turns it has parts of the same size at once and
-/// twice the speed, those along X and about Y as sines and those along Y and about X as cosines of the angle, after Sekhar &
+/// The reaction at rest is that of Gibbons, for small angles; while the shaft turns it has parts of the same size at 1×
+/// and 2×, those along X and about Y as sines and those along Y and about X as cosines of the angle, after Sekhar &
 /// Prabhu. So large they are of a coupling whose reaction comes and goes with its turning; of one with many bolts or discs they
 /// are smaller. The coupling is constant in speed, has no mass and no stiffness along Z.
 ///
@@ -86,7 +86,7 @@ impl Coupling {
         ]
     }
 
-    /// The reaction at rest, and its parts at once and twice the speed.
+    /// The reaction at rest, and its parts at 1× and 2×.
     pub fn loads(&self, position: f64) -> Vec<Load> {
         let [x, y, _, tilt_x, tilt_y] = self.reaction();
         let sines = ([x, 0.0, 0.0, 0.0, tilt_y], -std::f64::consts::FRAC_PI_2);

@@ -22,6 +22,7 @@ const STARTS: u32 = 4;
 const MOST_STARTS: u32 = 1000;
 /// Tables that no fitted quantity is in.
 const LEFT_OUT: [&str; 4] = ["static", "time", "integrator", "output"];
+
 /// Quantities of a scenario whose values are sought, and what was measured. What has a dimension is a string with its unit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

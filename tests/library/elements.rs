@@ -192,9 +192,9 @@ fn a_coupling_acts_as_its_joints_store_energy() {
     }
 }
 
-/// The lines at once and twice the speed on a round spring: reaction over dynamic stiffness; with the unbalance on the same side.
+/// The lines at 1× and 2× on a round spring: reaction over dynamic stiffness; with the unbalance on the same side.
 #[test]
-fn a_misaligned_coupling_shakes_at_once_and_twice_the_speed() {
+fn a_misaligned_coupling_shakes_at_1x_and_2x() {
     let (mass, speed) = (5.0, 200.0);
     let found = settled(&laval("0 um", speed, &[SPRING, COUPLING]));
     let (joint, length): (f64, f64) = (800.0, 0.08);

@@ -104,7 +104,7 @@ pub struct RubInput {
 }
 
 /// A coupling of two flexible joints with a spacer between them. A misalignment loads the shaft with a constant reaction and
-/// with parts of the same size at once and twice the speed (Gibbons 1976; Sekhar & Prabhu 1995).
+/// with parts of the same size at 1× and 2× (Gibbons 1976; Sekhar & Prabhu 1995).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CouplingInput {
