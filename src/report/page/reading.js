@@ -248,7 +248,7 @@ const figures = (() => {
     const caption = captions[figure.name.replace(/^[a-z]+_tornado$/, "tornado")] ?? "";
     const base = element("canvas", { class: "base" });
     const over = element("canvas", { class: "over", tabindex: "0", role: "img", "aria-label": `${figure.name.replaceAll("_", " ")}. ${caption} `
-      + "Arrow keys move, plus and minus zoom, 0 shows all, comma and full stop read points, page up and page down change the curve." });
+      + "Arrow keys, home and end move, plus and minus zoom, 0 shows all, comma and full stop read points, page up and page down change the curve." });
     const holder = element("div", { class: "drawing" }, base, over);
     const reading = element("output", { class: "reading screen", "aria-live": "polite" }, hint);
     const state = { figure, base, over, holder, reading, most: Infinity, boxes: [], start: null, follow: null, focus: { panel: 0, curve: 0, index: -1 } };
@@ -434,9 +434,12 @@ const figures = (() => {
     if (!box || event.ctrlKey || event.metaKey || event.altKey) return;
     const [low, high] = box.view.x;
     const [step, middle] = [(high - low) / 10, (low + high) / 2];
+    const [first, last] = box.panel.x.reach ?? box.panel.x.ends;
     const moves = {
       ArrowLeft: () => zoom(state, box, [low - step, high - step]),
       ArrowRight: () => zoom(state, box, [low + step, high + step]),
+      Home: () => zoom(state, box, [first, first + high - low]),
+      End: () => zoom(state, box, [last - (high - low), last]),
       "+": () => zoom(state, box, [middle - 4 * step, middle + 4 * step]),
       "=": () => zoom(state, box, [middle - 4 * step, middle + 4 * step]),
       "-": () => zoom(state, box, [middle - 6.25 * step, middle + 6.25 * step]),
