@@ -1,6 +1,6 @@
 //! Reads catalogue files, the one that is shipped and the user's own.
 
-use super::{Catalogue, CatalogueEntry, RollerEntry};
+use super::{Catalogue, CatalogueEntry, RollerEntry, normal};
 use crate::bearing::{CatalogueLine, RollerKind, RollerLine};
 
 /// Columns of a catalogue file that must be there.
@@ -204,6 +204,7 @@ impl Row<'_> {
         }
         Some(CatalogueEntry {
             designation: self.text("designation").to_owned(),
+            key: normal(self.text("designation")),
             maker: self.text("maker").to_owned(),
             source: self.text("source").to_owned(),
             width,
@@ -251,6 +252,7 @@ impl Row<'_> {
                 .map(|column| number(column, 1.0));
         Some(RollerEntry {
             designation: self.text("designation").to_owned(),
+            key: normal(self.text("designation")),
             maker: self.text("maker").to_owned(),
             source: self.text("source").to_owned(),
             line: RollerLine {

@@ -20,6 +20,8 @@ use crate::physics::SkfFriction;
 pub struct CatalogueEntry {
     /// Designation, for instance `7205C`.
     pub designation: String,
+    /// The designation as those that are looked up are compared with it.
+    pub(super) key: String,
     /// Maker whose ratings are printed; empty where the numbers come from elsewhere.
     pub maker: String,
     /// Where the numbers come from.
@@ -134,7 +136,7 @@ pub(crate) fn look_up<'a>(
     designation: &str,
 ) -> Result<Found<'a>, UnknownBearing> {
     let wanted = normal(designation);
-    matching(all_balls(file), |entry| &entry.designation, &wanted, "")
+    matching(all_balls(file), |entry| &entry.key, &wanted, "")
         .map(|(entry, class)| Found { entry, class })
         .map_err(|odd| UnknownBearing::new(file, designation, odd))
 }
@@ -142,26 +144,26 @@ pub(crate) fn look_up<'a>(
 /// An entry, and the class of clearance that the suffixes of its designation name.
 type Matched<'a, T> = (&'a T, Option<ClearanceClass>);
 
-/// The entry with the longest name that a designation in capital letters without blanks is, but for suffixes, and the class
+/// The entry with the longest key that a designation in capital letters without blanks is, but for suffixes, and the class
 /// that these name; or else an entry with the suffix that is not known.
 fn matching<'a, 'w, T>(
     entries: impl Iterator<Item = &'a T>,
-    name: impl Fn(&T) -> &str,
+    key: impl Fn(&T) -> &str,
     wanted: &'w str,
     more: &str,
 ) -> Result<Matched<'a, T>, Option<(&'a T, &'w str)>> {
     let mut found: Option<Matched<'_, T>> = None;
     let mut odd: Option<(&T, &str)> = None;
     for entry in entries {
-        let base = normal(name(entry));
-        let Some(rest) = wanted.strip_prefix(&base) else {
+        let base = key(entry);
+        let Some(rest) = wanted.strip_prefix(base) else {
             continue;
         };
         let is_number = rest.starts_with(|c: char| c.is_ascii_digit());
         if base.is_empty() || is_number && suffixes(rest, more).is_err() {
             continue;
         }
-        let longer = |entry: &T| base.len() > normal(name(entry)).len();
+        let longer = |entry: &T| base.len() > key(entry).len();
         match suffixes(rest, more) {
             Ok(class) if found.as_ref().is_none_or(|found| longer(found.0)) => {
                 found = Some((entry, class));

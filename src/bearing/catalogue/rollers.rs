@@ -9,6 +9,8 @@ use crate::bearing::{ClearanceClass, RollerLine};
 pub struct RollerEntry {
     /// Designation, for instance `NU206`.
     pub designation: String,
+    /// The designation as those that are looked up are compared with it.
+    pub(super) key: String,
     /// Maker whose ratings are printed.
     pub maker: String,
     /// Where the numbers come from.
@@ -28,7 +30,7 @@ pub(crate) fn look_up_rollers<'a>(
 ) -> Option<(&'a RollerEntry, Option<ClearanceClass>)> {
     let wanted = normal(designation);
     let entries = all(file).flat_map(|catalogue| &catalogue.rollers);
-    matching(entries, |entry| &entry.designation, &wanted, SUFFIXES).ok()
+    matching(entries, |entry| &entry.key, &wanted, SUFFIXES).ok()
 }
 
 #[cfg(test)]
