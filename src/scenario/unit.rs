@@ -287,6 +287,11 @@ impl Unit {
 
 /// One spelling for many: `N·m²`, `N*m**2`, `N.m^2`, `N-m2` and `N m^2` become the same.
 fn normalise(unit: &str) -> String {
+    // most are letters alone, and a study reads them again for every run
+    let is_plain = |letter: u8| letter.is_ascii_alphabetic() || letter == b'/';
+    if unit.bytes().all(is_plain) {
+        return unit.to_owned();
+    }
     let plain = unit
         .replace(['µ', 'μ'], "u")
         .replace('°', "deg")
