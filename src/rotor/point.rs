@@ -82,6 +82,29 @@ impl Place {
         self.point
             .add_force(factor, &about_origin(force, self.arm), sum);
     }
+
+    /// Adds `factor` times a stiffness of forces here by displacements of another place to that of forces on coordinates by
+    /// coordinates.
+    fn add_stiffness(&self, factor: f64, stiffness: &Matrix5, by: &Self, sum: &mut DMatrix<f64>) {
+        let mut carried = *stiffness;
+        // displacements there by those of its point: θy moves along x, θx along −y
+        for row in 0..5 {
+            carried[(row, 3)] -= by.arm * stiffness[(row, 1)];
+            carried[(row, 4)] += by.arm * stiffness[(row, 0)];
+        }
+        // forces here about the point
+        for column in 0..5 {
+            carried[(3, column)] -= self.arm * carried[(1, column)];
+            carried[(4, column)] += self.arm * carried[(0, column)];
+        }
+        for (row, own) in self.point.coordinates.iter().enumerate() {
+            for (column, other) in by.point.coordinates.iter().enumerate() {
+                if let Some(sum) = sum.get_mut((*own, *other)) {
+                    *sum += factor * carried[(row, column)];
+                }
+            }
+        }
+    }
 }
 
 /// Displacement at a distance along Z from a point that moves so.
@@ -200,14 +223,16 @@ impl Attachment {
 
     /// Adds Bᵀ K B of an element's own K.
     pub(crate) fn add_stiffness(&self, stiffness: &Matrix5, sum: &mut DMatrix<f64>) {
-        let entries: Vec<_> = self.entries().collect();
-        for &(row, row_part, row_index) in &entries {
-            for &(column, column_part, column_index) in &entries {
-                if row_index < sum.nrows() && column_index < sum.ncols() {
-                    sum[(row_index, column_index)] +=
-                        row_part * stiffness[(row, column)] * column_part;
-                }
-            }
+        // S K S
+        let turned = Matrix5::from_fn(|row, column| {
+            let turn = |axis: usize| if axis < 2 { 1.0 } else { self.facing };
+            turn(row) * stiffness[(row, column)] * turn(column)
+        });
+        self.inner.add_stiffness(1.0, &turned, &self.inner, sum);
+        if let Some(outer) = &self.outer {
+            outer.add_stiffness(1.0, &turned, outer, sum);
+            self.inner.add_stiffness(-1.0, &turned, outer, sum);
+            outer.add_stiffness(-1.0, &turned, &self.inner, sum);
         }
     }
 
