@@ -45,7 +45,7 @@ impl Continuer<'_> {
         let direction = normalised(direction.push(0.0), unit);
         // where branches meet two directions lead on, and slopes there tell nothing of which
         let guess = &origin + &direction * distance;
-        let slopes = self.slopes_at(&guess)?;
+        let (slopes, _) = self.slopes_at(&guess)?;
         let mut node = self.corrected(guess, &direction, &slopes)?;
         let away = &node.unknowns - &origin;
         if product(&away, &node.tangent, unit) < 0.0 {

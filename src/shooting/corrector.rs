@@ -80,8 +80,12 @@ impl Continuer<'_> {
         let mut matrix = bordered(slopes, direction, unit);
         let mut latest: Option<DVector<f64>> = None;
         let (mut history, mut before, mut renewals) = (Vec::new(), f64::INFINITY, 0);
+        let mut known = None;
         for corrections in 1..=MOST_CORRECTIONS {
-            let residual = self.residual(&unknowns)?;
+            let residual = match known.take() {
+                Some(residual) => residual,
+                None => self.residual(&unknowns)?,
+            };
             history.push(residual.amax());
             let residual = residual.push(0.0);
             if let Some(correction) = latest.take() {
@@ -102,7 +106,9 @@ impl Continuer<'_> {
                 break;
             }
             if is_slow {
-                matrix = bordered(&self.slopes_at(&unknowns)?, direction, unit);
+                let (slopes, residual) = self.slopes_at(&unknowns)?;
+                matrix = bordered(&slopes, direction, unit);
+                known = Some(residual);
                 renewals += 1;
             } else {
                 latest = Some(correction);
@@ -131,20 +137,25 @@ impl Continuer<'_> {
         Ok((states, image))
     }
 
-    /// (∂G/∂u, ∂G/∂p) at states and a parameter.
-    pub fn slopes_at(&mut self, unknowns: &DVector<f64>) -> Result<DMatrix<f64>, ShootingError> {
-        let (_, image) = self.image(unknowns, Slopes::All)?;
-        self.slopes_from(unknowns, &image)
+    /// (∂G/∂u, ∂G/∂p) at states and a parameter, and G.
+    pub fn slopes_at(
+        &mut self,
+        unknowns: &DVector<f64>,
+    ) -> Result<(DMatrix<f64>, DVector<f64>), ShootingError> {
+        let (states, image) = self.image(unknowns, Slopes::All)?;
+        let here = residual(self.family, &states, &image.end);
+        let slopes = self.slopes_from(unknowns, &image.slopes, &here)?;
+        Ok((slopes, here))
     }
 
-    /// (∂G/∂u, ∂G/∂p) from an image with its slopes; by the parameter as a difference.
+    /// (∂G/∂u, ∂G/∂p) from the slopes of an image and G; by the parameter as a difference.
     fn slopes_from(
         &mut self,
         unknowns: &DVector<f64>,
-        image: &Image,
+        slopes: &[DMatrix<f64>],
+        here: &DVector<f64>,
     ) -> Result<DMatrix<f64>, ShootingError> {
-        let by_states = jacobian(self.family, &image.slopes);
-        let here = self.residual(unknowns)?;
+        let by_states = jacobian(self.family, slopes);
         let mut ahead = unknowns.clone();
         ahead[unknowns.len() - 1] += PARAMETER_STEP;
         let by_parameter = (self.residual(&ahead)? - here) / PARAMETER_STEP;
@@ -164,7 +175,9 @@ impl Continuer<'_> {
         let (states, image) = self.image(&unknowns, Slopes::Exact)?;
         let half = self.family.half_return(&states)?;
         let multipliers = multipliers(self.family.circle(), &image.slopes);
-        let slopes = self.slopes_from(&unknowns, &image)?;
+        // that of the image is of the integration with slopes, and has another error
+        let here = self.residual(&unknowns)?;
+        let slopes = self.slopes_from(&unknowns, &image.slopes, &here)?;
         // the tangent t leaves G at zero, and ⟨d, t⟩ = 1: the last row of the system
         let (last_row, unit) = (parameter_direction(unknowns.len()), unit(&unknowns));
         let tangent = bordered(&slopes, direction, unit).lu().solve(&last_row);
