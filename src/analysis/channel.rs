@@ -308,7 +308,7 @@ impl Channel {
                 quantity,
                 axis,
             } => {
-                let motion = sample.bodies?.get(body.index()).copied()?;
+                let motion = sample.bodies.get(body.index())?;
                 match quantity {
                     BodyQuantity::Displacement => motion.displacement[axis],
                     BodyQuantity::Velocity => motion.velocity[axis],

@@ -40,7 +40,7 @@ impl Body {
         self.index() < 2 * MOST_HOUSINGS
     }
 
-    /// Its place in [`BodyMotions`]; beyond them where it is not observed.
+    /// Its place in the motions of a sample; beyond them where it is not observed.
     pub(crate) fn index(self) -> usize {
         match self {
             Self::Housing(bearing) if bearing < MOST_HOUSINGS => bearing,
@@ -61,9 +61,6 @@ impl fmt::Display for Body {
         }
     }
 }
-
-/// Motions of the housings of the first bearings, then of what vibrates on them.
-pub type BodyMotions = [BodyMotion; 2 * MOST_HOUSINGS];
 
 /// Motion of a housing, or of what vibrates on it, at one instant.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -134,8 +131,11 @@ impl Rotor {
     }
 
     /// Motion of housings, and what vibrates on them, of the first bearings; none without any.
-    pub(super) fn body_motions(&self, place: &[f64], velocity: &[f64]) -> Option<BodyMotions> {
-        let mut motions = BodyMotions::default();
+    pub(super) fn body_motions(&self, place: &[f64], velocity: &[f64]) -> Vec<BodyMotion> {
+        if self.structure.bodies.is_empty() {
+            return Vec::new();
+        }
+        let mut motions = vec![BodyMotion::default(); 2 * MOST_HOUSINGS];
         for own in &self.structure.bodies {
             if let Some(motion) = motions.get_mut(own.body.index()) {
                 let [x, y, z, ..] = own.point.displacement(place, &[]);
@@ -144,14 +144,12 @@ impl Rotor {
                 motion.velocity = [x, y, z];
             }
         }
-        (!self.structure.bodies.is_empty()).then_some(motions)
+        motions
     }
 
     /// Writes their accelerations, taken from the derivative of a state.
-    pub(super) fn accelerate_bodies(&self, rate: &[f64], motions: &mut Option<BodyMotions>) {
-        let (Some(motions), dofs) = (motions, self.dofs()) else {
-            return;
-        };
+    pub(super) fn accelerate_bodies(&self, rate: &[f64], motions: &mut [BodyMotion]) {
+        let dofs = self.dofs();
         for own in &self.structure.bodies {
             if let Some(motion) = motions.get_mut(own.body.index()) {
                 let [x, y, z, ..] = own.point.rate(&rate[dofs..2 * dofs]);

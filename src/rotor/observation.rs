@@ -1,7 +1,7 @@
 //! What can be seen of the shaft in motion.
 
 use super::element::{Element, ElementMotion, Instant};
-use super::{BodyMotions, DriveMoments, EnergyBalance, FREEDOMS, Rotor};
+use super::{BodyMotion, DriveMoments, EnergyBalance, FREEDOMS, Rotor};
 use crate::bearing::{BallLoads, BearingRotation, LOADED_SHARE, Support, Vector5};
 
 impl Rotor {
@@ -203,8 +203,8 @@ pub struct Sample {
     pub velocity: [f64; FREEDOMS],
     /// Second time derivatives of `displacement`, where asked for.
     pub acceleration: Option<[f64; FREEDOMS]>,
-    /// Housings of the first bearings, and what vibrates on them; none where no bearing has one.
-    pub bodies: Option<BodyMotions>,
+    /// Housings of the first bearings, then what vibrates on them; empty where no bearing has one.
+    pub bodies: Vec<BodyMotion>,
     /// Force of all bearings and elements on the shaft: x, y, z in N, moments about X and Y through the point of the shaft whose
     /// displacement is given in N m; none where it is not observed.
     pub force_on_shaft: Option<[f64; FREEDOMS]>,
@@ -229,6 +229,7 @@ impl Sample {
     /// This sample without the forces of single bearings.
     pub(crate) fn without_bearings(&self) -> Self {
         Self {
+            bodies: self.bodies.clone(),
             bearing_forces: Vec::new(),
             ..*self
         }
