@@ -87,6 +87,8 @@ pub struct Analyses {
     pub maps: bool,
     /// Whether load zones and lives of the bearings are left out.
     pub no_loads: bool,
+    /// Whether the RMS velocities of shaft and housings are left out.
+    pub no_velocities: bool,
     /// Whether the bearings are observed after the settle time only: then no contacts part or meet.
     pub settled_only: bool,
     /// The spectra are those of the displacements alone, up to this order of the shaft; where `None`, all.

@@ -54,8 +54,8 @@ pub struct MotionSettings {
     pub revolution: Option<f64>,
     /// Ball passes a revolution of the bearings.
     pub passes: Vec<f64>,
-    /// Band of the RMS velocities, Hz.
-    pub velocity_band: [f64; 2],
+    /// Band of the RMS velocities, Hz; none where they are left out.
+    pub velocity_band: Option<[f64; 2]>,
     /// Whether the kind of the motion is recognised, by the points of the sections.
     pub kind: bool,
 }
@@ -163,15 +163,16 @@ impl MotionRecorder {
             channel,
             moments: Moments::default(),
         });
-        let level = LevelRecorder::new(settings.rate, settings.velocity_band);
+        let level = |band| LevelRecorder::new(settings.rate, band);
+        let level = settings.velocity_band.map(level);
         let housings = settings.housing_velocities.iter();
-        let housings = housings.map(|channel| (*channel, level.clone()));
+        let housings = housings.filter_map(|channel| Some((*channel, level.clone()?)));
         let sections = settings.sections.iter();
         Self {
             statistics: statistics.collect(),
             rates: [Moments::default(); FREEDOMS],
             housing_velocity: housings.collect(),
-            velocity: vec![level; settings.freedoms.lengths()],
+            velocity: level.map_or_else(Vec::new, |level| vec![level; settings.freedoms.lengths()]),
             planner: RealFftPlanner::new(),
             drift: DriftRecorder::new(
                 [settings.start, settings.end],

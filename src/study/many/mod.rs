@@ -152,6 +152,7 @@ impl Maker<'_> {
             machine: None,
             maps: false,
             no_loads: true,
+            no_velocities: true,
             settled_only: true,
             highest_order,
             named_peaks: self.keep.highest_order.is_some(),

@@ -131,7 +131,7 @@ fn line([channel, recorded]: [Channel; 2], (order, name): (u32, &'static str)) -
 
 /// RMS velocity of a housing.
 fn housing_velocity(channel: Channel) -> NumberColumn {
-    number(channel.measure("rms"), STATISTICS, move |run| {
+    number(channel.measure("rms"), VELOCITIES, move |run| {
         let mut levels = run.motion.as_ref()?.housing_velocity.iter();
         let found = levels.find(|entry| entry.channel == channel);
         found.map(|entry| entry.level.rms)
@@ -186,6 +186,12 @@ fn bearing_columns(bearing: usize) -> [NumberColumn; 4] {
 const NO_ANALYSIS: fn(&mut Analyses) = |_| {};
 /// Of a number of the motion after the settle time.
 const STATISTICS: fn(&mut Analyses) = |asked| asked.motion = asked.motion.with_statistics();
+
+/// Of an RMS velocity.
+const VELOCITIES: fn(&mut Analyses) = |asked| {
+    STATISTICS(asked);
+    asked.no_velocities = false;
+};
 
 /// Of a number of the loads of the balls.
 const LOADS: fn(&mut Analyses) = |asked| asked.no_loads = false;
