@@ -2,7 +2,7 @@
 
 use std::io;
 
-use super::jobs::{Files, Job};
+use super::jobs::{Answer, Failure, Files, Job};
 use super::terminal::Progress;
 use super::{Outcome, terminal};
 use crate::ask::AccuracyQuestion;
@@ -41,23 +41,23 @@ pub struct Arguments {
 
 /// Checks all files, then measures them in turn.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
-    let Some(jobs) = arguments.files.read(|_| {})? else {
-        return Ok(Outcome::WrongInput);
-    };
-    let answer = |job: &Job, question: AccuracyQuestion<'_>| {
-        let mut progress = Progress::new(&job.scenario.title);
-        let found = question.answer(&mut Monitor {
-            stop: terminal::stop(),
-            progress: &mut |part| progress.show(part),
-        })?;
-        drop(progress);
-        job.write(&found)
-    };
     let (methods, tolerances) = (&arguments.methods, &arguments.tolerances);
-    let longest = arguments.longest;
     arguments.files.answer(
-        &jobs,
-        |job| AccuracyQuestion::new(&job.scenario, methods, tolerances, longest),
-        answer,
+        |_| {},
+        |job| {
+            let longest = arguments.longest;
+            let question = AccuracyQuestion::new(&job.scenario, methods, tolerances, longest)?;
+            Ok(Box::new(move || measured(job, &question)))
+        },
     )
+}
+
+fn measured(job: &Job, question: &AccuracyQuestion<'_>) -> Result<Answer, Failure> {
+    let mut progress = Progress::new(&job.scenario.title);
+    let found = question.answer(&mut Monitor {
+        stop: terminal::stop(),
+        progress: &mut |part| progress.show(part),
+    })?;
+    drop(progress);
+    job.write(&found)
 }

@@ -1,11 +1,10 @@
 //! `jeffcott analyze`.
 
-use std::fmt::Display;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use super::jobs::{Answer, Answers, Settings, failure, folder_of};
+use super::jobs::{Answer, Answers, Common, Failure, name_of, wrong};
 use super::{Outcome, terminal};
 use crate::ask::{AnalyzeQuestion, record_setting};
 use crate::record::Record;
@@ -66,42 +65,22 @@ pub struct Arguments {
     /// How long a part is analysed
     #[arg(long, value_name = "TIME")]
     duration: Option<String>,
-    /// Folder that the folders of the results are written to
-    #[arg(long, value_name = "DIR", default_value = "output")]
-    out: PathBuf,
-    /// Open the page of each result in the browser
-    #[arg(long)]
-    open: bool,
-    /// Print the results as JSON: an object, or an array for several files
-    #[arg(long)]
-    json: bool,
     #[command(flatten)]
-    settings: Settings,
+    common: Common,
 }
 
 /// Analyses all files in turn, or lists what they hold.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
-    let mut answers = Answers::new(arguments.json, arguments.files.len());
+    let mut answers = Answers::new(arguments.common.json, arguments.files.len());
     for file in &arguments.files {
-        let name = file.display().to_string();
-        let answered = match arguments.list {
-            true => arguments.list(file, &name)?,
+        let name = name_of(file);
+        let answer = match arguments.list {
+            true => arguments.list(file, &name),
             false => arguments.analyse(file, &name),
         };
-        match answered {
-            Ok(answer) => answers.take(answer)?,
-            Err((outcome, message)) => answers.fail(outcome, failure(&name, &message)),
-        }
+        answers.take_of(&name, answer)?;
     }
     answers.end()
-}
-
-/// The answer to a file, or how it failed and why, of which people are told.
-type Answered = Result<Answer, (Outcome, String)>;
-
-/// Tells people of an error.
-fn refused(error: impl Display) -> (Outcome, String) {
-    (terminal::refuse(&error), error.to_string())
 }
 
 impl Arguments {
@@ -124,39 +103,28 @@ impl Arguments {
         let several = several.map(|(name, values)| (name, values.clone()));
         let options = single.into_iter().chain(several);
         let options = options.filter_map(|(name, values)| record_setting(name, &values));
-        options.chain(self.settings.all.iter().cloned()).collect()
+        options
+            .chain(self.common.settings.all.iter().cloned())
+            .collect()
     }
 
-    /// Shows what a file holds.
-    fn list(&self, file: &Path, name: &str) -> io::Result<Answered> {
-        let record = match Record::open(file) {
-            Ok(record) => record,
-            Err(error) => return Ok(Err(refused(error))),
-        };
+    /// Shows what a file holds, also where people want quiet.
+    fn list(&self, file: &Path, name: &str) -> Result<Answer, Failure> {
+        let record = Record::open(file).map_err(|error| wrong(error.problem))?;
         warn(name, &record.warnings);
-        if !self.json {
-            // also where people want quiet
+        if !self.common.json {
             terminal::print(&listed_record(name, &record).text(false))?;
         }
-        Ok(Ok(Answer::of_json(record_json(name, &record))))
+        Ok(Answer::of_json(record_json(name, &record)))
     }
 
-    fn analyse(&self, file: &Path, name: &str) -> Answered {
+    fn analyse(&self, file: &Path, name: &str) -> Result<Answer, Failure> {
         let started = Instant::now();
-        let folder = folder_of(file, &self.out).map_err(refused)?;
-        let question = AnalyzeQuestion::load(file, "{}", &self.options());
-        let question = question.map_err(|error| {
-            terminal::tell_problems(&error);
-            (Outcome::WrongInput, error.to_string())
-        })?;
-        let findings = question.answer();
+        let folder = self.common.folder_of(file).map_err(wrong)?;
+        let findings = AnalyzeQuestion::load(file, "{}", &self.options())?.answer();
         warn(name, findings.warnings());
-        let found = findings.write(&folder);
-        let found = found.map_err(|error| (Outcome::Failed, refused(error).1))?;
-        if self.open {
-            terminal::open_page(&found.files);
-        }
-        Ok(Answer::new(found).timed(started))
+        let found = findings.write(&folder)?;
+        Ok(Answer::new(found, self.common.open).timed(started))
     }
 }
 

@@ -4,7 +4,7 @@ use std::io;
 
 use super::Outcome;
 use super::jobs::Files;
-use crate::ask::{AskError, BearingQuestion};
+use crate::ask::BearingQuestion;
 use crate::scenario::{self, Issue};
 
 /// Finds where the shaft stands, without motion: equilibrium, stiffness and every ball.
@@ -39,17 +39,13 @@ fn angle(text: &str) -> Result<f64, Issue> {
 
 /// Checks all files, then answers them in turn.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
-    let Some(jobs) = arguments.files.read(|_| {})? else {
-        return Ok(Outcome::WrongInput);
-    };
     let (shaft, cage) = (arguments.shaft_angle, arguments.cage_angle);
     arguments.files.answer(
-        &jobs,
+        |_| {},
         |job| {
             let mut question = BearingQuestion::new(&job.scenario, shaft, cage);
             question.sensitivity = job.sensitivity(&arguments.sensitivity)?;
-            Ok::<_, AskError>(question)
+            Ok(Box::new(move || job.write(&question.answer()?)))
         },
-        |job, question| job.write(&question.answer()?),
     )
 }

@@ -4,7 +4,7 @@ use std::io;
 
 use super::Outcome;
 use super::jobs::Files;
-use crate::ask::{AskError, CampbellQuestion, Order};
+use crate::ask::{CampbellQuestion, Order};
 use crate::scenario;
 use crate::study::campbell::MOST_SPEEDS;
 
@@ -48,18 +48,14 @@ pub struct Arguments {
 
 /// Checks all files and the range, then answers them in turn.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
-    let Some(jobs) = arguments.files.read(|_| {})? else {
-        return Ok(Outcome::WrongInput);
-    };
     let (range, count) = ((arguments.from, arguments.to), arguments.count as usize);
     let (orders, highest) = (&arguments.orders, arguments.highest_frequency);
     arguments.files.answer(
-        &jobs,
+        |_| {},
         |job| {
             let mut question = CampbellQuestion::new(&job.scenario, range, count, orders, highest)?;
             question.sensitivity = job.sensitivity(&arguments.sensitivity)?;
-            Ok::<_, AskError>(question)
+            Ok(Box::new(move || job.write(&question.answer()?)))
         },
-        |job, question| job.write(&question.answer()?),
     )
 }

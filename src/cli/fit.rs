@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
-use super::jobs::{Answer, Failure, Settings, folder_of, name_of};
-use super::study::{answered, show, wrong};
+use super::jobs::{Answer, Common, Failure, name_of, wrong};
+use super::study::{answered, show};
 use super::terminal::Progress;
 use super::{Outcome, terminal};
 use crate::ask::FitQuestion;
@@ -30,36 +30,24 @@ pub struct Arguments {
     /// Fit file, .toml or .json; "-" is standard input
     #[arg(required = true, value_name = "FILE")]
     file: PathBuf,
-    /// Folder that the folder of the fit is written to
-    #[arg(long, value_name = "DIR", default_value = "output")]
-    out: PathBuf,
     /// Threads. Default: one for each processor
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
-    /// Open the page in a browser when it is written
-    #[arg(long)]
-    open: bool,
-    /// Print the document of the fit, fit.json
-    #[arg(long)]
-    json: bool,
     #[command(flatten)]
-    settings: Settings,
+    common: Common,
 }
 
 /// Fits the unknowns of a file.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
-    show(
-        &arguments.file,
-        arguments.json,
-        arguments.answer(&arguments.file),
-    )
+    let file = &arguments.file;
+    show(file, arguments.common.json, arguments.answer(file))
 }
 
 impl Arguments {
     fn answer(&self, path: &Path) -> Result<Answer, Failure> {
         let started = Instant::now();
-        let file = scenario::load_fit(path, &self.settings.all)?;
-        let folder = folder_of(path, &self.out).map_err(wrong)?;
+        let file = scenario::load_fit(path, &self.common.settings.all)?;
+        let folder = self.common.folder_of(path).map_err(wrong)?;
         let question = FitQuestion::new(&file, self.threads.map(usize::from));
         let answers = AtomicU64::new(0);
         let mut progress = Progress::new(&name_of(path));
@@ -70,9 +58,6 @@ impl Arguments {
         };
         let found = terminal::watched(look, || question.answer(terminal::stop(), &answers))?;
         let written = found.write(&folder)?;
-        if self.open {
-            terminal::open_page(&written.files);
-        }
-        Ok(answered(written).timed(started))
+        Ok(answered(written, self.common.open).timed(started))
     }
 }

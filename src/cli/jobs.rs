@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 use super::{Outcome, terminal};
 use crate::ask::{AskError, Sensitivity};
 use crate::report::{self, Findings, WrittenFindings};
-use crate::scenario::{self, STDIN, STDIN_NAME, Scenario};
+use crate::scenario::{self, Issue, STDIN, STDIN_NAME, Scenario, ScenarioError};
 
 /// Why a job failed, in words.
 pub type Failure = Box<dyn Error>;
@@ -23,12 +23,22 @@ pub struct Files {
     /// Scenario files, .toml or .json; "-" is standard input
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
+    #[command(flatten)]
+    common: Common,
+}
+
+/// What every verb is told that answers questions about files.
+#[derive(Debug, clap::Args)]
+pub struct Common {
     /// Folder that the folders of the results are written to
     #[arg(long, value_name = "DIR", default_value = "output")]
     pub out: PathBuf,
+    /// Open the page of each result in a browser
+    #[arg(long)]
+    pub open: bool,
     /// Print the results as JSON: an object, or an array for several files
     #[arg(long)]
-    json: bool,
+    pub json: bool,
     #[command(flatten)]
     pub settings: Settings,
 }
@@ -52,7 +62,12 @@ pub struct Job {
     pub scenario: Scenario,
     /// Folder of its results.
     pub folder: PathBuf,
+    /// Whether a browser is to show its page.
+    pub opens: bool,
 }
+
+/// What answers a question that was found right.
+pub type Answering<'j> = Box<dyn FnOnce() -> Result<Answer, Failure> + 'j>;
 
 /// An answer whose files are written.
 pub struct Answer {
@@ -67,35 +82,25 @@ pub struct Answer {
 }
 
 impl Files {
-    /// Checks all files, and puts options in place of what the scenarios say; none where one is wrong, after telling.
-    ///
-    /// # Errors
-    /// Whatever keeps stdout from taking what is wrong.
-    pub fn read(&self, set: impl Fn(&mut Scenario)) -> io::Result<Option<Vec<Job>>> {
-        let mut answers = Answers::new(self.json, self.files.len());
-        let mut jobs = self.jobs(&mut answers);
-        if answers.outcome != Outcome::Done {
-            answers.end()?;
-            return Ok(None);
-        }
-        jobs.iter_mut().for_each(|job| set(&mut job.scenario));
-        Ok(Some(jobs))
-    }
-
-    /// Asks a question about each file, and where all are right answers them in turn, as they come; JSON
-    /// is one document at the end, where a file without an answer has its `error`.
+    /// Checks all files, puts options in place of what the scenarios say, asks a question about each, and where all are
+    /// right answers them in turn, as they come; JSON is one document at the end, where a file without an answer has its
+    /// `error`.
     ///
     /// # Errors
     /// Whatever keeps stdout from taking the answers.
-    pub fn answer<'j, T, E: Display>(
+    pub fn answer(
         &self,
-        jobs: &'j [Job],
-        ask: impl Fn(&'j Job) -> Result<T, E>,
-        answer: impl Fn(&'j Job, T) -> Result<Answer, Failure>,
+        set: impl Fn(&mut Scenario),
+        ask: impl for<'j> Fn(&'j Job) -> Result<Answering<'j>, Failure>,
     ) -> io::Result<Outcome> {
-        let mut answers = Answers::new(self.json, jobs.len());
+        let mut answers = Answers::new(self.common.json, self.files.len());
+        let mut jobs = self.jobs(&mut answers);
+        if answers.outcome != Outcome::Done {
+            return answers.end();
+        }
+        jobs.iter_mut().for_each(|job| set(&mut job.scenario));
         let mut questions = Vec::new();
-        for job in jobs {
+        for job in &jobs {
             match ask(job) {
                 Ok(question) => questions.push((job, question)),
                 Err(error) => answers.fail(Outcome::WrongInput, job.failed(&error)),
@@ -103,7 +108,7 @@ impl Files {
         }
         if answers.outcome == Outcome::Done {
             for (job, question) in questions {
-                match answer(job, question) {
+                match question() {
                     Ok(answer) => answers.take(answer)?,
                     Err(failure) => answers.fail(Outcome::Failed, job.failed(&failure)),
                 }
@@ -122,7 +127,7 @@ impl Files {
                 let outcome = terminal::refuse(message);
                 answers.fail(outcome, failure(&name, message));
             };
-            let scenario = match scenario::load_with(file, &self.settings.all) {
+            let scenario = match scenario::load_with(file, &self.common.settings.all) {
                 Ok(scenario) => scenario,
                 Err(error) => {
                     terminal::tell_problems(&error);
@@ -130,10 +135,10 @@ impl Files {
                     continue;
                 }
             };
-            let folder = match folder_of(file, &self.out) {
+            let folder = match self.common.folder_of(file) {
                 Ok(folder) => folder,
                 Err(message) => {
-                    refuse(&message);
+                    refuse(&format!("{name}: {message}"));
                     continue;
                 }
             };
@@ -149,6 +154,7 @@ impl Files {
                 name,
                 scenario,
                 folder,
+                opens: self.common.open,
             };
             job.warn(&job.scenario.warnings);
             jobs.push(job);
@@ -195,8 +201,39 @@ impl Answers {
         Ok(())
     }
 
+    /// Takes the answer to a file, or tells why there is none.
+    ///
+    /// # Errors
+    /// Whatever keeps stdout from taking it.
+    pub fn take_of(&mut self, name: &str, answer: Result<Answer, Failure>) -> io::Result<()> {
+        let error = match answer {
+            Ok(answer) => return self.take(answer),
+            // what keeps stdout from taking it concerns no file
+            Err(error) => match error.downcast::<io::Error>() {
+                Ok(error) => return Err(*error),
+                Err(error) => error,
+            },
+        };
+        let message = error.to_string();
+        let outcome = match error.downcast_ref::<ScenarioError>() {
+            Some(problems) => {
+                terminal::tell_problems(problems);
+                Outcome::WrongInput
+            }
+            None => {
+                terminal::tell(&format!("error: {name}: {message}\n"));
+                match error.downcast_ref() {
+                    Some(AskError::Asked(_)) => Outcome::WrongInput,
+                    _ => Outcome::Failed,
+                }
+            }
+        };
+        self.fail(outcome, failure(name, &message));
+        Ok(())
+    }
+
     /// Takes what programs are told of a file without an answer.
-    pub fn fail(&mut self, outcome: Outcome, failure: Value) {
+    fn fail(&mut self, outcome: Outcome, failure: Value) {
         self.outcome = self.outcome.max(outcome);
         self.documents.push(failure);
     }
@@ -218,7 +255,7 @@ impl Answers {
 }
 
 /// Why a file has no answer, for programs.
-pub fn failure(name: &str, message: &str) -> Value {
+fn failure(name: &str, message: &str) -> Value {
     json!({ "file": name, "error": message })
 }
 
@@ -230,21 +267,27 @@ pub fn name_of(file: &Path) -> String {
     }
 }
 
-/// The folder of a file's results in `out`, called like the file without its ending.
-///
-/// # Errors
-/// That this is no name, in words.
-pub fn folder_of(file: &Path, out: &Path) -> Result<PathBuf, String> {
-    let shown = name_of(file);
-    let name = Path::new(&shown).file_stem().unwrap_or_default();
-    if name.is_empty() || name == "." || name == ".." {
-        return Err(format!(
-            "{}: the folder of the results is called like the file without its ending, and {name:?} is no name \
-             for a folder: rename the file",
-            file.display()
-        ));
+impl Common {
+    /// The folder of a file's results, called like the file without its ending.
+    ///
+    /// # Errors
+    /// That this is no name, in words.
+    pub fn folder_of(&self, file: &Path) -> Result<PathBuf, String> {
+        let shown = name_of(file);
+        let name = Path::new(&shown).file_stem().unwrap_or_default();
+        if name.is_empty() || name == "." || name == ".." {
+            return Err(format!(
+                "the folder of the results is called like the file without its ending, and {name:?} is no name for a \
+                 folder: rename the file"
+            ));
+        }
+        Ok(self.out.join(name))
     }
-    Ok(out.join(name))
+}
+
+/// What keeps a question from being answered as it is asked.
+pub fn wrong(message: impl Display) -> AskError {
+    Issue::new("", message.to_string()).into()
 }
 
 impl Job {
@@ -261,11 +304,17 @@ impl Job {
         Sensitivity::new(&self.scenario, keys, self.base())
     }
 
-    /// Writes the files of what was found, and answers with it after telling its warnings.
+    /// Writes the files of what was found, and answers with it.
     pub fn write(&self, findings: &Findings) -> Result<Answer, Failure> {
-        let found = findings.write(&self.folder)?;
-        self.warn_besides(found.warnings());
-        Ok(Answer::new(found))
+        Ok(self.answer(findings.write(&self.folder)?))
+    }
+
+    /// Answers with what was found after telling those of its warnings that were not told with the scenario.
+    pub fn answer(&self, found: WrittenFindings) -> Answer {
+        let known = &self.scenario.warnings;
+        let warnings = found.warnings();
+        self.warn(warnings.filter(|warning| known.iter().all(|known| known != warning)));
+        Answer::new(found, self.opens)
     }
 
     /// Tells of something about the file.
@@ -287,13 +336,6 @@ impl Job {
         terminal::remark(&format!("note: {}: {message}\n", self.name));
     }
 
-    /// Tells those warnings that were not told with the scenario.
-    pub fn warn_besides<'a>(&self, warnings: impl IntoIterator<Item = &'a str>) {
-        let known = &self.scenario.warnings;
-        let warnings = warnings.into_iter();
-        self.warn(warnings.filter(|warning| known.iter().all(|known| known != warning)));
-    }
-
     /// Tells warnings.
     pub fn warn(&self, warnings: impl IntoIterator<Item = impl Display>) {
         for warning in warnings {
@@ -303,8 +345,11 @@ impl Job {
 }
 
 impl Answer {
-    /// An answer with the paths of its files.
-    pub fn new(found: WrittenFindings) -> Self {
+    /// An answer with the paths of its files, whose page a browser shows where it `opens`.
+    pub fn new(found: WrittenFindings, opens: bool) -> Self {
+        if opens {
+            terminal::open_page(&found.files);
+        }
         let text = found.text(terminal::details()) + &report::wrote(&found.files);
         let mut json = found.document;
         let files = found.files.iter();

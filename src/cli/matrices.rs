@@ -34,12 +34,11 @@ pub struct Arguments {
 
 /// Checks all files, then answers them in turn.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
-    let Some(jobs) = arguments.files.read(|_| {})? else {
-        return Ok(Outcome::WrongInput);
-    };
     arguments.files.answer(
-        &jobs,
-        |job| MatricesQuestion::new(&job.scenario, &arguments.at, arguments.speed),
-        |job, question| job.write(&question.answer()?),
+        |_| {},
+        |job| {
+            let question = MatricesQuestion::new(&job.scenario, &arguments.at, arguments.speed)?;
+            Ok(Box::new(move || job.write(&question.answer()?)))
+        },
     )
 }

@@ -52,9 +52,6 @@ pub struct Arguments {
 
 /// Checks all files and the range, then answers them in turn.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
-    let Some(jobs) = arguments.files.read(|_| {})? else {
-        return Ok(Outcome::WrongInput);
-    };
     let by = arguments.by.as_ref().map(|place| (place, arguments.speed));
     let range = LinearRange {
         from: &arguments.from,
@@ -62,8 +59,10 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
         count: arguments.count as usize,
     };
     arguments.files.answer(
-        &jobs,
-        |job| LinearResponseQuestion::new(&job.scenario, &arguments.at, by, &range),
-        |job, question| job.write(&question.answer()?),
+        |_| {},
+        |job| {
+            let question = LinearResponseQuestion::new(&job.scenario, &arguments.at, by, &range)?;
+            Ok(Box::new(move || job.write(&question.answer()?)))
+        },
     )
 }

@@ -40,9 +40,6 @@ pub struct Arguments {
     /// Keys of the scenario that the numbers of a settled motion are differentiated by, as "bearing[*].preload,shaft.mass"
     #[arg(long, value_name = "KEY,KEY", value_delimiter = ',')]
     sensitivity: Vec<String>,
-    /// Open the page in a browser when it is written
-    #[arg(long)]
-    open: bool,
     #[command(flatten)]
     written: Written,
 }
@@ -53,19 +50,15 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
         scenario.leave_out_verification(arguments.no_verify);
         arguments.written.apply(scenario);
     };
-    let Some(jobs) = arguments.files.read(set)? else {
-        return Ok(Outcome::WrongInput);
-    };
-    arguments.files.answer(
-        &jobs,
-        |job| arguments.question(job),
-        |job, question| {
+    arguments.files.answer(set, |job| {
+        let question = arguments.question(job)?;
+        Ok(Box::new(move || {
             if terminal::stop().load(Ordering::Relaxed) {
                 return Err("interrupted before it began".into());
             }
-            run_motion(job, question, arguments.open)
-        },
-    )
+            run_motion(job, question)
+        }))
+    })
 }
 
 impl Arguments {
@@ -82,8 +75,8 @@ impl Arguments {
     }
 }
 
-/// Runs a checked scenario and writes its files; `opens` shows its page.
-pub fn run_motion(job: &Job, question: RunQuestion<'_>, opens: bool) -> Result<Answer, Failure> {
+/// Runs a checked scenario and writes its files.
+pub fn run_motion(job: &Job, question: RunQuestion<'_>) -> Result<Answer, Failure> {
     let started = Instant::now();
     tell_of_thinning(job, question.model);
     let progress: [Progress; 3] = Default::default();
@@ -92,11 +85,7 @@ pub fn run_motion(job: &Job, question: RunQuestion<'_>, opens: bool) -> Result<A
         move || watch.look(),
         || question.write(&job.folder, terminal::stop(), &progress),
     )?;
-    job.warn_besides(found.warnings());
-    if opens {
-        terminal::open_page(&found.files);
-    }
-    Ok(Answer::new(found).timed(started))
+    Ok(job.answer(found).timed(started))
 }
 
 /// Says where the tables leave samples out though nobody asked for it.

@@ -74,14 +74,13 @@ enum Question<'a> {
 /// Checks all files, then finds their motions in turn.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let set = |scenario: &mut Scenario| scenario.leave_out_verification(arguments.no_verify);
-    let Some(jobs) = arguments.files.read(set)? else {
-        return Ok(Outcome::WrongInput);
-    };
-    let ask = |job| arguments.question(job);
-    arguments.files.answer(&jobs, ask, |job, question| {
-        let started = Instant::now();
-        let findings = SearchPace::default().watched(job, &question)?;
-        Ok(job.write(&findings)?.timed(started))
+    arguments.files.answer(set, |job| {
+        let question = arguments.question(job)?;
+        Ok(Box::new(move || {
+            let started = Instant::now();
+            let findings = SearchPace::default().watched(job, &question)?;
+            Ok(job.write(&findings)?.timed(started))
+        }))
     })
 }
 

@@ -7,15 +7,14 @@ use std::thread;
 use std::time::Instant;
 
 use super::demand::check_memory;
-use super::jobs::{Answer, Answers, Failure, Job, Settings, failure, folder_of, name_of};
+use super::jobs::{Answer, Answers, Common, Failure, Job, name_of, wrong};
 use super::run::run_motion;
 use super::terminal::Progress;
 use super::{Outcome, terminal};
 use crate::ask::{
-    AskError, Asked, BearingQuestion, Making, RunQuestion, StudyQuestion, StudyWatch,
-    WrittenFindings, merge,
+    Asked, BearingQuestion, Making, RunQuestion, StudyQuestion, StudyWatch, WrittenFindings, merge,
 };
-use crate::scenario::{self, Issue, ScenarioError, StudyFile};
+use crate::scenario::{self, StudyFile};
 use crate::simulate::RunSize;
 use crate::study::many::Shard;
 
@@ -62,29 +61,20 @@ struct Make {
     /// Study file, .toml or .json; "-" is standard input
     #[arg(required = true, value_name = "FILE")]
     file: Option<PathBuf>,
-    /// Folder that the folder of the study is written to
-    #[arg(long, value_name = "DIR", default_value = "output")]
-    out: PathBuf,
     /// Threads. Default: one for each processor
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
     /// Make one run alone, with the files of `jeffcott run` or `bearing`, in the folder run-I of the study
-    #[arg(long, value_name = "I", conflicts_with_all = ["shard", "restart"])]
+    #[arg(long, value_name = "I", conflicts_with_all = ["shard", "restart", "open"])]
     only: Option<u64>,
     /// Make part I of N; `jeffcott study merge` puts them together
-    #[arg(long, value_name = "I/N", value_parser = shard)]
+    #[arg(long, value_name = "I/N", value_parser = shard, conflicts_with = "open")]
     shard: Option<Shard>,
-    /// Open the page in a browser when it is written
-    #[arg(long, conflicts_with_all = ["shard", "only"])]
-    open: bool,
     /// Begin anew, whatever runs an earlier attempt has kept
     #[arg(long)]
     restart: bool,
-    /// Print the document of the study, runs.json
-    #[arg(long)]
-    json: bool,
     #[command(flatten)]
-    settings: Settings,
+    common: Common,
 }
 
 /// `2/8`: part 2 of 8.
@@ -105,22 +95,26 @@ fn shard(text: &str) -> Result<Shard, String> {
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     if let Some(Then::Merge(parts)) = &arguments.then {
         let merged = merge(&parts.folder).map_err(Failure::from);
-        return show(&parts.folder, parts.json, merged.map(answered));
+        return show(
+            &parts.folder,
+            parts.json,
+            merged.map(|found| answered(found, false)),
+        );
     }
     let make = &arguments.make;
     let file = make.file.as_deref().unwrap_or(Path::new(""));
-    let study = scenario::load_study(file, &make.settings.all).map_err(Failure::from);
+    let study = scenario::load_study(file, &make.common.settings.all).map_err(Failure::from);
     let answer = study.and_then(|study| make.answer(&study, file));
-    show(file, make.json, answer)
+    show(file, make.common.json, answer)
 }
 
-/// What was found, with its files, after telling its warnings.
-pub(super) fn answered(found: WrittenFindings) -> Answer {
+/// What was found, with its files, after telling its warnings; a browser shows its page where it `opens`.
+pub(super) fn answered(found: WrittenFindings, opens: bool) -> Answer {
     let title = found.document["title"].as_str().unwrap_or_default();
     for warning in found.warnings() {
         terminal::tell(&format!("warning: {title}: {warning}\n"));
     }
-    Answer::new(found)
+    Answer::new(found, opens)
 }
 
 /// Shows the answer, or tells why there is none.
@@ -129,38 +123,14 @@ pub(super) fn show(
     json: bool,
     answer: Result<Answer, Failure>,
 ) -> io::Result<Outcome> {
-    let (mut answers, name) = (Answers::new(json, 1), name_of(path));
-    match answer {
-        Ok(answer) => answers.take(answer)?,
-        Err(error) => {
-            let message = error.to_string();
-            let outcome = match error.downcast_ref::<ScenarioError>() {
-                Some(problems) => {
-                    terminal::tell_problems(problems);
-                    Outcome::WrongInput
-                }
-                None => {
-                    terminal::tell(&format!("error: {name}: {message}\n"));
-                    match error.downcast_ref() {
-                        Some(AskError::Asked(_)) => Outcome::WrongInput,
-                        _ => Outcome::Failed,
-                    }
-                }
-            };
-            answers.fail(outcome, failure(&name, &message));
-        }
-    }
+    let mut answers = Answers::new(json, 1);
+    answers.take_of(&name_of(path), answer)?;
     answers.end()
-}
-
-/// What keeps a study from being made as it is asked for.
-pub(super) fn wrong(message: String) -> AskError {
-    Issue::new("", message).into()
 }
 
 impl Make {
     fn answer(&self, study: &StudyFile, file: &Path) -> Result<Answer, Failure> {
-        let folder = folder_of(file, &self.out).map_err(wrong)?;
+        let folder = self.common.folder_of(file).map_err(wrong)?;
         let question = StudyQuestion::new(study, self.shard.unwrap_or(Shard::WHOLE))?;
         match self.only {
             None => self.all(&study.title, &question, &folder),
@@ -171,6 +141,7 @@ impl Make {
                     name: scenario.title.clone(),
                     folder: folder.join(format!("run-{number}")),
                     scenario,
+                    opens: false,
                 })
             }
         }
@@ -208,14 +179,11 @@ impl Make {
         };
         let findings = question.answer(&making, &mut watch)?;
         drop(progress);
-        if self.open {
-            terminal::open_page(&findings.files);
-        }
         let (count, seconds) = (question.runs(), started.elapsed().as_secs_f64());
         let rate = count as f64 / seconds;
         Ok(Answer {
             remark: format!("{count} runs in {seconds:.3} s, {rate:.4} a second\n"),
-            ..answered(findings)
+            ..answered(findings, self.common.open)
         })
     }
 }
@@ -224,7 +192,7 @@ impl Make {
 fn alone(job: &Job) -> Result<Answer, Failure> {
     job.warn(&job.scenario.warnings);
     match job.scenario.model {
-        Some(_) => run_motion(job, RunQuestion::new(&job.scenario)?, false),
+        Some(_) => run_motion(job, RunQuestion::new(&job.scenario)?),
         None => job.write(&BearingQuestion::new(&job.scenario, None, None).answer()?),
     }
 }
