@@ -382,6 +382,7 @@ fn balls_table<'a>(
     });
     let balls: Vec<_> = balls.collect();
     Table::of(&balls)
+        .headed(ROLLING_ELEMENTS)
         .count("bearing", |(bearing, ..)| *bearing as f64)
         .count("ball", |(_, ball, _)| f64::from(*ball))
         .number("azimuth", "rad", |(.., line)| line.azimuth)
@@ -394,6 +395,9 @@ fn balls_table<'a>(
         })
         .end()
 }
+
+/// What people read above the table and the figure `balls`, which may be of rollers.
+const ROLLING_ELEMENTS: &str = "Rolling elements";
 
 /// `inner` or `outer`.
 fn race_name(race: Race) -> &'static str {
@@ -411,7 +415,10 @@ pub(super) fn balls_figure(title: &str, bearings: &[&BearingState]) -> Option<Fi
     let named = bearings.iter().enumerate();
     let panels = named.flat_map(|(index, state)| panels(&of_bearing(index, bearings.len()), state));
     let names = Name::each(["inner race", "outer race"]);
-    let figure = Figure::new("balls", title, 2, panels.collect()).with_names(names);
+    let figure = Figure {
+        heading: ROLLING_ELEMENTS.to_owned(),
+        ..Figure::new("balls", title, 2, panels.collect()).with_names(names)
+    };
     (!figure.panels.is_empty()).then_some(figure)
 }
 

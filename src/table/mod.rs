@@ -20,6 +20,8 @@ pub type Named<T> = (&'static str, &'static str, fn(&T) -> f64);
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Table<'a> {
     columns: Vec<(Column, Cow<'a, [f64]>)>,
+    /// What people read above it, where that is not the name of its file.
+    pub heading: Option<&'static str>,
 }
 
 impl<'a> Table<'a> {
@@ -36,7 +38,10 @@ impl<'a> Table<'a> {
         }
         let values = values.into_iter().map(Cow::Owned);
         let columns = columns.into_iter().zip(values).collect();
-        Self { columns }
+        Self {
+            columns,
+            heading: None,
+        }
     }
 
     /// The columns with their values, of which one that is missing is NaN.
@@ -61,6 +66,7 @@ impl<'a> Table<'a> {
             |(column, values): (Column, Cow<'_, [f64]>)| (column, Cow::Owned(values.into_owned()));
         Table {
             columns: self.columns.into_iter().map(owned).collect(),
+            heading: self.heading,
         }
     }
 

@@ -82,6 +82,13 @@ impl<'r, R> TableOf<'r, R> {
         })
     }
 
+    /// Puts a heading above it that is not the name of its file.
+    #[must_use]
+    pub fn headed(mut self, heading: &'static str) -> Self {
+        self.table.heading = Some(heading);
+        self
+    }
+
     /// The table.
     pub fn end(self) -> Table<'static> {
         self.table

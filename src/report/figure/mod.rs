@@ -25,6 +25,8 @@ pub(crate) type Point = (f64, f64);
 pub(crate) struct Figure {
     /// Name of its file, without the ending.
     pub name: String,
+    /// What a page calls it.
+    pub heading: String,
     /// The title above it.
     pub title: String,
     /// What the colours mean, in all panels.
@@ -132,11 +134,20 @@ pub(crate) struct Map {
     pub levels: Vec<u8>,
 }
 
+/// What a page calls the figure or the table of a file, by the name of the file.
+pub(super) fn heading(name: &str) -> String {
+    let mut letters = name.chars();
+    let first = letters.next().map(|letter| letter.to_ascii_uppercase());
+    let words = first.into_iter().chain(letters).collect::<String>();
+    words.replace('_', " ")
+}
+
 impl Figure {
     /// Panels under a title.
     pub fn new(name: &str, title: &str, columns: usize, panels: Vec<Panel>) -> Self {
         Self {
             name: name.to_owned(),
+            heading: heading(name),
             title: title.to_owned(),
             names: Vec::new(),
             columns,

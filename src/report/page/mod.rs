@@ -7,7 +7,7 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use super::figure::{Figure, Label, escaped};
+use super::figure::{Figure, Label, escaped, heading};
 use super::terminal::{Lines, shown_column};
 use super::{FileAction, ReportError, write_whole};
 use crate::table::{ColumnKind, Table};
@@ -95,6 +95,7 @@ fn rows(name: &str, table: &Table<'_>) -> Value {
     });
     json!({
         "name": name,
+        "heading": table.heading.map_or_else(|| heading(name), str::to_owned),
         "columns": columns.collect::<Value>(),
         "rows": table.iter().next().map_or(0, |(_, values)| values.len()),
     })

@@ -65,20 +65,19 @@
   }
 
   const json = (value) => element("pre", {}, JSON.stringify(value, null, 2));
-  const heading = (name) => name === "balls" ? "Rolling elements" : `${name[0].toUpperCase()}${name.slice(1).replaceAll("_", " ")}`;
 
   figures.tellRuns(runText);
   section("numbers", "Answer", ...page.warnings(answer.warnings ?? []), ...told());
   // what is asked first stands open
   const [first, ...others] = drawn;
-  if (first) section(`figure-${first.name}`, heading(first.name), figures.add(first));
-  for (const figure of others) folded(`figure-${figure.name}`, heading(figure.name), figures.add(figure));
+  if (first) section(`figure-${first.name}`, first.heading, figures.add(first));
+  for (const figure of others) folded(`figure-${figure.name}`, figure.heading, figures.add(figure));
   if (ended) {
     const { figure, at } = film.add(ended, (time) => figures.seek("trace", time));
     figures.follow("trace", at);
     folded("film", "In motion", figure);
   }
-  for (const entry of tables) folded(`table-${entry.name}`, `${heading(entry.name)}, a table`, rows(entry));
+  for (const entry of tables) folded(`table-${entry.name}`, `${entry.heading}, a table`, rows(entry));
   const { scenario, study, ...numbers } = answer;
   if (scenario) folded("scenario", scenario.record ? "Record" : "Scenario", element("p", { class: "quiet" }, "as it was read, with defaults"), json(scenario));
   if (study) folded("study", "Study", json(study));
