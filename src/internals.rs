@@ -23,7 +23,7 @@ pub use crate::rotor::{Freedoms, MotionScale, Rotor, StaticProblem};
 pub use crate::scenario::TableFormat;
 pub use crate::scenario::document::written;
 pub use crate::scenario::fit_file::{load_fit, parse_fit};
-pub use crate::scenario::key::{frequency, method, speed, time, tolerance};
+pub use crate::scenario::key::{frequency, method, position, speed, time, tolerance};
 pub use crate::scenario::study_file::{StudyFile, load_study, parse_study};
 pub use crate::simulate::bare_run::BareRun;
 pub use crate::study::many::Shard;

@@ -10,7 +10,7 @@ use jeffcott::ask::{
     Sensitivity, SteadyQuestion,
 };
 use jeffcott::bearing::CATALOGUE;
-use jeffcott::internals::{frequency, method, speed, time, tolerance, written};
+use jeffcott::internals::{frequency, method, position, speed, time, tolerance, written};
 use jeffcott::scenario::{self, Format, Scenario};
 use jeffcott::simulate::Monitor;
 use pyo3::exceptions::PyValueError;
@@ -258,8 +258,9 @@ impl CheckedScenario {
         at: Vec<String>,
         at_speed: Option<String>,
     ) -> PyResult<Findings> {
-        let question =
-            MatricesQuestion::new(&self.scenario, &places(&at)?, given_speed(py, at_speed)?);
+        let at = at.iter().map(|text| position(text)).collect::<Result<Vec<_>, _>>();
+        let at = at.map_err(|issue| issue_error(py, &issue))?;
+        let question = MatricesQuestion::new(&self.scenario, &at, given_speed(py, at_speed)?);
         let question = question.map_err(|error| ask_error(py, &error))?;
         Self::answer(py, None, |_| question.answer())
     }

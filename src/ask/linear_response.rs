@@ -6,7 +6,7 @@ use std::str::FromStr;
 use super::AskError;
 use crate::report::{Findings, linear_response_findings};
 use crate::rotor::{FREEDOM_NAMES, Pickup};
-use crate::scenario::{Issue, Scenario, frequency, number, speed};
+use crate::scenario::{Issue, Scenario, frequency, position as position_of, speed};
 use crate::study::linear_response;
 
 /// Fewest and most speeds or frequencies.
@@ -14,7 +14,7 @@ pub const COUNTS: std::ops::RangeInclusive<i64> = 3..=100_000;
 
 /// A point and a direction, or a point and both directions across the shaft.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Place(pub(super) Vec<Pickup>);
+pub struct Place(Vec<Pickup>);
 
 /// `250 mm`, along x and y, or `y@250 mm`, or a tilt, `tilt_x@250 mm`: of a force its moment about X.
 impl FromStr for Place {
@@ -34,8 +34,7 @@ impl FromStr for Place {
                 (vec![axis], position)
             }
         };
-        let position = number(position.trim(), "load[].position", "position")
-            .map_err(|issue| issue.to_string())?;
+        let position = position_of(position.trim()).map_err(|issue| issue.to_string())?;
         Ok(Self(
             axes.into_iter()
                 .map(|axis| Pickup { position, axis })
@@ -140,13 +139,17 @@ impl<'a> LinearResponseQuestion<'a> {
 }
 
 /// Refuses a place off the shaft, and one that cannot move that way.
-pub(super) fn check(pickup: &Pickup, scenario: &Scenario) -> Result<(), Issue> {
-    let rotor = &scenario.question.rotor;
-    let (axis, position) = (FREEDOM_NAMES[pickup.axis], pickup.position);
-    if !rotor.shaft.freedoms.moves(pickup.axis) {
+fn check(pickup: &Pickup, scenario: &Scenario) -> Result<(), Issue> {
+    let axis = FREEDOM_NAMES[pickup.axis];
+    if !scenario.question.rotor.shaft.freedoms.moves(pickup.axis) {
         return Err(Issue::new("at", format!("the shaft is held along {axis}")));
     }
-    let Some(shaft) = &rotor.flexible else {
+    check_on_shaft(pickup.position, scenario)
+}
+
+/// Refuses a position off a shaft that bends; a rigid one goes on for ever.
+pub(super) fn check_on_shaft(position: f64, scenario: &Scenario) -> Result<(), Issue> {
+    let Some(shaft) = &scenario.question.rotor.flexible else {
         return Ok(());
     };
     let [left, right] = shaft.ends();

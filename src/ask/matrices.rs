@@ -1,7 +1,7 @@
 //! The matrices of the linearised shaft.
 
-use super::linear_response::check;
-use super::{AskError, Place};
+use super::AskError;
+use super::linear_response::check_on_shaft;
 use crate::report::{Findings, matrices_findings};
 use crate::rotor::{Rotor, RotorDefinition};
 use crate::scenario::Scenario;
@@ -15,18 +15,18 @@ pub struct MatricesQuestion<'a> {
 }
 
 impl<'a> MatricesQuestion<'a> {
-    /// Asks at a speed in rad/s, or at that of the start of the scenario, with coordinates for some places of a shaft that
-    /// bends besides those that it has anyway.
+    /// Asks at a speed in rad/s, or at that of the start of the scenario, with coordinates at some positions in m along a shaft
+    /// that bends besides those that it has anyway.
     ///
     /// # Errors
-    /// [`AskError::Asked`] where a place is off the shaft.
-    pub fn new(scenario: &'a Scenario, at: &[Place], speed: Option<f64>) -> Result<Self, AskError> {
+    /// [`AskError::Asked`] where a position is off the shaft.
+    pub fn new(scenario: &'a Scenario, at: &[f64], speed: Option<f64>) -> Result<Self, AskError> {
         let rotor = &scenario.question.rotor;
         let mut rotor = rotor.at_constant_speed(speed.unwrap_or(rotor.speed));
-        for pickup in at.iter().flat_map(|place| &place.0) {
-            check(pickup, scenario)?;
-            rotor.points.push(pickup.position);
+        for position in at {
+            check_on_shaft(*position, scenario)?;
         }
+        rotor.points.extend(at);
         Ok(Self { scenario, rotor })
     }
 

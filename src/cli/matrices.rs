@@ -4,7 +4,7 @@ use std::io;
 
 use super::Outcome;
 use super::jobs::Files;
-use crate::ask::{MatricesQuestion, Place};
+use crate::ask::MatricesQuestion;
 use crate::scenario;
 
 /// Writes M, C, G, K and the state matrix of the linearised shaft at a speed.
@@ -25,8 +25,8 @@ pub struct Arguments {
     #[command(flatten)]
     files: Files,
     /// Position along a shaft that bends that has coordinates besides bearings, elements, loads and unbalances; repeatable
-    #[arg(long, value_name = "POINT", allow_hyphen_values = true)]
-    at: Vec<Place>,
+    #[arg(long, value_name = "POSITION", allow_hyphen_values = true, value_parser = scenario::position)]
+    at: Vec<f64>,
     /// Speed of the shaft. Default: that at the start of the scenario
     #[arg(long, value_name = "SPEED", value_parser = scenario::speed)]
     speed: Option<f64>,

@@ -398,6 +398,14 @@ pub fn time(text: &str) -> Result<f64, Issue> {
     number(text, "time.settle", "time")
 }
 
+/// A position along the shaft with its unit in m.
+///
+/// # Errors
+/// [`Issue`] says what is wrong with the text.
+pub fn position(text: &str) -> Result<f64, Issue> {
+    number(text, "load[].position", "position")
+}
+
 /// A tolerance as a run can be asked to keep to.
 ///
 /// # Errors

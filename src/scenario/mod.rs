@@ -59,7 +59,7 @@ pub(crate) use input::Output;
 #[doc(hidden)]
 pub use input::TableFormat;
 pub use key::methods;
-pub(crate) use key::{frequency, method, number, speed, time, tolerance};
+pub(crate) use key::{frequency, method, number, position, speed, time, tolerance};
 pub(crate) use open::OpenScenario;
 pub use problems::{Issue, ScenarioError};
 use record_file::check_record;

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use nalgebra::linalg::balancing::balance_parlett_reinsch;
 use nalgebra::{Complex, DMatrix};
 
-use crate::ask::{MatricesQuestion, Place};
+use crate::ask::MatricesQuestion;
 use crate::rotor::{Pickup, Rotor};
 use crate::scenario::Scenario;
 
@@ -124,8 +124,7 @@ fn matrices_have_the_modes_and_receptances_of_the_shaft() {
 #[test]
 fn arrays_are_read_back() {
     let scenario = scenario(BENDING);
-    let at: Place = "300 mm".parse().expect("a place");
-    let question = MatricesQuestion::new(&scenario, &[at], None).expect("a question");
+    let question = MatricesQuestion::new(&scenario, &[0.3], None).expect("a question");
     let folder = tempfile::tempdir().expect("a folder");
     let findings = question.answer().expect("matrices");
     findings.write(folder.path()).expect("files");
