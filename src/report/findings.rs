@@ -52,8 +52,16 @@ impl Findings {
             add_contact_choice(&mut text, choice);
         }
         Self {
-            set,
             output: scenario.output.clone(),
+            ..Self::of_document(set, document, text)
+        }
+    }
+
+    /// Findings without tables and figures that a document holds.
+    pub(super) fn of_document(set: FileSet, document: Value, text: Lines) -> Self {
+        Self {
+            set,
+            output: Output::default(),
             tables: Vec::new(),
             long_tables: Vec::new(),
             figures: Vec::new(),

@@ -30,8 +30,8 @@ use crate::table::Table;
 pub fn measured_findings(file: &RecordDescription, found: &Measured) -> Findings {
     let mut text = Lines::titled(&file.title);
     tell(&mut text, found);
+    let document = document(&file.title, &file.echo, RecordSummary::new(file, found));
     Findings {
-        set: FileSet::sealed("record.json"),
         output: file.output.clone(),
         tables: peaks(found)
             .map(|table| ("peaks", table))
@@ -39,11 +39,7 @@ pub fn measured_findings(file: &RecordDescription, found: &Measured) -> Findings
             .collect(),
         long_tables: long_tables(found),
         figures: figures(&file.title, found),
-        film: None,
-        files: Vec::new(),
-        document: document(&file.title, &file.echo, RecordSummary::new(file, found)),
-        text,
-        incomplete: false,
+        ..Findings::of_document(FileSet::sealed("record.json"), document, text)
     }
 }
 

@@ -12,7 +12,7 @@ use super::terminal::Lines;
 use super::variable::variable_column;
 use super::{FileSet, Findings};
 use crate::fit::{Fit, Minimum, Number, Observation, Unidentified, Unknown};
-use crate::scenario::{Balance, FitFile, Output};
+use crate::scenario::{Balance, FitFile};
 use crate::table::Table;
 use figures::{observations_figure, predictions, profiles_figure, residuals_figure};
 use text::{tell, tell_balance};
@@ -73,16 +73,15 @@ pub fn fit_findings(file: &FitFile, fit: &Fit, answers: u64) -> Findings {
         "warnings": warnings,
     });
     Findings {
-        set: FileSet::sealed("fit.json"),
-        output: Output::default(),
         tables,
-        long_tables: Vec::new(),
         figures,
-        film: None,
         files: vec![("fitted.toml", file.fitted_toml(&fit.values).into_bytes())],
-        document: document(&file.title, &file.echo, found),
-        text,
         incomplete: !fit.is_complete,
+        ..Findings::of_document(
+            FileSet::sealed("fit.json"),
+            document(&file.title, &file.echo, found),
+            text,
+        )
     }
 }
 

@@ -12,7 +12,6 @@ use crate::report::findings::versioned;
 use crate::report::terminal::{Lines, digits, or_dash, shown_column};
 use crate::report::variable::axis_label;
 use crate::report::{FileSet, Findings};
-use crate::scenario::Output;
 use crate::study::many::{Direction, RunRecord};
 use crate::table::Column;
 
@@ -228,22 +227,16 @@ impl Digest {
             title, study, base, ..
         } = &self.head;
         let warnings: Vec<_> = self.warnings.iter().map(RunsWarned::to_string).collect();
+        let document = versioned(json!({
+            "title": title,
+            "study": { "study": study, "base": base },
+            "digest": self.json(),
+            "warnings": warnings,
+        }));
         Findings {
-            long_tables: Vec::new(),
-            set: FileSet::RUNS,
-            output: Output::default(),
-            tables: Vec::new(),
             figures,
-            film: None,
-            files: Vec::new(),
-            document: versioned(json!({
-                "title": title,
-                "study": { "study": study, "base": base },
-                "digest": self.json(),
-                "warnings": warnings,
-            })),
-            text: self.text(),
             incomplete: self.failed > 0,
+            ..Findings::of_document(FileSet::RUNS, document, self.text())
         }
     }
 
