@@ -65,8 +65,7 @@ impl Cells<'_> {
     /// A panel a run, over orders of the shaft, a row of panels for each value of the first axis.
     pub fn figure(&self) -> Option<Figure> {
         let head = &self.digest.head;
-        let lengths = head.displacements.iter().copied().enumerate();
-        let lengths: Vec<_> = lengths.filter(|(_, of)| of.unit() == "m").collect();
+        let lengths = head.lengths();
         let turning = |cell: &&Cell| cell.spectrum.iter().any(|line| line.order.is_some());
         let turning: Vec<_> = self.cells.iter().filter(turning).collect();
         let lines = || turning.iter().flat_map(|cell| &cell.spectrum);

@@ -163,9 +163,7 @@ impl Digest {
         let ([axis], Some([low, high])) = (&head.axes[..], self.ends(0)) else {
             return Ok(None);
         };
-        let displacements = head.displacements.iter().copied().enumerate();
-        let lengths = displacements.filter(|(_, channel)| channel.unit() == "m");
-        let lengths: Vec<_> = lengths.collect();
+        let lengths = head.lengths();
         // of every displacement: value of the axis and place in µm, up and down
         let mut found = vec![<[Places; 2]>::default(); lengths.len()];
         let every = self.points.div_ceil(MOST_PLACES).max(1);

@@ -56,6 +56,12 @@ impl StudyHead {
         first_difference(&json!(self), &json!(other))
     }
 
+    /// The displacements that are lengths, each with its place among all.
+    pub(super) fn lengths(&self) -> Vec<(usize, Channel)> {
+        let all = self.displacements.iter().copied().enumerate();
+        all.filter(|(_, channel)| channel.unit() == "m").collect()
+    }
+
     /// Whether a row is one of its part, with all that belongs to it.
     fn owns(&self, row: &RunRecord) -> bool {
         let moving = self.displacements.len();

@@ -17,147 +17,134 @@ const BETWEEN_WARNINGS: &str = " | ";
 /// The cells of a row, as texts.
 type Cells = Vec<String>;
 
-/// A table of a study.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Table {
-    /// Values and numbers of every run.
-    Runs,
-    /// Amplitudes of every run.
-    Spectra,
-    /// Named peaks of every run.
-    Peaks,
-    /// Places of the shaft in every run.
-    Points,
-    /// Stiffness of every bearing in every run.
-    Stiffness,
-    /// Every bearing all around in every static answer.
-    Around,
-    /// What the trace of every run is known by.
-    Traces,
+/// A table with rows of every run that is done, beside that of the runs.
+struct Table {
+    file: &'static str,
+    is_kept: fn(&StudyHead) -> bool,
+    /// Its columns behind the number of the run.
+    columns: fn(&StudyHead) -> Vec<Column>,
+    /// The rows of a run without its number.
+    rows: fn(&Outcome) -> Vec<Cells>,
 }
 
-impl Table {
-    const ALL: [Self; 7] = [
-        Self::Runs,
-        Self::Spectra,
-        Self::Peaks,
-        Self::Points,
-        Self::Stiffness,
-        Self::Around,
-        Self::Traces,
-    ];
-
-    fn is_kept(self, head: &StudyHead) -> bool {
-        let keep = &head.keep;
-        match self {
-            Self::Runs => true,
-            Self::Spectra | Self::Peaks => keep.highest_order.is_some(),
-            Self::Points => keep.section.is_some(),
-            Self::Stiffness => keep.bearing_stiffness,
-            Self::Around => head.ask == Ask::Bearing,
-            Self::Traces => keep.traces,
-        }
-    }
-
-    fn file(self) -> &'static str {
-        match self {
-            Self::Runs => "runs.csv",
-            Self::Spectra => "spectra.csv",
-            Self::Peaks => "peaks.csv",
-            Self::Points => "poincare.csv",
-            Self::Stiffness => "stiffness.csv",
-            Self::Around => "around.csv",
-            Self::Traces => "traces.csv",
-        }
-    }
-
-    fn columns(self, head: &StudyHead) -> Vec<Column> {
-        let displacements = head.displacements.iter();
-        let own = match self {
-            Self::Runs => return run_columns(head),
-            Self::Spectra => {
-                let axes = [Column::frequency(), Column::order()];
-                let amplitudes = displacements.map(|channel| channel.measure("amplitude"));
-                axes.into_iter().chain(amplitudes).collect()
-            }
-            Self::Peaks => {
-                let [channel, unit, name] =
-                    ["channel", "unit", "name"].map(|quantity| Column::words(quantity, NO_WORDS));
-                let amplitude = Column::number("amplitude", "");
-                vec![
-                    channel,
-                    unit,
-                    Column::frequency(),
-                    Column::order(),
-                    amplitude,
-                    name,
-                ]
-            }
-            Self::Points => {
-                let time = [Channel::Time.column()].into_iter();
-                time.chain(displacements.map(|channel| channel.column()))
-                    .collect()
-            }
-            Self::Stiffness => stiffness_columns(),
-            Self::Around => {
-                let numbers = AROUND.map(|(quantity, unit, _)| Column::number(quantity, unit));
-                let start = [Column::count("bearing"), Column::count("position")];
-                start.into_iter().chain(numbers).collect()
-            }
-            Self::Traces => vec![Column::count("bytes"), Column::words("checksum", NO_WORDS)],
-        };
-        [vec![Column::count("run")], own].concat()
-    }
-
-    /// The rows of a run, but for the table of runs, each without the number of the run.
-    fn rows(self, outcome: &Outcome) -> Vec<Cells> {
-        let row = |start: Cells, numbers: &[f64]| -> Cells {
-            let numbers = numbers.iter().copied().map(number);
-            start.into_iter().chain(numbers).collect()
-        };
-        match self {
-            Self::Runs => Vec::new(),
-            Self::Spectra => (outcome.spectrum.iter())
+/// Amplitudes and named peaks, places of the shaft, stiffness of every bearing, every bearing all around, and what the traces are
+/// known by.
+static TABLES: [Table; 6] = [
+    Table {
+        file: "spectra.csv",
+        is_kept: |head| head.keep.highest_order.is_some(),
+        columns: |head| {
+            let amplitudes = head.displacements.iter();
+            let amplitudes = amplitudes.map(|channel| channel.measure("amplitude"));
+            let axes = [Column::frequency(), Column::order()];
+            axes.into_iter().chain(amplitudes).collect()
+        },
+        rows: |outcome| {
+            let lines = outcome.spectrum.iter();
+            lines
                 .map(|line| {
-                    let start = vec![number(line.frequency), cell(line.order)];
-                    row(start, &line.amplitudes)
+                    let place = vec![number(line.frequency), cell(line.order)];
+                    row(place, &line.amplitudes)
                 })
-                .collect(),
-            Self::Peaks => (outcome.peaks.iter())
+                .collect()
+        },
+    },
+    Table {
+        file: "peaks.csv",
+        is_kept: |head| head.keep.highest_order.is_some(),
+        columns: |_| {
+            vec![
+                Column::words("channel", NO_WORDS),
+                Column::words("unit", NO_WORDS),
+                Column::frequency(),
+                Column::order(),
+                Column::number("amplitude", ""),
+                Column::words("name", NO_WORDS),
+            ]
+        },
+        rows: |outcome| {
+            let peaks = outcome.peaks.iter();
+            peaks
                 .map(|peak| {
-                    let [of, unit] = [peak.channel.name(), peak.channel.unit()];
                     vec![
-                        of.to_owned(),
-                        unit.to_owned(),
+                        peak.channel.name().to_owned(),
+                        peak.channel.unit().to_owned(),
                         number(peak.frequency),
                         cell(peak.order),
                         number(peak.amplitude),
                         peak.name.clone().unwrap_or_default(),
                     ]
                 })
-                .collect(),
-            Self::Points => (outcome.points.iter())
+                .collect()
+        },
+    },
+    Table {
+        file: "poincare.csv",
+        is_kept: |head| head.keep.section.is_some(),
+        columns: |head| {
+            let displacements = head.displacements.iter().map(|channel| channel.column());
+            std::iter::once(Channel::Time.column())
+                .chain(displacements)
+                .collect()
+        },
+        rows: |outcome| {
+            let points = outcome.points.iter();
+            points
                 .map(|point| row(vec![number(point.time)], &point.displacement))
-                .collect(),
-            Self::Stiffness => (outcome.stiffness.iter())
+                .collect()
+        },
+    },
+    Table {
+        file: "stiffness.csv",
+        is_kept: |head| head.keep.bearing_stiffness,
+        columns: |_| stiffness_columns(),
+        rows: |outcome| {
+            let bearings = outcome.stiffness.iter();
+            bearings
                 .map(|of| {
                     let start = vec![of.bearing.to_string(), number(of.speed)];
                     row(start, &[of.stiffness, of.damping].concat())
                 })
-                .collect(),
-            Self::Around => (outcome.around.iter())
+                .collect()
+        },
+    },
+    Table {
+        file: "around.csv",
+        is_kept: |head| head.ask == Ask::Bearing,
+        columns: |_| {
+            let numbers = AROUND.map(|(quantity, unit, _)| Column::number(quantity, unit));
+            let start = [Column::count("bearing"), Column::count("position")];
+            start.into_iter().chain(numbers).collect()
+        },
+        rows: |outcome| {
+            let places = outcome.around.iter();
+            places
                 .map(|place| {
                     let start = vec![place.bearing.to_string(), place.position.to_string()];
                     row(start, &place.numbers)
                 })
-                .collect(),
-            Self::Traces => (outcome.trace.iter())
+                .collect()
+        },
+    },
+    Table {
+        file: "traces.csv",
+        is_kept: |head| head.keep.traces,
+        columns: |_| vec![Column::count("bytes"), Column::words("checksum", NO_WORDS)],
+        rows: |outcome| {
+            let traces = outcome.trace.iter();
+            traces
                 .map(|TraceSeal { bytes, checksum }| {
                     vec![bytes.to_string(), format!("{checksum:08x}")]
                 })
-                .collect(),
-        }
-    }
+                .collect()
+        },
+    },
+];
+
+/// Numbers behind the first cells of a row.
+fn row(start: Cells, numbers: &[f64]) -> Cells {
+    let numbers = numbers.iter().copied().map(number);
+    start.into_iter().chain(numbers).collect()
 }
 
 /// The words of columns whose cells are texts.
@@ -208,40 +195,50 @@ fn stiffness_columns() -> Vec<Column> {
     columns
 }
 
+/// A table while it is written.
+type Writer = (PathBuf, csv::Writer<PartialFile>);
+
 /// The tables of a study while they are written.
 pub(super) struct Tables<'a> {
     head: &'a StudyHead,
-    files: Vec<(Table, PathBuf, csv::Writer<PartialFile>)>,
+    runs: Writer,
+    others: Vec<(&'static Table, Writer)>,
 }
 
 impl<'a> Tables<'a> {
     /// Begins the tables that the study keeps.
     pub fn begin(folder: &RunFolder, head: &'a StudyHead) -> Result<Self, ReportError> {
-        let kept = Table::ALL.into_iter().filter(|table| table.is_kept(head));
-        let begin = |table: Table| {
-            let file = folder.create(table.file())?;
+        let begin = |file, columns: Vec<Column>| {
+            let file = folder.create(file)?;
             let path = file.path().to_owned();
             let mut writer = csv::Writer::from_writer(file);
-            let written = writer.write_record(table.columns(head).iter().map(Column::name));
+            let written = writer.write_record(columns.iter().map(Column::name));
             written.map_err(refused(&path))?;
-            Ok((table, path, writer))
+            Ok((path, writer))
         };
-        let files = kept.map(begin).collect::<Result<_, _>>()?;
-        Ok(Self { head, files })
+        let runs = begin("runs.csv", run_columns(head))?;
+        let kept = TABLES.iter().filter(|table| (table.is_kept)(head));
+        let others = kept.map(|table| {
+            let columns = [vec![Column::count("run")], (table.columns)(head)].concat();
+            Ok((table, begin(table.file, columns)?))
+        });
+        let others = others.collect::<Result<_, _>>()?;
+        Ok(Self { head, runs, others })
     }
 
     /// Adds the rows of a run.
     pub fn add(&mut self, record: &RunRecord) -> Result<(), ReportError> {
+        let (path, runs) = &mut self.runs;
+        let written = runs.write_record(run_row(self.head, record));
+        written.map_err(refused(path))?;
+        let Ok(outcome) = &record.outcome else {
+            return Ok(());
+        };
         let run = record.run.to_string();
-        for (table, path, writer) in &mut self.files {
-            let written = match (&table, &record.outcome) {
-                (Table::Runs, _) => writer.write_record(run_row(self.head, record)),
-                (_, Err(_)) => Ok(()),
-                (_, Ok(outcome)) => table
-                    .rows(outcome)
-                    .iter()
-                    .try_for_each(|row| writer.write_record(std::iter::once(&run).chain(row))),
-            };
+        for (table, (path, writer)) in &mut self.others {
+            let rows = (table.rows)(outcome);
+            let mut rows = rows.iter().map(|row| std::iter::once(&run).chain(row));
+            let written = rows.try_for_each(|row| writer.write_record(row));
             written.map_err(refused(path))?;
         }
         Ok(())
@@ -249,12 +246,13 @@ impl<'a> Tables<'a> {
 
     /// Ends them.
     pub fn end(self) -> Result<Vec<WholeFile>, ReportError> {
-        let end = |(_, path, writer): (Table, PathBuf, csv::Writer<PartialFile>)| {
+        let others = self.others.into_iter().map(|(_, writer)| writer);
+        let end = |(path, writer): Writer| {
             let file = writer.into_inner();
             let file = file.map_err(|error| refused(&path)(error.into_error().into()))?;
             file.close()
         };
-        self.files.into_iter().map(end).collect()
+        std::iter::once(self.runs).chain(others).map(end).collect()
     }
 }
 

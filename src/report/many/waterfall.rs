@@ -69,7 +69,7 @@ impl Digest {
         let nearest = self.nearest(over, ends, asked);
         let mut columns: BTreeMap<u64, _> = nearest.iter().map(|run| (*run, None)).collect();
         let runs = columns.keys().copied().collect::<Vec<_>>();
-        let channels = lengths(&self.head.displacements);
+        let channels = self.head.lengths();
         rows.each_of(runs.into_iter(), |row| {
             let Ok(outcome) = &row.outcome else { return };
             if !outcome.spectrum.is_empty() {
@@ -112,12 +112,6 @@ impl Digest {
         let cells = (0..MOST_CELLS).filter_map(nearest);
         cells.map(|(_, run)| *run).collect()
     }
-}
-
-/// The displacements that are lengths, each with its index.
-fn lengths(displacements: &[Channel]) -> Vec<(usize, Channel)> {
-    let all = displacements.iter().copied().enumerate();
-    all.filter(|(_, channel)| channel.unit() == "m").collect()
 }
 
 /// In every cell up to `highest` the largest amplitude, or where none falls into it, the nearest; nothing beyond the
