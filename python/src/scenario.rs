@@ -258,7 +258,10 @@ impl CheckedScenario {
         at: Vec<String>,
         at_speed: Option<String>,
     ) -> PyResult<Findings> {
-        let at = at.iter().map(|text| position(text)).collect::<Result<Vec<_>, _>>();
+        let at = at
+            .iter()
+            .map(|text| position(text))
+            .collect::<Result<Vec<_>, _>>();
         let at = at.map_err(|issue| issue_error(py, &issue))?;
         let question = MatricesQuestion::new(&self.scenario, &at, given_speed(py, at_speed)?);
         let question = question.map_err(|error| ask_error(py, &error))?;

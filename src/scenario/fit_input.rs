@@ -12,7 +12,7 @@ use super::key::{self, Key, KeyPaths, number_keys};
 use super::observation::ObservationInput;
 use super::problems::Problems;
 use super::quantity::{Length, Quantity};
-use super::study_file::SetInput;
+use super::set_input::SetInput;
 use super::{Issue, Scenario, echo, open};
 use crate::fit::{Kind, Observation, Unknown};
 

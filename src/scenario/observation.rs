@@ -10,7 +10,7 @@ use serde_json::Value;
 use super::axis::Scalar;
 use super::measured_value::{Amplitude, deviation, percent, read};
 use super::problems::{Issue, Problems};
-use super::study_file::SetInput;
+use super::set_input::SetInput;
 use crate::analysis::Channel;
 use crate::fit::{Kind, Observation, Wanted};
 use crate::rotor::RotorDefinition;

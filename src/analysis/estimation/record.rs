@@ -23,10 +23,7 @@ pub(super) struct Record<'a> {
 }
 
 impl<'a> Record<'a> {
-    pub fn of(
-        recording: &'a Recording,
-        request: &SpectrumRequest,
-    ) -> Result<Self, EstimateError> {
+    pub fn of(recording: &'a Recording, request: &SpectrumRequest) -> Result<Self, EstimateError> {
         match (request.axis, recording.grid.per_revolution) {
             (Axis::Order, None) => Self::resampled(recording, request),
             _ => Ok(Self::as_recorded(recording, request)),
