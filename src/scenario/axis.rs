@@ -7,7 +7,8 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::Issue;
-use super::key::{Key, KeyPaths, entry};
+use super::key::Key;
+use super::key_path::{KeyPaths, entry};
 use super::problems::Problems;
 use crate::study::Variable;
 use crate::study::plan::{Axis, Distribution, MOST_RUNS, Shape};

@@ -7,9 +7,10 @@ use serde_json::{Value, json};
 use super::document::Document;
 use super::fit_input::FitFileInput;
 use super::input::Questions;
-use super::key::{self, Key};
+use super::key::Key;
 use super::problems::Problems;
 use super::schema::schema_of;
+use super::typed::number;
 use super::{Format, Issue, Scenario, ScenarioError, questions, reader};
 use crate::fit::{Effort, Kind, Observation, Question, Unknown, Wanted};
 use crate::study::Variable;
@@ -187,7 +188,7 @@ impl FitFile {
                 let path = format!("unbalance[].{key}");
                 plane[key]
                     .as_str()
-                    .and_then(|text| key::number(text, &path, key).ok())
+                    .and_then(|text| number(text, &path, key).ok())
                     .unwrap_or(0.0)
             };
             Balance {

@@ -8,7 +8,8 @@ use serde_json::json;
 
 use super::axis::Scalar;
 use super::fit_file::{Correction, FitFile, TURN};
-use super::key::{self, Key, KeyPaths, number_keys};
+use super::key::{self, Key, number_keys};
+use super::key_path::KeyPaths;
 use super::observation::ObservationInput;
 use super::problems::Problems;
 use super::quantity::{Length, Quantity};

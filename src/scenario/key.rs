@@ -1,19 +1,14 @@
 //! Keys of a scenario by their paths: which there are, and which values each can have, in a file or on a command line.
 
-use std::borrow::Cow;
-use std::sync::LazyLock;
+use serde_json::{Number, Value};
 
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::{Deserialize, Serialize};
-use serde_json::{Map, Number, Value};
-
+use super::key_path::{entry, join, matches, set_value, value_at};
 use super::node::{Content, Node};
 use super::problems::Problems;
 use super::quantity::{Dimension, Parsed};
-use super::reader::Range;
+use super::range::Range;
 use super::schema::schema;
 use super::{Issue, quantity, reader};
-use crate::integrate::Method;
 use crate::study::Variable;
 
 /// A key whose value may be another one than that of the file, or several that change together.
@@ -26,45 +21,6 @@ pub(super) struct Key {
     schema: &'static Value,
     /// What it measures; of several that it can, what its value in the scenario does. `None` of a plain number.
     dimension: Option<Dimension>,
-}
-
-/// The path of a key, or the paths of several that change together; `*` stands for every entry of a list.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(untagged)]
-pub(super) enum KeyPaths {
-    One(String),
-    Several(Vec<String>),
-}
-
-impl Default for KeyPaths {
-    fn default() -> Self {
-        Self::Several(Vec::new())
-    }
-}
-
-impl KeyPaths {
-    /// All of them.
-    pub fn all(&self) -> &[String] {
-        match self {
-            Self::One(path) => std::slice::from_ref(path),
-            Self::Several(paths) => paths,
-        }
-    }
-}
-
-impl JsonSchema for KeyPaths {
-    fn schema_name() -> Cow<'static, str> {
-        "key_paths".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({
-            "type": ["string", "array"],
-            "items": { "type": "string" },
-            "minItems": 1,
-            "maxItems": 64,
-        })
-    }
 }
 
 /// Every key of a number outside some tables; lists have as many entries as `given` has.
@@ -109,26 +65,6 @@ fn collect(
     }
 }
 
-/// The path of a key in a table.
-pub(super) fn join(table: &str, key: &str) -> String {
-    if table.is_empty() {
-        key.to_owned()
-    } else {
-        format!("{table}.{key}")
-    }
-}
-
-/// The path of an entry of a list; people count from 1.
-pub(super) fn entry(list: &str, index: usize) -> String {
-    format!("{list}[{}]", index + 1)
-}
-
-/// The index of a step of a path, `2]` for the second entry of a list; none of another step.
-pub(super) fn index(step: &str) -> Option<usize> {
-    let number: usize = step.strip_suffix(']')?.parse().ok()?;
-    number.checked_sub(1)
-}
-
 /// The key of some paths among those known, or an issue about `place`, where they are given.
 pub(super) fn find(known: &[Key], paths: &[String], place: &str) -> Result<Key, Issue> {
     let mut found: Option<Key> = None;
@@ -158,19 +94,6 @@ pub(super) fn find(known: &[Key], paths: &[String], place: &str) -> Result<Key, 
         }
     }
     found.ok_or_else(|| Issue::new(place, "it names no key"))
-}
-
-/// Whether a path is one of those that a pattern stands for.
-fn matches(pattern: &str, path: &str) -> bool {
-    let [mut pattern, mut path] = [pattern, path].map(|path| path.split(['.', '[']));
-    loop {
-        match (pattern.next(), path.next()) {
-            (None, None) => return true,
-            (Some("*]"), Some(step)) if step.ends_with(']') => {}
-            (Some(asked), Some(step)) if asked == step => {}
-            _ => return false,
-        }
-    }
 }
 
 impl Key {
@@ -335,118 +258,9 @@ impl Key {
     }
 }
 
-/// The value of a path, where there is one.
-fn value_at<'a>(tree: &'a Value, path: &str) -> Option<&'a Value> {
-    let mut steps = path.split(['.', '[']);
-    steps.try_fold(tree, |place, step| match index(step) {
-        Some(index) => place.get(index),
-        None => place.get(step),
-    })
-}
-
-/// Sets the value of a path, making the tables that lead there.
-pub(super) fn set_value(tree: &mut Value, path: &str, value: &Value) {
-    let mut place = tree;
-    for step in path.split(['.', '[']) {
-        place = match index(step) {
-            Some(index) => match place.get_mut(index) {
-                Some(item) => item,
-                None => return,
-            },
-            None => {
-                if !place.is_object() {
-                    *place = Value::Object(Map::new());
-                }
-                &mut place[step]
-            }
-        };
-    }
-    *place = value.clone();
-}
-
-/// The number in SI units that the key of a path can have; in it `load[]` stands for any load. `name` is what messages
-/// call it.
-///
-/// # Errors
-/// [`Issue`] says what is wrong with the text.
-pub fn number(text: &str, path: &str, name: &str) -> Result<f64, Issue> {
-    let key = Key::named(path);
-    Ok(key.si(&key.typed(text, name)?))
-}
-
-/// A speed with its unit in rad/s, zero or positive.
-///
-/// # Errors
-/// [`Issue`] says what is wrong with the text.
-pub fn speed(text: &str) -> Result<f64, Issue> {
-    number(text, "speed.constant", "speed")
-}
-
-/// A frequency with its unit in Hz, positive.
-///
-/// # Errors
-/// [`Issue`] says what is wrong with the text.
-pub fn frequency(text: &str) -> Result<f64, Issue> {
-    number(text, "output.sample_rate", "frequency")
-}
-
-/// Seconds of a time with its unit, zero or positive.
-///
-/// # Errors
-/// [`Issue`] says what is wrong with the text.
-pub fn time(text: &str) -> Result<f64, Issue> {
-    number(text, "time.settle", "time")
-}
-
-/// A position along the shaft with its unit in m.
-///
-/// # Errors
-/// [`Issue`] says what is wrong with the text.
-pub fn position(text: &str) -> Result<f64, Issue> {
-    number(text, "load[].position", "position")
-}
-
-/// A tolerance as a run can be asked to keep to.
-///
-/// # Errors
-/// [`Issue`] where it is none.
-pub fn tolerance(text: &str) -> Result<f64, Issue> {
-    number(text, "integrator.tolerance", "tolerance")
-}
-
-/// All methods that a scenario can name.
-pub fn methods() -> &'static [Method] {
-    static METHODS: LazyLock<Vec<Method>> = LazyLock::new(|| {
-        let words = Key::named("integrator.method").words().into_iter();
-        words.filter_map(|word| method(word).ok()).collect()
-    });
-    &METHODS
-}
-
-/// The method of a name.
-///
-/// # Errors
-/// [`Issue`] names those that there are.
-pub fn method(name: &str) -> Result<Method, Issue> {
-    let word = Key::named("integrator.method").typed(name, "method")?;
-    serde_json::from_value(word).map_err(|error| Issue::new("method", error.to_string()))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_star_stands_for_every_entry_of_a_list() {
-        assert!(matches("bearing[*].preload", "bearing[12].preload"));
-        assert!(matches("load[1].constant.z", "load[1].constant.z"));
-        assert!(!matches(
-            "bearing[*].preload",
-            "bearing[1].geometry.preload"
-        ));
-        assert!(!matches("load[*].constant.z", "load[1].constant"));
-        assert!(!matches("bearing.*", "bearing[1]"));
-    }
 
     #[test]
     fn keys_that_change_together_measure_the_same() {
@@ -478,29 +292,5 @@ mod tests {
             second.shared_with(&found(&["bearing[1].preload"]).unwrap()),
             None
         );
-    }
-
-    #[test]
-    fn a_speed_needs_its_unit() {
-        assert_eq!(speed("500 rad/s").unwrap(), 500.0);
-        assert!(speed("500").is_err());
-    }
-
-    #[test]
-    fn a_time_needs_its_unit() {
-        assert_eq!(time("250 ms").unwrap(), 0.25);
-        assert!(time("0.25").is_err());
-    }
-
-    #[test]
-    fn a_tolerance_is_positive() {
-        assert_eq!(tolerance("1e-6"), Ok(1e-6));
-        assert!(tolerance("0").is_err());
-    }
-
-    #[test]
-    fn methods_have_the_names_of_a_scenario() {
-        let names = methods();
-        assert!(names.iter().any(|named| named.to_string() == "dop853"));
     }
 }

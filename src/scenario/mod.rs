@@ -18,7 +18,8 @@ pub(crate) mod document;
 pub(crate) mod fit_file;
 mod fit_input;
 mod input;
-pub(crate) mod key;
+mod key;
+mod key_path;
 mod matrices_file;
 mod measured_value;
 mod node;
@@ -26,6 +27,7 @@ mod observation;
 mod open;
 mod problems;
 mod quantity;
+mod range;
 mod reader;
 mod record_file;
 mod removed;
@@ -37,8 +39,11 @@ mod signals;
 pub(crate) mod study_file;
 mod study_input;
 mod tolerance_file;
+pub(crate) mod typed;
 mod unit;
+mod unit_words;
 mod visible;
+mod wrong_value;
 
 use std::path::{Path, PathBuf};
 
@@ -60,8 +65,6 @@ pub(crate) use fit_file::{Balance, FitFile, fit_schema, load_fit};
 pub(crate) use input::Output;
 #[doc(hidden)]
 pub use input::TableFormat;
-pub use key::methods;
-pub(crate) use key::{frequency, method, number, position, speed, time, tolerance};
 pub(crate) use open::OpenScenario;
 pub use problems::{Issue, ScenarioError};
 use record_file::check_record;
@@ -73,6 +76,8 @@ pub use schema::schema;
 use study_file::check_study;
 pub(crate) use study_file::{StudyFile, load_study, study_schema};
 pub(crate) use tolerance_file::ToleranceFile;
+pub use typed::methods;
+pub(crate) use typed::{frequency, method, number, position, speed, time, tolerance};
 pub(crate) use visible::{is_visible, visible};
 
 /// Language of a scenario file.

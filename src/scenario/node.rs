@@ -9,7 +9,7 @@ use serde_json::{Number, Value};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::key::index;
+use super::key_path::index;
 use super::problems::Issue;
 
 /// A value and its place.

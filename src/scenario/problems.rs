@@ -6,7 +6,7 @@ use std::path::Path;
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 use serde_json::{Value, json};
 
-use super::key::{entry, join};
+use super::key_path::{entry, join};
 use super::node::Node;
 use super::visible;
 

@@ -5,7 +5,8 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::axis::Scalar;
-use super::key::{self, Key, KeyPaths, all_keys};
+use super::key::{self, Key, all_keys};
+use super::key_path::KeyPaths;
 use super::problems::Problems;
 
 /// One value that all runs have.

@@ -53,7 +53,7 @@ impl<'a> Setting<'a> {
                 return Err(format!("`{}` is no list here", self.key));
             };
             let count = items.len();
-            let all = match (number, super::key::index(step)) {
+            let all = match (number, super::key_path::index(step)) {
                 ("*", _) => 0..count,
                 (_, Some(index)) if index == count => {
                     items.push(Node::table(span));

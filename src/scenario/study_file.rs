@@ -8,7 +8,8 @@ use serde_json::{Value, json};
 
 use super::document::Document;
 use super::input::Questions;
-use super::key::{Key, set_value};
+use super::key::Key;
+use super::key_path::set_value;
 use super::problems::Problems;
 use super::schema::schema_of;
 use super::study_input::StudyFileInput;

@@ -8,7 +8,8 @@ use serde_json::{Value, json};
 
 use super::axis::{AxisInput, AxisReader};
 use super::document::Document;
-use super::key::{all_keys, entry};
+use super::key::all_keys;
+use super::key_path::entry;
 use super::problems::Problems;
 use super::set_input::SetInput;
 use super::study_file::{StudyFile, TIMES, base_of};

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::document::Document;
-use super::key::entry;
+use super::key_path::entry;
 use super::schema::schema_of;
 use super::{Format, Issue, ScenarioError, reader};
 

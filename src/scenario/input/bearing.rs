@@ -5,9 +5,13 @@ use std::f64::consts::FRAC_PI_2;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::arrangement::Arrangement;
+use super::ball_sizes::BallSizesInput;
 use super::fit::FitInput;
-use super::geometry::{GeometryInput, Printed, Sources};
-use super::imperfections::{BallSizesInput, CageJitterInput, DefectInput, WavinessInput};
+use super::geometry::GeometryInput;
+use super::identity::Identity;
+use super::imperfections::{CageJitterInput, DefectInput, WavinessInput};
+use super::material::{MaterialInput, material};
 use super::oil::OilInput;
 use super::ratings::RatingsInput;
 use super::roller::{PrintedRollers, RollerInput};
@@ -15,16 +19,14 @@ use super::settings::{ContactChoice, ModelInput};
 use super::support::HousingInput;
 use crate::bearing::catalogue::{CATALOGUE, Catalogue};
 use crate::bearing::{
-    Bearing, BearingError, ClearanceClass, ContactDamping, ContactLaw, Estimate, Facing, Geometry,
-    GeometryError, Imperfections, MountedBearing, Oil, Preload, catalogue,
+    Bearing, BearingError, ClearanceClass, ContactDamping, Facing, GeometryError, MountedBearing,
+    Oil, Preload, catalogue,
 };
-use crate::physics::{Material, Race, RaceControl, SkfFriction};
+use crate::physics::{Race, RaceControl};
 use crate::rotor::Freedoms;
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
-use crate::scenario::quantity::{
-    Angle, AngularSpeed, Density, Force, Length, Pressure, Quantity, si,
-};
+use crate::scenario::quantity::{Angle, AngularSpeed, Force, Length, Quantity, si};
 
 /// A ball or roller bearing and its place on the shaft.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -297,134 +299,8 @@ impl BearingInput {
         }))
     }
 
-    /// Balls and races of the bearing, and what is known with them.
-    fn ball_bearing(
-        &self,
-        freedoms: Freedoms,
-        catalogue: &Catalogue,
-        problems: &mut Problems<'_>,
-    ) -> Option<Bearing> {
-        let printed = self.identity().printed(catalogue, problems)?;
-        let known = printed.as_ref();
-        let line = known.map(|printed| printed.line);
-        let skf_friction = known.and_then(|printed| SkfFriction::from_designation(&printed.name));
-        let class = known.and_then(|printed| printed.class);
-        let input = self.geometry.clone().unwrap_or_default();
-        let sources = Sources {
-            input: &input,
-            printed,
-            clearance_class: self.clearance_class.or(class),
-        };
-        let change = self.clearance_change.si();
-        let (geometry, estimate) = sources.build(freedoms, change, problems)?;
-        if let Some(estimate) = estimate.as_ref().filter(|own| !own.notes.is_empty()) {
-            problems.warn(format!(
-                "`{}`: {} balls of {:.3} mm are estimated from the ratings: {}",
-                problems.path("."),
-                estimate.internal.balls,
-                1e3 * estimate.internal.ball_diameter,
-                estimate.notes.join("; ")
-            ));
-        }
-        Some(Bearing {
-            contact_stiffness: si(&input.contact_stiffness),
-            dynamic_rating: line.map(|line| line.dynamic_rating),
-            clearance_class: sources.class_taken(),
-            boundary: line.map(|line| [line.bore, line.outside_diameter]),
-            estimated: estimate.as_ref().is_some_and(Estimate::is_estimated),
-            skf_friction,
-            ..Bearing::of_steel(geometry)
-        })
-    }
-
-    /// The force law of a ball bearing and the oil that parts its surfaces, as far as nothing contradicts them.
-    fn ball_law(
-        &self,
-        bearing: &Bearing,
-        model: &ModelInput,
-        problems: &mut Problems<'_>,
-    ) -> (ContactLaw, Option<Oil>) {
-        if let Err(error) = bearing.load_deflection_constant() {
-            let key = match error {
-                BearingError::Contact { race: "inner", .. } => ".geometry.groove_factor_inner",
-                _ => ".geometry.groove_factor_outer",
-            };
-            problems.refuse(Issue::new(key, error.to_string()));
-        }
-        self.check_law(model, problems);
-        let control = self.race_control.or(model.race_control);
-        let law = match (self.contact(model), bearing.contact_stiffness) {
-            // a stiffness of both races together knows no ball inertia
-            (ContactChoice::Auto, Some(_)) => ContactChoice::Hertz.law(control),
-            (contact, _) => contact.law(control),
-        };
-        (law, self.film_oil(model, problems))
-    }
-
-    /// What makes its surfaces differ from perfect ones, as far as it fits.
-    fn imperfections(
-        &self,
-        geometry: &Geometry,
-        model: &ModelInput,
-        problems: &mut Problems<'_>,
-    ) -> Option<Imperfections> {
-        for (key, given) in [
-            (".defect", !self.defect.is_empty()),
-            (".waviness", !self.waviness.is_empty()),
-            (".ball_sizes", self.ball_sizes.is_some()),
-            (".roller_sizes", self.roller_sizes.is_some()),
-            (".cage_jitter", self.cage_jitter.is_some()),
-        ] {
-            if given {
-                self.check_imperfect(key, model, problems);
-            }
-        }
-        let defects = problems.each("defect", &self.defect, |defect, problems| {
-            problems.take(defect.build(geometry))
-        });
-        let waves = problems.each("waviness", &self.waviness, |waviness, problems| {
-            waviness.build(geometry, problems)
-        });
-        let all = [
-            ("ball_sizes", &self.ball_sizes),
-            ("roller_sizes", &self.roller_sizes),
-        ];
-        let (own, other) = match geometry.rollers() {
-            Some(_) => (all[1], all[0]),
-            None => (all[0], all[1]),
-        };
-        if other.1.is_some() {
-            let message = format!("this bearing has {}s", geometry.element());
-            let issue = Issue::new(format!(".{}", other.0), message);
-            problems.refuse(issue.help(format!("call it `{}`", own.0)));
-        }
-        let oversizes = problems.given(own.0, own.1, |sizes, problems| {
-            sizes.build(geometry, problems)
-        });
-        let cage_steps = problems.given("cage_jitter", &self.cage_jitter, |jitter, problems| {
-            problems.take(jitter.build(geometry))
-        });
-        Some(Imperfections {
-            defects: defects?,
-            waves: waves?.into_iter().flatten().collect(),
-            oversizes: oversizes?.unwrap_or_default(),
-            cage_slip: self.cage_slip,
-            cage_steps: cage_steps?.unwrap_or_default(),
-        })
-    }
-
-    /// Refuses imperfect surfaces where no ball rolls over them, and where it is not clear on which bearing they are.
-    fn check_imperfect(&self, key: &str, model: &ModelInput, problems: &mut Problems<'_>) {
-        if self.contact(model) == ContactChoice::Linear {
-            let message = "contact = \"linear\" freezes the force of the bearing, and no ball rolls over its surfaces";
-            let issue = Issue::new(key, message).help("remove it, or set contact = \"hertz\"");
-            problems.refuse(issue.against_all([".contact", "model.contact"]));
-        }
-        self.check_alone(key, problems);
-    }
-
     /// Refuses what belongs to one bearing where there are two.
-    fn check_alone(&self, key: &str, problems: &mut Problems<'_>) {
+    pub(super) fn check_alone(&self, key: &str, problems: &mut Problems<'_>) {
         if self.arrangement.is_some() {
             let message = "of a set of two bearings it is not clear which one this belongs to";
             let issue = Issue::new(key, message).help(
@@ -435,7 +311,7 @@ impl BearingInput {
     }
 
     /// Refuses what the force law of the bearing does not know.
-    fn check_law(&self, model: &ModelInput, problems: &mut Problems<'_>) {
+    pub(super) fn check_law(&self, model: &ModelInput, problems: &mut Problems<'_>) {
         let contact = self.contact(model);
         let law = [".contact", "model.contact"];
         if self.race_control.is_some() && !contact.knows_inertia() {
@@ -458,7 +334,7 @@ impl BearingInput {
     }
 
     /// The oil, where its films part the surfaces.
-    fn film_oil(&self, model: &ModelInput, problems: &mut Problems<'_>) -> Option<Oil> {
+    pub(super) fn film_oil(&self, model: &ModelInput, problems: &mut Problems<'_>) -> Option<Oil> {
         if self.contact(model) == ContactChoice::Auto && self.film.is_none() {
             // films are considered where there is oil
             return self.oil.as_ref().map(OilInput::build);
@@ -517,90 +393,13 @@ impl BearingInput {
     }
 
     /// What says which bearing it is.
-    fn identity(&self) -> Identity<'_> {
+    pub(super) fn identity(&self) -> Identity<'_> {
         Identity {
             catalogue: self.catalogue.as_deref(),
             ratings: self.ratings.as_ref(),
             has_geometry: self.geometry.is_some(),
             clearance_class: self.clearance_class,
         }
-    }
-}
-
-/// What says which bearing it is.
-pub struct Identity<'a> {
-    /// Its designation.
-    pub catalogue: Option<&'a str>,
-    /// What a catalogue prints of it.
-    pub ratings: Option<&'a RatingsInput>,
-    /// Whether dimensions are given.
-    pub has_geometry: bool,
-    /// Class of the clearance, where it is given.
-    pub clearance_class: Option<ClearanceClass>,
-}
-
-impl Identity<'_> {
-    /// What a catalogue prints of the bearing, `Some(None)` where only the geometry is given; `None` where nothing tells what
-    /// the bearing is.
-    pub fn printed(
-        &self,
-        catalogue: &Catalogue,
-        problems: &mut Problems<'_>,
-    ) -> Option<Option<Printed>> {
-        let printed = match (self.catalogue, self.ratings) {
-            (Some(_), Some(_)) => {
-                let message = "`catalogue` and `ratings` both say what the bearing is";
-                let issue = Issue::new(".ratings", message).help("keep one of them");
-                Err(issue.against(".catalogue"))
-            }
-            (None, Some(ratings)) => Ok(Some(Printed {
-                line: ratings.line(),
-                name: "the bearing of these ratings".to_owned(),
-                key: ".ratings",
-                class: None,
-            })),
-            (None, None) if self.has_geometry => Ok(None),
-            (None, None) => {
-                let message = format!(
-                    "`{}` needs `catalogue`, a table `[bearing.ratings]`, `[bearing.geometry]` or `[bearing.roller]`",
-                    problems.path(".")
-                );
-                let issue =
-                    Issue::new(".catalogue", message).help("for instance: catalogue = \"7205C\"");
-                Err(issue.against_all([".geometry", ".ratings"]))
-            }
-            (Some(designation), None) => self.found(catalogue, designation, problems).map(Some),
-        };
-        problems.take(printed)
-    }
-
-    fn found(
-        &self,
-        catalogue: &Catalogue,
-        designation: &str,
-        problems: &mut Problems<'_>,
-    ) -> Result<Printed, Issue> {
-        let found = catalogue::look_up(catalogue, designation).map_err(|unknown| {
-            let message = format!("the catalogue has no bearing \"{designation}\"");
-            Issue::new(".catalogue", message).help(unknown.help)
-        })?;
-        if let (Some(named), Some(given)) = (found.class, self.clearance_class)
-            && named != given
-        {
-            let message = format!(
-                "\"{designation}\" has the clearance {}, and `clearance_class` is {}",
-                named.name(),
-                given.name()
-            );
-            let issue = Issue::new(".clearance_class", message).help("keep one of them");
-            problems.refuse(issue.against(".catalogue"));
-        }
-        Ok(Printed {
-            line: found.entry.line,
-            name: found.entry.designation.clone(),
-            key: ".catalogue",
-            class: found.class,
-        })
     }
 }
 
@@ -632,113 +431,4 @@ fn wrong_fit(error: &BearingError, bearing: &Bearing) -> Issue {
         true => "give a wider `clearance_class`, for instance \"C3\", or less interference",
         false => "give less interference, or smaller differences of temperature",
     })
-}
-
-/// How the two bearings of a set face each other.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Arrangement {
-    /// O arrangement: the contact lines diverge towards the shaft axis, stiff against tilting.
-    BackToBack,
-    /// X arrangement: the contact lines converge towards the shaft axis, yielding to tilting.
-    FaceToFace,
-    /// Both bearings face the same way and share the axial load.
-    Tandem,
-}
-
-impl Arrangement {
-    /// Position in m and orientation of both bearings, `spacing` in m apart about `centre`;
-    /// `facing` is that of a tandem set.
-    ///
-    /// The contact line of a bearing that faces +z runs from ball to shaft axis towards −z: back
-    /// to back the one at the −z end faces +z.
-    pub fn places(self, centre: f64, spacing: f64, facing: Facing) -> [(f64, Facing); 2] {
-        let [low, high] = match self {
-            Self::BackToBack => [Facing::PlusZ, Facing::MinusZ],
-            Self::FaceToFace => [Facing::MinusZ, Facing::PlusZ],
-            Self::Tandem => [facing; 2],
-        };
-        [
-            (centre - 0.5 * spacing, low),
-            (centre + 0.5 * spacing, high),
-        ]
-    }
-}
-
-/// Elastic constants and density.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct MaterialInput {
-    /// Young's modulus, for instance "207 GPa" (the default, bearing steel) or "310 GPa"
-    /// (silicon nitride).
-    #[schemars(extend("x-minimum" = 1e3))]
-    pub youngs_modulus: Option<Quantity<Pressure>>,
-    /// Poisson's ratio, 0 to 0.5. Default: 0.3.
-    #[schemars(range(min = 0.0, max = 0.5))]
-    pub poisson_ratio: Option<f64>,
-    /// Density, for instance "7800 kg/m^3" (the default) or "3200 kg/m^3" (silicon nitride).
-    #[schemars(extend("x-above" = 0.0))]
-    pub density: Option<Quantity<Density>>,
-}
-
-/// The material; what is not given is that of `base`.
-pub fn material(input: Option<&MaterialInput>, base: Material) -> Material {
-    let Some(input) = input else { return base };
-    Material {
-        youngs_modulus: si(&input.youngs_modulus).unwrap_or(base.youngs_modulus),
-        poisson_ratio: input.poisson_ratio.unwrap_or(base.poisson_ratio),
-        density: si(&input.density).unwrap_or(base.density),
-    }
-}
-
-/// Warns where all bearings bear or are preloaded axially the same way, and nothing presses against it; there is no axial
-/// load.
-///
-/// `last` is the index of the last table that describes them.
-pub fn warn_where_unheld(bearings: &[MountedBearing], last: usize, problems: &mut Problems<'_>) {
-    let Some(first) = bearings.first() else {
-        return;
-    };
-    let angular = |mounted: &MountedBearing| {
-        let geometry = &mounted.bearing.geometry;
-        !geometry.is_symmetric() && geometry.nominal_angle() > 0.0
-    };
-    let preloaded = |mounted: &MountedBearing| match mounted.preload {
-        Preload::AxialOffset(value) | Preload::Force(value) | Preload::Spring(value) => value > 0.0,
-    };
-    let one_way = |mounted: &MountedBearing| {
-        mounted.facing == first.facing && (angular(mounted) || preloaded(mounted))
-    };
-    if !bearings.iter().all(one_way) {
-        return;
-    }
-    let [way, other, force] = match first.facing {
-        Facing::PlusZ => ["+z", "-z", "500 N"],
-        Facing::MinusZ => ["-z", "+z", "-500 N"],
-    };
-    let load = format!("a load along {way}, as in `[[load]]` constant = {{ z = \"{force}\" }}");
-    problems.warn(match bearings.len() {
-        1 if preloaded(first) => format!(
-            "nothing bears the preload of a single bearing, and the shaft gives way along {other}: add a second \
-             `[[bearing]]` with facing = \"{other}\", leave the preload out, or add {load}"
-        ),
-        1 => format!(
-            "a single angular contact or tapered bearing bears axially one way only and needs an axial load: with none it \
-             hardly holds the shaft; add {load}"
-        ),
-        count => {
-            let turned = match last {
-                0 => "set arrangement = \"back-to-back\" in `bearing[1]`".to_owned(),
-                last => format!("write facing = \"{other}\" in `bearing[{}]`", last + 1),
-            };
-            let face = match bearings.iter().all(angular) {
-                true => "bearings face",
-                false => "bearings face or are preloaded",
-            };
-            format!(
-                "all {count} {face} the same way, {way}: none holds the shaft against the others, and a preload of theirs is \
-                 not borne; {turned}, or add {load}"
-            )
-        }
-    });
 }

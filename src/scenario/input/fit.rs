@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::bearing::{MaterialInput, material};
+use super::material::{MaterialInput, material};
 use crate::bearing::{Bearing, Fit};
 use crate::physics::{Material, STEEL_EXPANSION};
 use crate::scenario::Issue;

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::bearing::{MaterialInput, material};
+use super::material::{MaterialInput, material};
 use super::shaft::ShaftInput;
 use super::unbalance::UnbalanceInput;
 use crate::physics::{BeamElement, Material};

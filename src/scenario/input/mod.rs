@@ -1,17 +1,27 @@
 //! The tables of a scenario file: plain structs that mirror the text, the
 //! descriptions that editors show, and what each table becomes in the model.
 
+mod arrangement;
+mod ball_bearing;
+mod ball_sizes;
 mod bearing;
+mod channel_name;
 mod components;
+mod contradictions;
 mod damping;
 mod element;
 mod fit;
 mod flexible;
 mod geometry;
+mod held;
+mod identity;
 mod imperfections;
 mod load;
+mod material;
 mod oil;
 mod output;
+mod questions;
+mod random_load;
 mod ratings;
 mod record;
 mod roller;
@@ -24,9 +34,10 @@ mod support;
 mod unbalance;
 
 pub use output::{Output, TableFormat, Turning};
+pub use questions::Questions;
 pub use ratings::RatingsInput;
 pub use record::{RecordFileInput, RecordInput, RecordSpeedInput, SignalInput};
-pub use scenario::{Questions, ScenarioInput};
+pub use scenario::ScenarioInput;
 pub use spectrum::{Recorded, build as build_spectra};
 
 /// What a key is that is not given.

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::settings::TimeInput;
 use crate::analysis::{Channel, Window};
 use crate::scenario::Issue;
-use crate::scenario::key::entry;
+use crate::scenario::key_path::entry;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Frequency, Quantity, significant};
 use crate::simulate::{Analyses, MotionAnalysis, Sampling};

@@ -3,8 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::bearing::Identity;
 use super::geometry::{GeometryInput, Sources};
+use super::identity::Identity;
 use super::output::{Output, TableFormat};
 use super::ratings::RatingsInput;
 use super::settings::MachineInput;

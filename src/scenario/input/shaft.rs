@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::bearing::MaterialInput;
 use super::flexible::SectionInput;
+use super::material::MaterialInput;
 use crate::quasi_static::{Torsion, TorsionCause};
 use crate::rotor::{FlexibleShaft, Freedoms, PlaneUnbalance, Shaft};
 use crate::scenario::Issue;

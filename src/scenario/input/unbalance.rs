@@ -7,7 +7,7 @@ use crate::rotor::{PlaneUnbalance, RotorDefinition};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{self, Angle, Dimension, Length, Quantity, Unbalance};
-use crate::scenario::reader::no_quantity;
+use crate::scenario::wrong_value::no_quantity;
 
 /// An unbalance in a plane of the shaft. Several add up: on a rigid shaft to a static unbalance and a couple.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -5,7 +5,7 @@ mod turning;
 
 use super::Issue;
 use super::input::{RecordFileInput, RecordInput};
-use super::key::entry;
+use super::key_path::entry;
 use super::problems::Problems;
 use super::quantity::{si, significant};
 use crate::analysis::Channel;
