@@ -507,7 +507,7 @@ mod tests {
         };
         let sample = Sample {
             acceleration: Some([0.0; FREEDOMS]),
-            bodies: Some([motion; 2 * MOST_HOUSINGS]),
+            bodies: vec![motion; 2 * MOST_HOUSINGS],
             force_on_shaft: Some([0.0; FREEDOMS]),
             bearing_forces: vec![[0.0; FREEDOMS]; 2 * MOST_BEARINGS],
             first_element: MOST_BEARINGS,

@@ -53,8 +53,6 @@ mod unconstrained;
 
 pub(crate) use crate::bearing::CageMotion;
 pub(crate) use assembly::build_supports;
-#[cfg(test)]
-pub(crate) use bodies::BodyMotion;
 pub use bodies::{Body, BodyMotion, MOST_HOUSINGS};
 pub use coefficient_table::CoefficientTable;
 pub use coupling::Coupling;
