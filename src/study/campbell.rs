@@ -2,13 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use serde::Serialize;
-
-use crate::keys;
-use crate::numerics::root::Bracket;
 use crate::rotor::{Rotor, RotorDefinition, RotorError, Whirl};
 use crate::simulate::{Model, Run, RunUp, finer_modes, speed_warnings};
 
+pub use super::critical_speeds::CriticalSpeed;
+use super::critical_speeds::critical_speeds;
 pub use crate::rotor::Mode;
 
 /// A question about natural frequencies over the speed.
@@ -28,6 +26,7 @@ pub struct CampbellQuestion {
 
 /// Most speeds of a diagram.
 pub const MOST_SPEEDS: usize = 100_000;
+
 /// Speeds of the diagram of a run-up.
 const RUN_UP_SPEEDS: usize = 61;
 
@@ -53,6 +52,7 @@ pub(crate) fn along_run_up(model: &Model, run: &mut Run) -> Option<Campbell> {
 
 /// Highest order times highest speed up to which branches are shown, unless a frequency is asked for, as a factor.
 const SHOWN: f64 = 1.5;
+
 /// Frequency of the lowest branch up to which branches are shown at least, as a factor: no diagram is empty.
 const LEAST_SHOWN: f64 = 1.25;
 
@@ -136,42 +136,6 @@ impl Branch {
             clear(a).total_cmp(&clear(b))
         });
         clearest.map_or(Whirl::Straight, Mode::whirl)
-    }
-}
-
-/// A speed at which a natural frequency is a multiple of the shaft's frequency.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[non_exhaustive]
-pub struct CriticalSpeed {
-    /// The multiple.
-    pub order: f64,
-    /// The branch, from 0.
-    #[serde(serialize_with = "keys::from_one")]
-    pub branch: usize,
-    /// The speed, rad/s.
-    #[serde(rename = "speed_rad_s")]
-    pub speed: f64,
-    /// Frequency of the damped vibration there, Hz: order × speed/2π.
-    #[serde(rename = "frequency_Hz")]
-    pub frequency: f64,
-    /// Damping ratio there.
-    pub damping_ratio: f64,
-    /// How the shaft goes round there.
-    pub whirl: Whirl,
-    /// How much more it goes round with the rotation than against it, −1 … 1.
-    pub forward_share: f64,
-    /// Of a shaft that bends: relative difference of the frequency there from that with more modes of bending in each
-    /// plane: twice as many as the pass of a run that measures the error of the reduction.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub reduction_error: Option<f64>,
-}
-
-impl CriticalSpeed {
-    /// Relative error of its frequency: of the search for the crossing, or that of the reduction where it is larger.
-    pub(crate) fn error(&self) -> f64 {
-        let sought = self.order * self.speed / TAU;
-        let missed = (self.frequency / sought - 1.0).abs();
-        missed.max(self.reduction_error.unwrap_or(0.0))
     }
 }
 
@@ -292,7 +256,7 @@ impl CampbellQuestion {
     }
 
     /// Modes of the shaft at a speed in rad/s.
-    fn modes(&self, speed: f64) -> Result<Vec<Mode>, CampbellError> {
+    pub(super) fn modes(&self, speed: f64) -> Result<Vec<Mode>, CampbellError> {
         Ok(assembled(&self.rotor.at_constant_speed(speed), speed)?.modes())
     }
 
@@ -322,8 +286,10 @@ fn assembled(definition: &RotorDefinition, speed: f64) -> Result<Rotor, Campbell
 
 /// Shapes more alike than this are surely the same mode.
 const SURE: f64 = 0.9;
+
 /// Shapes less alike than this are different modes.
 const LEAST: f64 = 0.1;
+
 /// Halvings of the step between two speeds.
 const MOST_HALVINGS: u32 = 8;
 
@@ -413,72 +379,4 @@ fn placed(branches: usize, modes: Vec<Mode>, pairs: &[(usize, usize, f64)]) -> S
         }
     }
     slots
-}
-
-/// Part of the speed to which a crossing is found.
-const FOUND: f64 = 1e-12;
-/// Trials of a search.
-const MOST_TRIALS: usize = 80;
-
-/// All crossings of branches and orders between the speeds, by speed.
-fn critical_speeds(
-    question: &CampbellQuestion,
-    speeds: &[f64],
-    branches: &[Branch],
-) -> Result<Vec<CriticalSpeed>, CampbellError> {
-    let mut found = Vec::new();
-    for (index, branch) in branches.iter().enumerate() {
-        for (pair, ends) in branch.modes.windows(2).zip(speeds.windows(2)) {
-            let (Some(low), Some(high)) = (&pair[0], &pair[1]) else {
-                continue;
-            };
-            for &order in &question.orders {
-                let ends = [(ends[0], low), (ends[1], high)];
-                found.extend(crossing(question, ends, order, index)?);
-            }
-        }
-    }
-    found.sort_by(|a: &CriticalSpeed, b| a.speed.total_cmp(&b.speed));
-    Ok(found)
-}
-
-/// The crossing of a branch and an order between two speeds at which its mode is known, if there is one. Between them
-/// its mode is that most like both.
-fn crossing(
-    question: &CampbellQuestion,
-    [(from, low), (to, high)]: [(f64, &Mode); 2],
-    order: f64,
-    branch: usize,
-) -> Result<Option<CriticalSpeed>, CampbellError> {
-    // f(ω) − order ω/2π, Hz
-    let distance = |mode: &Mode, speed: f64| mode.damped_frequency() - order * speed / TAU;
-    let likeness = |mode: &Mode| low.assurance(mode) + high.assurance(mode);
-    let values = [distance(low, from), distance(high, to)];
-    let Some(mut bracket) = Bracket::new([from, to], values) else {
-        return Ok(None);
-    };
-    let mut found: Option<CriticalSpeed> = None;
-    for _ in 0..MOST_TRIALS {
-        let speed = bracket.guess();
-        let modes = question.modes(speed)?.into_iter();
-        let most_alike = modes.max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
-        let Some(mode) = most_alike else { break };
-        let value = distance(&mode, speed);
-        bracket.narrow(speed, value);
-        let before = found.replace(CriticalSpeed {
-            order,
-            branch,
-            speed,
-            frequency: mode.damped_frequency(),
-            damping_ratio: mode.damping_ratio(),
-            whirl: mode.whirl(),
-            forward_share: mode.forward_share(),
-            reduction_error: None,
-        });
-        let moved = before.map_or(f64::INFINITY, |before| (speed - before.speed).abs());
-        if value == 0.0 || moved.min(bracket.length()) < FOUND * speed {
-            break;
-        }
-    }
-    Ok(found)
 }

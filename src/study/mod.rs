@@ -4,6 +4,8 @@
 pub(crate) mod accuracy;
 pub(crate) mod campbell;
 mod contact_choice;
+mod contact_points;
+mod critical_speeds;
 mod fidelity;
 pub(crate) mod linear_response;
 pub(crate) mod many;
