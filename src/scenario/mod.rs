@@ -18,6 +18,7 @@ pub(crate) mod document;
 pub(crate) mod fit_file;
 mod fit_input;
 mod input;
+mod keep_input;
 mod key;
 mod key_path;
 mod matrices_file;

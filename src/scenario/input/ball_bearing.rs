@@ -1,11 +1,12 @@
 //! A bearing of balls: its law of contact and what is wrong with its surfaces.
 
-use super::bearing::BearingInput;
+use super::bearing::{BearingInput, no_race_control};
 use super::geometry::Sources;
+use super::oil::OilInput;
 use super::settings::{ContactChoice, ModelInput};
 use crate::bearing::catalogue::Catalogue;
 use crate::bearing::{Bearing, BearingError, ContactLaw, Estimate, Geometry, Imperfections, Oil};
-use crate::physics::SkfFriction;
+use crate::physics::{Race, SkfFriction};
 use crate::rotor::Freedoms;
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
@@ -141,5 +142,48 @@ impl BearingInput {
             problems.refuse(issue.against_all([".contact", "model.contact"]));
         }
         self.check_alone(key, problems);
+    }
+
+    /// Refuses what the force law of the bearing does not know.
+    pub(super) fn check_law(&self, model: &ModelInput, problems: &mut Problems<'_>) {
+        let contact = self.contact(model);
+        let law = [".contact", "model.contact"];
+        if self.race_control.is_some() && !contact.knows_inertia() {
+            problems.refuse(no_race_control(".race_control").against_all(law));
+        }
+        if self.rotating_ring == Race::Outer && contact.knows_inertia() {
+            let message = "the inertia of balls is known under a turning inner ring only";
+            let issue = Issue::new(".rotating_ring", message).help("set contact = \"hertz\"");
+            problems.refuse(issue.against_all(law));
+        }
+        let given = self.geometry.as_ref();
+        let stiffness = given.and_then(|input| input.contact_stiffness.as_ref());
+        if contact == ContactChoice::Jones && stiffness.is_some() {
+            let message = "`contact_stiffness` is that of both races together, and \"jones\" \
+                           loads them differently";
+            let issue = Issue::new(".geometry.contact_stiffness", message)
+                .help("remove it, or set contact = \"hertz\"");
+            problems.refuse(issue.against_all(law));
+        }
+    }
+
+    /// The oil, where its films part the surfaces.
+    pub(super) fn film_oil(&self, model: &ModelInput, problems: &mut Problems<'_>) -> Option<Oil> {
+        if self.contact(model) == ContactChoice::Auto && self.film.is_none() {
+            // films are considered where there is oil
+            return self.oil.as_ref().map(OilInput::build);
+        }
+        if !self.film.unwrap_or(model.film) {
+            return None;
+        }
+        if self.oil.is_none() {
+            let message = format!("`{}` needs `oil` where film = true", problems.path("."));
+            let issue = Issue::new(".oil", message).help(
+                "add [bearing.oil] with viscosity = \"0.04 Pa s\" and pressure_viscosity = \
+                 \"22 1/GPa\", or set film = false",
+            );
+            problems.refuse(issue.against(".film").against("model.film"));
+        }
+        self.oil.as_ref().map(OilInput::build)
     }
 }

@@ -310,86 +310,12 @@ impl BearingInput {
         }
     }
 
-    /// Refuses what the force law of the bearing does not know.
-    pub(super) fn check_law(&self, model: &ModelInput, problems: &mut Problems<'_>) {
-        let contact = self.contact(model);
-        let law = [".contact", "model.contact"];
-        if self.race_control.is_some() && !contact.knows_inertia() {
-            problems.refuse(no_race_control(".race_control").against_all(law));
-        }
-        if self.rotating_ring == Race::Outer && contact.knows_inertia() {
-            let message = "the inertia of balls is known under a turning inner ring only";
-            let issue = Issue::new(".rotating_ring", message).help("set contact = \"hertz\"");
-            problems.refuse(issue.against_all(law));
-        }
-        let given = self.geometry.as_ref();
-        let stiffness = given.and_then(|input| input.contact_stiffness.as_ref());
-        if contact == ContactChoice::Jones && stiffness.is_some() {
-            let message = "`contact_stiffness` is that of both races together, and \"jones\" \
-                           loads them differently";
-            let issue = Issue::new(".geometry.contact_stiffness", message)
-                .help("remove it, or set contact = \"hertz\"");
-            problems.refuse(issue.against_all(law));
-        }
-    }
-
-    /// The oil, where its films part the surfaces.
-    pub(super) fn film_oil(&self, model: &ModelInput, problems: &mut Problems<'_>) -> Option<Oil> {
-        if self.contact(model) == ContactChoice::Auto && self.film.is_none() {
-            // films are considered where there is oil
-            return self.oil.as_ref().map(OilInput::build);
-        }
-        if !self.film.unwrap_or(model.film) {
-            return None;
-        }
-        if self.oil.is_none() {
-            let message = format!("`{}` needs `oil` where film = true", problems.path("."));
-            let issue = Issue::new(".oil", message).help(
-                "add [bearing.oil] with viscosity = \"0.04 Pa s\" and pressure_viscosity = \
-                 \"22 1/GPa\", or set film = false",
-            );
-            problems.refuse(issue.against(".film").against("model.film"));
-        }
-        self.oil.as_ref().map(OilInput::build)
-    }
-
     fn preload(&self) -> Preload {
         let offset = si(&self.axial_offset).unwrap_or(0.0);
         si(&self.spring_preload)
             .map(Preload::Spring)
             .or_else(|| si(&self.preload).map(Preload::Force))
             .unwrap_or(Preload::AxialOffset(offset))
-    }
-
-    /// Position in m and orientation of the bearing, or of both of a set.
-    fn places(&self, problems: &mut Problems<'_>) -> Option<Vec<(f64, Facing)>> {
-        let centre = self.position.si();
-        let facing = self.facing.unwrap_or_default();
-        let places = match (self.arrangement, &self.spacing) {
-            (None, None) => Ok(vec![(centre, facing)]),
-            (None, Some(_)) => {
-                let message = "`spacing` needs an `arrangement`: one bearing has none";
-                Err(Issue::new(".spacing", message)
-                    .help("for instance: arrangement = \"back-to-back\""))
-            }
-            (Some(_), None) => {
-                let issue = Issue::new(".spacing", "a set of bearings needs a `spacing`");
-                Err(issue.help("for instance: spacing = \"15 mm\""))
-            }
-            (Some(arrangement), Some(spacing)) => {
-                if self.facing.is_some() && arrangement != Arrangement::Tandem {
-                    let message = "`facing` is for \"tandem\": the two bearings of this set face \
-                                   each other or away";
-                    let issue = Issue::new(".facing", message).help(
-                        "remove it: \"back-to-back\" faces +z at its lower end and -z at its upper end, \
-                         \"face-to-face\" the other way round; for anything else write two `[[bearing]]` tables",
-                    );
-                    problems.refuse(issue.against(".arrangement"));
-                }
-                Ok(arrangement.places(centre, spacing.si(), facing).to_vec())
-            }
-        };
-        problems.take(places.map_err(|issue| issue.against(".arrangement")))
     }
 
     /// What says which bearing it is.

@@ -9,6 +9,7 @@ mod channel_name;
 mod components;
 mod contradictions;
 mod damping;
+mod disc;
 mod element;
 mod fit;
 mod flexible;
@@ -18,12 +19,14 @@ mod identity;
 mod imperfections;
 mod load;
 mod material;
+mod measured;
 mod oil;
 mod output;
 mod questions;
 mod random_load;
 mod ratings;
 mod record;
+mod recorded;
 mod roller;
 mod scenario;
 mod settings;
@@ -37,8 +40,9 @@ pub use output::{Output, TableFormat, Turning};
 pub use questions::Questions;
 pub use ratings::RatingsInput;
 pub use record::{RecordFileInput, RecordInput, RecordSpeedInput, SignalInput};
+pub use recorded::Recorded;
 pub use scenario::ScenarioInput;
-pub use spectrum::{Recorded, build as build_spectra};
+pub use spectrum::build as build_spectra;
 
 /// What a key is that is not given.
 fn number<const NUMBER: u32>() -> u32 {

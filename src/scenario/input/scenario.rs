@@ -1,22 +1,23 @@
 //! The whole file.
 
-use std::path::PathBuf;
-
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::bearing::BearingInput;
 use super::components::{InitialInput, StaticInput};
 use super::damping::{self, DampingInput};
+use super::disc::DiscInput;
 use super::element::{self, ElementInput};
-use super::flexible::{self, DiscInput};
+use super::flexible;
 use super::held::warn_where_unheld;
 use super::load::{self, LoadContext, LoadInput};
+use super::measured::MeasuredInput;
 use super::output::{Output, Turning};
 use super::questions::Questions;
+use super::recorded::Recorded;
 use super::settings::{ContactChoice, IntegratorInput, MachineInput, ModelInput, TimeInput};
 use super::shaft::{ShaftInput, TorsionInput};
-use super::spectrum::{self, Recorded, SpectrumInput};
+use super::spectrum::{self, SpectrumInput};
 use super::speed::SpeedInput;
 use super::unbalance::{self, UnbalanceInput};
 use crate::bearing::MountedBearing;
@@ -102,29 +103,6 @@ pub struct ScenarioInput {
     /// What only static questions ask.
     #[serde(default, rename = "static")]
     pub statics: StaticInput,
-}
-
-/// A measured record whose spectra are laid over those of the run.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct MeasuredInput {
-    /// A folder that `jeffcott analyze` has written, a record, or a file that describes one, looked for from the folder of the scenario.
-    #[schemars(extend("examples" = ["output/112", "drive-end.toml"]))]
-    pub file: String,
-}
-
-impl MeasuredInput {
-    /// Its path; `None` where nothing is there.
-    fn build(&self, problems: &mut Problems<'_>) -> Option<PathBuf> {
-        let path = problems.folder.join(&self.file);
-        if path.exists() {
-            return Some(path);
-        }
-        let message = format!("there is no {}", path.display());
-        let help = "give a folder that `jeffcott analyze` has written, or a record";
-        problems.refuse(Issue::new(".file", message).help(help));
-        None
-    }
 }
 
 impl ScenarioInput {
