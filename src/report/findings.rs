@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 use serde_json::{Value, json};
 
+use super::contact_choice::add_contact_choice;
 use super::figure::Figure;
 use super::page::Page;
 use super::terminal::Lines;
-use super::text::add_contact_choice;
 use super::{FileSet, ReportError, RunFolder, WholeFile};
 use crate::scenario::{Output, Scenario};
 use crate::table::Table;

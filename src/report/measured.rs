@@ -10,8 +10,9 @@ use super::figure::Figure;
 use super::findings::{Findings, document};
 use super::histories::Histories;
 use super::motion::{add_severity, rms_text};
+use super::order_tracks::tracks_table;
 use super::run_answer::SpectraSummary;
-use super::run_up::{maps_figures, tracks_table, waterfall_table};
+use super::run_up::{maps_figures, waterfall_table};
 use super::spectra::{
     estimated_figure, estimated_table, frequency_limit, measured_figures, peak_table,
     spectrum_table, table_name,

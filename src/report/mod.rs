@@ -1,10 +1,13 @@
 //! From results to files: CSV, JSON, SVG figures, a few lines for the terminal, and comparison.
 
 pub(crate) mod accuracy;
+mod accuracy_figures;
 pub(crate) mod campbell;
 mod catalogue;
 pub mod compare;
+mod contact_choice;
 mod defects;
+mod digits;
 mod envelope;
 mod error;
 mod estimate;
@@ -18,12 +21,16 @@ mod linear_response;
 pub(crate) mod many;
 mod matrices;
 mod measured;
+mod method_use;
 mod motion;
 mod npz;
+mod order_tracks;
 mod page;
+mod raster;
 pub(crate) mod recorded;
 pub(crate) mod response;
 mod roller_catalogue;
+mod rolling_elements;
 mod run_answer;
 mod run_report;
 pub(crate) mod run_tables;

@@ -8,15 +8,17 @@ use super::figure::Figure;
 use super::film::Film;
 use super::findings::{Findings, with_keys};
 use super::histories::Histories;
+use super::method_use::{method_use_json, parted};
 use super::motion::{motion_json, orbit_figure, poincare_table};
-use super::run_up::{maps_figures, maps_json, run_up_json, tracks_table};
+use super::order_tracks::tracks_table;
+use super::rolling_elements::balls_figure;
+use super::run_up::{maps_figures, maps_json, run_up_json};
 use super::scene::scene_figure;
 use super::spectra::{
     estimated_figure, estimated_json, estimated_table, frequency_limit_of, peak_table,
     spectra_figures, spectrum_table, table_name,
 };
-use super::statics::balls_figure;
-use super::text::{method_use_json, parted, text};
+use super::text::text;
 use super::{FileSet, SensitivityTable, campbell, defects, spectrum_figure};
 use crate::analysis::{EstimatedSpectrum, Peak, Spectrum};
 use crate::scenario::Scenario;

@@ -1,7 +1,6 @@
 //! The few lines that a person reads after a run: what was found, which method and law it rests on.
 
-use serde_json::{Value, json};
-
+use super::method_use::{add_table_use, method_use_text, parted};
 use super::motion::{add_housings, add_motion, add_severity};
 use super::run_up::add_run_up;
 use super::statics::ball_pass_text;
@@ -10,16 +9,15 @@ use super::terminal::{
     of_bearing, shown_unit, significant, to_digits,
 };
 use crate::analysis::{Axis, EnvelopeLine, EstimatedSpectrum, Peak, Spectrum};
-use crate::integrate::{ChangeReason, Method, MethodUse};
 use crate::simulate::{
     BearingHistory, EventCount, EventKind, Model, NaturalFrequency, Reduction, Run, SpallPassage,
-    Spread, StaticState, TableUse,
+    Spread, StaticState,
 };
 use crate::study::campbell::Campbell;
-use crate::study::{ContactChoice, FidelityDifference};
 
 /// Peaks shown.
 const PEAKS: usize = 8;
+
 /// Lines of an envelope shown.
 const ENVELOPE_LINES: usize = 6;
 
@@ -257,144 +255,4 @@ fn losses(bearing: &BearingHistory) -> String {
         }
     }
     text
-}
-
-/// A line or more for every bearing that was to have a table.
-pub(super) fn add_table_use(out: &mut Lines, tables: &[Option<TableUse>]) {
-    for (index, used) in tables.iter().enumerate() {
-        let Some(used) = used else { continue };
-        let says = match &used.table {
-            Ok(report) => format!(
-                "{} cells, off by {:.1e} N, {:.1e} of the largest ball load; {} samples outside it, by the exact law",
-                report.cells, report.error, report.relative_error, used.samples_outside
-            ),
-            Err(error) => format!("none, the exact law instead: {error}"),
-        };
-        out.line("table", format!("bearing {}: {says}", index + 1));
-    }
-}
-
-/// Why the exponential method began a run, or kept it; `parted` where contacts were lost.
-fn why_exponential(used: &MethodUse, parted: bool) -> &'static str {
-    match (used.change, parted) {
-        (Some(_), _) => "every run begins with it",
-        (None, false) => "no contact was lost",
-        (None, true) => "contacts were lost, but did not keep its steps short",
-    }
-}
-
-/// Whether a contact of any bearing was lost.
-pub(super) fn parted(bearings: &[BearingHistory]) -> bool {
-    let lost = |bearing: &BearingHistory| bearing.events(EventKind::ContactLost).count > 0;
-    bearings.iter().any(lost)
-}
-
-fn why_changed(reason: ChangeReason) -> &'static str {
-    match reason {
-        ChangeReason::Crossings => "contacts are lost again and again, which keeps steps short",
-        ChangeReason::NoStep => "exponential can take no further step",
-    }
-}
-
-/// `exponential: every run begins with it; verner76 from 1.234 ms on: …`
-pub(super) fn method_use_text(used: &MethodUse, parted: bool) -> String {
-    let mut line = format!("{}: {}", Method::Exponential, why_exponential(used, parted));
-    if let Some((reason, time)) = used.change {
-        let (latest, why) = (used.latest(), why_changed(reason));
-        line.push_str(&format!("; {latest} from {:.3} ms on: {why}", 1e3 * time));
-    }
-    line
-}
-
-/// Which method carried a run, in which balls did or did not part from a race, and why; where another one went on from
-/// it, which and why.
-pub(super) fn method_use_json(used: &MethodUse, parted: bool) -> Value {
-    let change = used.change.map(|(reason, time)| {
-        json!({
-            "time_s": time,
-            "method": used.latest(),
-            "why": why_changed(reason),
-        })
-    });
-    json!({
-        "method": Method::Exponential,
-        "why": why_exponential(used, parted),
-        "change": change,
-    })
-}
-
-/// The law that was chosen for the contacts, and why.
-pub(super) fn add_contact_choice(out: &mut Lines, choice: &ContactChoice) {
-    let why = why_contact(choice);
-    out.line("contact", format!("{}: {why}", choice.chosen));
-    if choice.failure.is_none() {
-        let cheaper = choice.cheaper.iter();
-        cheaper.for_each(|level| out.more(level_text(level)));
-    }
-}
-
-fn why_contact(choice: &ContactChoice) -> String {
-    if let Some(failure) = &choice.failure {
-        return format!("the laws could not be compared ({failure}), so the most exact one stays");
-    }
-    let allowed = format!("(allowed {:e})", choice.model_error);
-    if choice.chosen == choice.top {
-        return if choice.cheaper.is_empty() {
-            "there is none that is cheaper".to_owned()
-        } else {
-            format!("none that is cheaper stays close to it {allowed}")
-        };
-    }
-    let mut cheaper = choice.cheaper.iter();
-    let chosen = cheaper.find(|level| level.fidelity == choice.chosen);
-    let difference = chosen.and_then(|level| level.result.as_ref().ok());
-    difference.map_or_else(String::new, |difference| {
-        let (largest, top) = (difference.largest(), choice.top);
-        format!("the cheapest within {largest:.1e} of {top} {allowed}")
-    })
-}
-
-fn level_text(level: &FidelityDifference) -> String {
-    let name = level.fidelity.to_string();
-    match &level.result {
-        Ok(difference) => format!(
-            "{name:<12}  force {:.1e}, change {:.1e}, stiffness {:.1e}, worst at {:.1} rad/s",
-            difference.force, difference.change, difference.stiffness, difference.speed
-        ),
-        Err(reason) => format!("{name:<12}  not available: {reason}"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::bearing::{TableError, TableReport};
-
-    #[test]
-    fn a_table_tells_its_error_and_one_that_is_missing_why() {
-        let report = TableReport {
-            error: 2e-8,
-            relative_error: 1.7e-10,
-            cells: 1234,
-            evaluations: 9876,
-        };
-        let of = |table| {
-            Some(TableUse {
-                table,
-                samples_outside: 5,
-            })
-        };
-        let mut out = Lines::default();
-        let tables = [of(Ok(report)), None, of(Err(TableError::NoRegion))];
-        add_table_use(&mut out, &tables);
-        let text = out.text(false);
-        let told = text.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(
-            told.contains("bearing 1: 1234 cells, off by 2.0e-8 N, 1.7e-10 of"),
-            "{told}"
-        );
-        assert!(told.contains("5 samples outside it"), "{told}");
-        assert!(told.contains("bearing 3: none"), "{told}");
-        assert!(!told.contains("bearing 2"), "{told}");
-    }
 }

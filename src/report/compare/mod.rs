@@ -31,6 +31,7 @@
 mod assertion;
 mod error;
 mod figure;
+mod key_numbers;
 mod lines;
 mod named;
 mod overlay;

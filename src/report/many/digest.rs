@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use super::rows::StudyHead;
+use super::column_digest::{ColumnDigest, QUANTILES, quantiles};
+use super::head::StudyHead;
 use super::statistics::{ResponsePeak, Sensitivity, peaks, sensitivities};
 use crate::report::figure::Figure;
 use crate::report::findings::versioned;
@@ -13,18 +14,15 @@ use crate::report::terminal::{Lines, digits, or_dash, shown_column};
 use crate::report::variable::axis_label;
 use crate::report::{FileSet, Findings};
 use crate::study::many::{Direction, RunRecord};
-use crate::table::Column;
 
 /// Most rows that are looked at for quantiles and figures: of more, every so many.
 const MOST_ROWS: u64 = 8_000;
+
 /// Most kinds of warnings that are told.
 const MOST_WARNINGS: usize = 20;
+
 /// Most failed runs that are named.
 const MOST_FAILURES: usize = 20;
-/// What changes by less than this part of it does not change.
-const CONSTANT: f64 = 1e-9;
-/// Quantiles that are told.
-const QUANTILES: [f64; 5] = [0.05, 0.25, 0.5, 0.75, 0.95];
 
 /// A run that failed.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -48,23 +46,6 @@ struct RunsWarned {
     latest: u64,
     /// Its words.
     warning: String,
-}
-
-/// One number over all runs.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub(super) struct ColumnDigest {
-    #[serde(skip)]
-    pub column: Column,
-    /// Runs that have it.
-    pub known: u64,
-    mean: f64,
-    pub lowest: f64,
-    /// The run that has the lowest value.
-    lowest_in_run: u64,
-    pub highest: f64,
-    highest_in_run: u64,
-    /// Quantiles by their shares, where the runs were drawn.
-    quantiles: Option<BTreeMap<String, f64>>,
 }
 
 /// What the rows of a study say as a whole.
@@ -350,55 +331,6 @@ impl std::fmt::Display for RunsWarned {
             runs => write!(f, "run {run} and {} more: {warning}", runs - 1),
         }
     }
-}
-
-impl ColumnDigest {
-    fn new(column: Column) -> Self {
-        Self {
-            column,
-            known: 0,
-            mean: 0.0,
-            lowest: f64::INFINITY,
-            lowest_in_run: 0,
-            highest: f64::NEG_INFINITY,
-            highest_in_run: 0,
-            quantiles: None,
-        }
-    }
-
-    /// Whether more than one run has it and it is not the same in all.
-    pub(super) fn varies(&self) -> bool {
-        let size = self.lowest.abs().max(self.highest.abs());
-        self.known > 1 && self.highest - self.lowest > CONSTANT * size
-    }
-
-    fn add(&mut self, run: u64, value: f64) {
-        if value.is_nan() {
-            return;
-        }
-        self.known += 1;
-        self.mean += (value - self.mean) / self.known as f64;
-        if value < self.lowest {
-            (self.lowest, self.lowest_in_run) = (value, run);
-        }
-        if value > self.highest {
-            (self.highest, self.highest_in_run) = (value, run);
-        }
-    }
-}
-
-/// Quantiles by linear interpolation between the order statistics, type 7 of Hyndman & Fan (1996).
-fn quantiles(values: impl Iterator<Item = f64>) -> Option<[f64; QUANTILES.len()]> {
-    let mut sorted: Vec<f64> = values.filter(|value| !value.is_nan()).collect();
-    sorted.sort_by(f64::total_cmp);
-    let last = sorted.len().checked_sub(1)?;
-    Some(QUANTILES.map(|share| {
-        let place = share * last as f64;
-        let below = place as usize;
-        let above = (below + 1).min(last);
-        let part = place - below as f64;
-        sorted[below] * (1.0 - part) + sorted[above] * part
-    }))
 }
 
 #[cfg(test)]

@@ -1,9 +1,11 @@
 //! The files of a study of many runs: its rows while it goes on, tables, figures and a summary at its end.
 
 mod cells;
+mod column_digest;
 mod digest;
 mod error;
 mod figures;
+mod head;
 mod identity;
 mod ross;
 mod rows;
@@ -19,8 +21,8 @@ use serde_json::json;
 
 use self::digest::Digest;
 pub use self::error::StudyError;
+pub use self::head::StudyHead;
 use self::ross::ross_files;
-pub use self::rows::StudyHead;
 pub(crate) use self::rows::{RowFile, Rows};
 use self::tables::Tables;
 pub(crate) use self::traces::Traces;

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::digest::{Digest, is_down};
-use super::rows::StudyHead;
+use super::head::StudyHead;
 use crate::report::variable::variable_column;
 use crate::study::many::{BearingStiffness, RunRecord};
 

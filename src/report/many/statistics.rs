@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use super::digest::{ColumnDigest, Digest, is_down, number};
+use super::column_digest::ColumnDigest;
+use super::digest::{Digest, is_down, number};
 use crate::report::variable::variable_column;
 use crate::table::{Column, ColumnKind};
 

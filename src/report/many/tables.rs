@@ -3,7 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
-use super::rows::StudyHead;
+use super::head::StudyHead;
 use crate::analysis::Channel;
 use crate::report::table::{cell, number};
 use crate::report::variable::variable_column;

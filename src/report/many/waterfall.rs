@@ -8,7 +8,8 @@ use super::rows::Rows;
 use crate::analysis::Channel;
 use crate::report::ReportError;
 use crate::report::figure::Figure;
-use crate::report::run_up::{MOST_CELLS, Raster, moving, runs_figure};
+use crate::report::raster::{MOST_CELLS, Raster, moving};
+use crate::report::run_up::runs_figure;
 use crate::report::variable::{axis_label, shown};
 use crate::study::many::{Line, RunRecord};
 

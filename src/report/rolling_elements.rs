@@ -1,0 +1,140 @@
+//! The rolling elements of bearings: their table, and their figure all around the shaft.
+
+use super::figure::{Axis, Curve, Figure, Name, Panel, all_around, distinct, turned};
+use super::terminal::of_bearing;
+use crate::bearing::{BallLine, BearingState, FilmState, RaceContact};
+use crate::physics::Race;
+use crate::table::{Named, Table};
+
+/// What is told of the balls, of pressure, film and spin at the inner race; films and inertia where the bearing has them.
+pub(super) const SHOWN: [(&str, &str); 14] = [
+    ("ball", "ball"),
+    ("φ", "azimuth"),
+    ("Qi", "inner_load"),
+    ("Qo", "outer_load"),
+    ("αi", "inner_angle"),
+    ("αo", "outer_angle"),
+    ("δ", "deformation"),
+    ("pi", "inner_peak_pressure"),
+    ("hi", "inner_film_minimum"),
+    ("λi", "inner_film_lambda"),
+    ("Fc", "centrifugal_force"),
+    ("Mg", "gyroscopic_moment"),
+    ("race", "controlling_race"),
+    ("spin", "inner_spin_to_roll"),
+];
+
+/// Columns of one contact, after `inner_` or `outer_`.
+pub(super) const CONTACT: [Named<RaceContact>; 13] = [
+    ("load", "N", |contact| contact.load),
+    ("angle", "rad", |contact| contact.angle),
+    ("approach", "m", |contact| contact.approach),
+    ("semi_major", "m", |contact| contact.semi_major),
+    ("semi_minor", "m", |contact| contact.semi_minor),
+    ("peak_pressure", "Pa", |contact| contact.peak_pressure),
+    ("contact_stiffness", "N/m", |contact| {
+        contact.contact_stiffness
+    }),
+    ("film_central", "m", |contact| {
+        film(contact, |film| film.central)
+    }),
+    ("film_minimum", "m", |contact| {
+        film(contact, |film| film.minimum)
+    }),
+    ("film_stiffness", "N/m", |contact| {
+        film(contact, |film| film.stiffness)
+    }),
+    ("film_lambda", "", |contact| {
+        film(contact, |film| film.lambda.unwrap_or(f64::NAN))
+    }),
+    ("spin_to_roll", "", |contact| contact.spin_to_roll),
+    ("shoulder_margin", "rad", |contact| {
+        contact.shoulder_margin.unwrap_or(f64::NAN)
+    }),
+];
+
+pub(super) fn film(contact: &RaceContact, value: fn(&FilmState) -> f64) -> f64 {
+    contact.film.as_ref().map_or(f64::NAN, value)
+}
+
+/// Columns of a ball beside its contacts.
+pub(super) const INERTIAS: [Named<BallLine>; 2] = [
+    ("centrifugal_force", "N", |line| line.centrifugal_force),
+    ("gyroscopic_moment", "N m", |line| line.gyroscopic_moment),
+];
+
+/// The balls of bearings with their numbers; balls count from 1.
+pub(super) fn balls_table<'a>(
+    bearings: impl IntoIterator<Item = (usize, &'a BearingState)>,
+) -> Table<'static> {
+    let balls = bearings.into_iter().flat_map(|(bearing, state)| {
+        let balls = (1..).zip(&state.balls);
+        balls.map(move |(ball, line)| (bearing, ball, line))
+    });
+    let balls: Vec<_> = balls.collect();
+    Table::of(&balls)
+        .headed(ROLLING_ELEMENTS)
+        .count("bearing", |(bearing, ..)| *bearing as f64)
+        .count("ball", |(_, ball, _)| f64::from(*ball))
+        .number("azimuth", "rad", |(.., line)| line.azimuth)
+        .number("deformation", "m", |(.., line)| line.deformation)
+        .named("inner_", &CONTACT, |(.., line)| Some(&line.inner))
+        .named("outer_", &CONTACT, |(.., line)| Some(&line.outer))
+        .named("", &INERTIAS, |(.., line)| Some(line))
+        .word("controlling_race", |(.., line)| {
+            line.controlling_race.map(race_name).unwrap_or_default()
+        })
+        .end()
+}
+
+/// What people read above the table and the figure `balls`, which may be of rollers.
+pub(super) const ROLLING_ELEMENTS: &str = "Rolling elements";
+
+/// `inner` or `outer`.
+pub(super) fn race_name(race: Race) -> &'static str {
+    match race {
+        Race::Inner => "inner",
+        Race::Outer => "outer",
+    }
+}
+
+/// Height of a plot, px.
+pub(super) const HEIGHT: u32 = 272;
+
+/// Every ball of every bearing around the shaft: one row of two panels for each bearing.
+pub(super) fn balls_figure(title: &str, bearings: &[&BearingState]) -> Option<Figure> {
+    let named = bearings.iter().enumerate();
+    let panels = named.flat_map(|(index, state)| panels(&of_bearing(index, bearings.len()), state));
+    let names = Name::each(["inner race", "outer race"]);
+    let figure = Figure {
+        heading: ROLLING_ELEMENTS.to_owned(),
+        ..Figure::new("balls", title, 2, panels.collect()).with_names(names)
+    };
+    (!figure.panels.is_empty()).then_some(figure)
+}
+
+pub(super) fn panels(bearing: &str, state: &BearingState) -> [Panel; 2] {
+    let panel = |name: &str, unit: &str, value: fn(&RaceContact) -> f64| {
+        // the outer race first: where both agree, the inner one is seen
+        let curves = vec![
+            curve(&state.balls, 1, |line| value(&line.outer)),
+            curve(&state.balls, 0, |line| value(&line.inner)),
+        ];
+        let label = (format!("{bearing}{name}"), unit);
+        Panel::holding(Axis::azimuth(), label, HEIGHT, curves)
+    };
+    [
+        panel("ball load Q", "N", |contact| contact.load),
+        panel("contact angle α", "deg", |contact| {
+            contact.angle.to_degrees()
+        }),
+    ]
+}
+
+pub(super) fn curve(balls: &[BallLine], race: usize, value: impl Fn(&BallLine) -> f64) -> Curve {
+    let marks = turned(balls.iter().map(|line| (line.azimuth, value(line))));
+    Curve {
+        marks: marks.clone(),
+        ..Curve::line(distinct(race), all_around(marks))
+    }
+}
