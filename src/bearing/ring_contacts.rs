@@ -98,6 +98,34 @@ impl Ring {
         });
     }
 
+    /// How far one of these places is pressed past its lift-off, m.
+    pub(super) fn past_lift_off(
+        &self,
+        law: &impl ForceLaw,
+        displacement: &Vector5,
+        rotation: &BearingRotation,
+        number: usize,
+    ) -> f64 {
+        let (place, ball) = (number / self.balls(), number % self.balls());
+        in_wide_registers!(self.level, simd => {
+            let displacement = side_by_side(simd, displacement);
+            let mut past = f64::INFINITY;
+            self.visit(
+                simd,
+                &displacement,
+                rotation,
+                #[inline(always)]
+                |at| {
+                    if (at.first..at.first + LANES).contains(&ball) {
+                        let distances = law.distance_past_lift_off(&at.ball, place, rotation.speed);
+                        past = distances[ball - at.first];
+                    }
+                },
+            );
+            past
+        })
+    }
+
     /// Force as by [`Ring::force`]; leaves the loads of all balls in `loads`.
     pub(crate) fn loads(
         &self,

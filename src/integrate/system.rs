@@ -68,6 +68,13 @@ pub trait System {
     /// its forces do.
     fn events(&self, _time: f64, _state: &[f64], _values: &mut [f64]) {}
 
+    /// One of the event functions.
+    fn event(&self, event: usize, time: f64, state: &[f64]) -> f64 {
+        let mut values = vec![0.0; self.event_count()];
+        self.events(time, state, &mut values);
+        values[event]
+    }
+
     /// Writes an upper bound of the force jump: what each component of the derivative gains at a distance past an
     /// event surface.
     fn force_jump(&self, _event: usize, _time: f64, _distance: f64, rate: &mut [f64]) {
@@ -203,6 +210,10 @@ impl System for Shifted<'_> {
 
     fn events(&self, time: f64, state: &[f64], values: &mut [f64]) {
         self.system.events(self.start + time, state, values);
+    }
+
+    fn event(&self, event: usize, time: f64, state: &[f64]) -> f64 {
+        self.system.event(event, self.start + time, state)
     }
 
     fn force_jump(&self, event: usize, time: f64, distance: f64, rate: &mut [f64]) {

@@ -74,6 +74,11 @@ impl System for Augmented<'_> {
             .events(time, &all[..self.system.states()], values);
     }
 
+    fn event(&self, event: usize, time: f64, all: &[f64]) -> f64 {
+        let own = &all[..self.system.states()];
+        self.system.event(event, time, own)
+    }
+
     /// A force F that grows with the power n of the distance δ has the stiffness n F/δ; neighbouring motions are a unit
     /// of each component apart at the start.
     fn force_jump(&self, event: usize, time: f64, distance: f64, rate: &mut [f64]) {

@@ -21,23 +21,35 @@ impl Rotor {
         }
     }
 
+    /// How far one of the balls is pressed past its lift-off, m.
+    pub(super) fn lift_off_distance(&self, at: &Instant<'_>, ball: usize) -> f64 {
+        let Some((bearing, own)) = self.bearing_of_ball(ball) else {
+            return f64::INFINITY;
+        };
+        let displacement = bearing.attachment.displacement(at.place, at.rest);
+        let rotation = seen_by(bearing.support, at.rotation, &at.phases);
+        bearing.support.past_lift_off(&displacement, &rotation, own)
+    }
+
     /// Writes the accelerations that a ball so far past its lift-off gives the degrees of freedom at most, m/s² and
     /// rad/s², as the rates of their velocities.
     pub(super) fn lift_off_jump(&self, ball: usize, speed: f64, distance: f64, rate: &mut [f64]) {
         rate.fill(0.0);
-        if let Some(bearing) = self.bearing_of_ball(ball) {
+        if let Some((bearing, _)) = self.bearing_of_ball(ball) {
             let load = bearing.support.load_past_lift_off(distance, speed);
             self.add_acceleration_by_ball(bearing, load, rate);
         }
     }
 
-    /// The bearing of a ball that lifts off.
-    pub(super) fn bearing_of_ball(&self, mut ball: usize) -> Option<AttachedBearing<'_>> {
-        self.elements.bearings().find(|bearing| {
+    /// The bearing of a ball that lifts off, and the number of the ball there.
+    pub(super) fn bearing_of_ball(&self, mut ball: usize) -> Option<(AttachedBearing<'_>, usize)> {
+        let mut bearings = self.elements.bearings();
+        let bearing = bearings.find(|bearing| {
             let rest = ball.checked_sub(bearing.support.balls_that_lift_off());
             ball = rest.unwrap_or(ball);
             rest.is_none()
-        })
+        })?;
+        Some((bearing, ball))
     }
 
     /// Adds the accelerations that a load of a ball in N gives the degrees of freedom at most.

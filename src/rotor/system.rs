@@ -84,6 +84,16 @@ impl System for Rotor {
         self.law_events(&at, laws);
     }
 
+    fn event(&self, event: usize, time: f64, state: &[f64]) -> f64 {
+        if let EventKind::LiftOff(ball) = self.event_kind(event) {
+            let rotation = self.rotation(time, state);
+            return self.lift_off_distance(&self.instant(state, &rotation), ball);
+        }
+        let mut values = vec![0.0; self.event_count()];
+        self.events(time, state, &mut values);
+        values[event]
+    }
+
     fn force_jump(&self, event: usize, time: f64, distance: f64, rate: &mut [f64]) {
         // the speed that a drive is meant for: a bound does not ask for more
         let speed = match self.is_driven() {
@@ -99,7 +109,7 @@ impl System for Rotor {
 
     fn event_exponent(&self, event: usize) -> f64 {
         let bearing = match self.event_kind(event) {
-            EventKind::LiftOff(ball) => self.bearing_of_ball(ball),
+            EventKind::LiftOff(ball) => self.bearing_of_ball(ball).map(|(bearing, _)| bearing),
             EventKind::Passing(kink) => self.bearing_of_kink(kink),
             EventKind::Law(_) => None,
         };

@@ -32,6 +32,22 @@ impl Support {
         }
     }
 
+    /// How far one of these places is pressed past its lift-off, m.
+    pub(crate) fn past_lift_off(
+        &self,
+        displacement: &Vector5,
+        rotation: &BearingRotation,
+        number: usize,
+    ) -> f64 {
+        let place = self.settled(displacement, rotation);
+        match self.table_at(&place, rotation.speed) {
+            Some(table) => self.ring.past_lift_off(table, &place, rotation, number),
+            None => with_law!(&self.law, law => {
+                self.ring.past_lift_off(law, &place, rotation, number)
+            }),
+        }
+    }
+
     /// Largest approach that any ball has without inertia and film at a displacement, at any angle of the
     /// cage, m. A bound, which a ball comes to where the ring tilts towards the side to which it is shifted.
     ///

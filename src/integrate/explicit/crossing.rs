@@ -42,7 +42,16 @@ pub(super) struct Landing {
     pub ends: bool,
 }
 
-/// Where the motion is between the event surfaces.
+/// When a step is to end on a surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Due {
+    event: usize,
+    /// s.
+    time: f64,
+}
+
+/// Where the motion is between the event surfaces. There may be thousands of them, of which a trial crosses few: what is
+/// kept of those few is in lists.
 #[derive(Debug, Clone)]
 pub(super) struct Crossings {
     /// Exponent of each surface's force jump.
@@ -53,20 +62,18 @@ pub(super) struct Crossings {
     pub latest: f64,
     /// Whether the latest step landed on a surface past which the derivative grows with a broken power.
     pub fresh: bool,
-    /// When a step is to end on each surface, s; infinite where none is.
-    pub due: Vec<f64>,
+    /// The landings that are planned, at most at two times.
+    due: Vec<Due>,
     /// Sizes that the error allows steps from a surface, and those to one, s.
     pub sizes: [f64; 2],
-    /// Which surfaces have the end of the trial and the end of the latest step on different sides.
-    pub changed: Vec<bool>,
+    /// The surfaces that have the end of the trial and the end of the latest step on different sides.
+    changed: Vec<usize>,
     /// The event functions at the start and at the end of the trial.
     ends: [Vec<f64>; 2],
     /// Whether those at the end are of this trial.
     pub is_end_known: bool,
-    /// Room for a search: times of crossings, a state and its event functions.
-    pub found: Vec<f64>,
+    /// Room for a search.
     pub state: Vec<f64>,
-    pub values: Vec<f64>,
 }
 
 impl Crossings {
@@ -87,26 +94,49 @@ impl Crossings {
                 .collect(),
             latest: f64::NEG_INFINITY,
             fresh: false,
-            due: vec![f64::INFINITY; events],
+            due: Vec::new(),
             sizes: [f64::INFINITY; 2],
-            changed: vec![false; events],
-            ends: [values.clone(), values.clone()],
+            changed: Vec::new(),
+            ends: [values.clone(), values],
             is_end_known: false,
-            found: vec![f64::INFINITY; events],
             state,
-            values,
         }
     }
 
     /// The earliest landing that is planned.
     pub fn next_landing(&self) -> Option<Landing> {
-        let time = earliest(&self.due, f64::NEG_INFINITY);
+        let times = self.due.iter().map(|due| due.time);
+        let time = times.reduce(f64::min)?;
         let ends =
-            |event: usize| self.due[event] == time && self.past[event] && self.is_broken(event);
-        (time < f64::INFINITY).then(|| Landing {
+            |due: &Due| due.time == time && self.past[due.event] && self.is_broken(due.event);
+        Some(Landing {
             time,
-            ends: (0..self.due.len()).any(ends),
+            ends: self.due.iter().any(ends),
         })
+    }
+
+    /// Plans landings on the two earliest of some crossings between two times, if any lies between them; whether one does.
+    fn plan_first(&mut self, mut crossings: Vec<Due>, [start, end]: [f64; 2]) -> bool {
+        let size = end - start;
+        let inside = start + AT_END * size..end - AT_END * size;
+        crossings.retain(|due| inside.contains(&due.time));
+        keep_first_two(&mut crossings, TOGETHER * size);
+        let any = !crossings.is_empty();
+        if any {
+            self.due = crossings;
+        }
+        any
+    }
+
+    /// Forgets all landings.
+    pub fn plan_none(&mut self) {
+        self.due.clear();
+    }
+
+    /// Whether a step is to land on a surface.
+    fn is_landing(&self, plan: &Plan, event: usize) -> bool {
+        let mut due = self.due.iter();
+        due.any(|due| due.event == event && plan.lands_on(due.time))
     }
 
     /// Whether the exponent of a surface's force jump is broken, as 3/2: no polynomial of the time follows it.
@@ -140,9 +170,11 @@ impl ExplicitStepper {
         let values = &mut crossing.ends[1];
         problem.system.events(end, &crossing.state, values);
         crossing.is_end_known = true;
-        let sides = values.iter().zip(&crossing.past);
-        for (changed, (value, past)) in crossing.changed.iter_mut().zip(sides) {
-            *changed = value.is_sign_positive() != *past;
+        crossing.changed.clear();
+        for (event, (value, past)) in values.iter().zip(&crossing.past).enumerate() {
+            if value.is_sign_positive() != *past {
+                crossing.changed.push(event);
+            }
         }
     }
 
@@ -151,10 +183,9 @@ impl ExplicitStepper {
         // a landing costs one step more; with n = (end − latest)/size steps from crossing to crossing that is 1/n of the
         // cost, and it pays where passing over the surface adds more than 1/n of the tolerance
         let error_let_pass = plan.size / (plan.end - self.crossing.latest);
-        (0..self.crossing.changed.len()).any(|event| {
-            if !self.crossing.changed[event] {
-                false
-            } else if plan.lands_on(self.crossing.due[event]) {
+        (0..self.crossing.changed.len()).any(|number| {
+            let event = self.crossing.changed[number];
+            if self.crossing.is_landing(plan, event) {
                 self.error_of_miss(problem, plan, event) > LANDING_TOLERANCE
             } else {
                 self.is_error_over(problem, plan, event, error_let_pass)
@@ -217,38 +248,23 @@ impl ExplicitStepper {
     /// Locates where the trial crosses surfaces, and plans landings on the two earliest; whether any lies between the ends
     /// of the trial.
     pub(super) fn plan_landings(&mut self, problem: &Problem<'_>, size: f64) -> bool {
-        let mut found = std::mem::take(&mut self.crossing.found);
         let mut state = std::mem::take(&mut self.crossing.state);
-        let mut values = std::mem::take(&mut self.crossing.values);
         let mut deviation = std::mem::take(&mut self.argument);
         let [start, end] = [self.start, self.start + size];
-        let inside = start + AT_END * size..end - AT_END * size;
-        found.fill(f64::INFINITY);
-        for (event, due) in found.iter_mut().enumerate() {
-            if !self.crossing.changed[event] {
-                continue;
-            }
+        let mut found = Vec::new();
+        for &event in &self.crossing.changed {
             // the event function along the interpolant of the trial
             let value = |time: f64| {
                 self.by_stages(time, &mut deviation);
                 problem.write_state(&deviation, &mut state);
-                problem.system.events(time, &state, &mut values);
-                values[event]
+                problem.system.event(event, time, &state)
             };
             let ends = self.ends_past(event);
             let time = root(value, [start, end], ends, FOUND * size);
-            *due = time
-                .filter(|time| inside.contains(time))
-                .unwrap_or(f64::INFINITY);
+            found.extend(time.map(|time| Due { event, time }));
         }
-        keep_first_two(&mut found, TOGETHER * size);
-        let any = found.iter().any(|due| due.is_finite());
-        if any {
-            std::mem::swap(&mut found, &mut self.crossing.due);
-        }
-        (self.crossing.found, self.crossing.state) = (found, state);
-        (self.crossing.values, self.argument) = (values, deviation);
-        any
+        (self.crossing.state, self.argument) = (state, deviation);
+        self.crossing.plan_first(found, [start, end])
     }
 
     /// Records on which side of every surface a good step ends: where its landing is good, on the far side of it, whatever
@@ -261,17 +277,25 @@ impl ExplicitStepper {
         if !self.crossing.is_end_known {
             self.find_sides(problem, plan.end);
         }
-        for event in 0..self.crossing.past.len() {
-            let crossing = &mut self.crossing;
+        let crossing = &mut self.crossing;
+        let due = std::mem::take(&mut crossing.due).into_iter();
+        let (landings, others): (Vec<_>, Vec<_>) = due.partition(|due| plan.lands_on(due.time));
+        // crossed without a landing: none is due any more
+        let others = others.into_iter();
+        crossing.due = others
+            .filter(|due| !crossing.changed.contains(&due.event))
+            .collect();
+        for &event in &crossing.changed {
             // by the sign, unless it lands
-            let past_before = crossing.past[event];
-            crossing.past[event] ^= crossing.changed[event];
-            if plan.lands_on(crossing.due[event]) {
-                self.land(problem, plan, event, !past_before);
-            } else if crossing.changed[event] {
-                // crossed without a landing: none is due any more
-                crossing.due[event] = f64::INFINITY;
+            crossing.past[event] = !crossing.past[event];
+            if landings.iter().all(|due| due.event != event) {
+                crossing.latest = self.time;
             }
+        }
+        for Due { event, .. } in landings {
+            let crossing = &self.crossing;
+            let past_before = crossing.past[event] != crossing.changed.contains(&event);
+            self.land(problem, plan, event, !past_before);
             if self.crossing.past[event] != past_before {
                 self.crossing.latest = self.time;
             }
@@ -284,7 +308,6 @@ impl ExplicitStepper {
         let misses = self.error_of_miss(problem, plan, event) > LANDING_TOLERANCE;
         let [from, to] = self.ends_past(event);
         let crossing = &mut self.crossing;
-        crossing.due[event] = f64::INFINITY;
         let is_over = (to >= 0.0) == past;
         // time until the surface is reached, if the event function goes on as over the step
         let time_left = self.size * to / (from - to);
@@ -295,32 +318,26 @@ impl ExplicitStepper {
             crossing.fresh |= past && crossing.is_broken(event);
         } else if (near..self.size).contains(&time_left) && self.time + time_left < self.limit {
             // a short step more leads there
-            crossing.due[event] = self.time + time_left;
+            crossing.due.push(Due {
+                event,
+                time: self.time + time_left,
+            });
         }
     }
 }
 
-/// The earliest of some times after one of them.
-fn earliest(times: &[f64], after: f64) -> f64 {
-    let later = times.iter().copied().filter(|time| *time > after);
-    later.fold(f64::INFINITY, f64::min)
-}
-
-/// Makes times that are near each other one, and forgets all but the two earliest of these.
-fn keep_first_two(times: &mut [f64], near: f64) {
-    let mut latest = f64::NEG_INFINITY;
-    for _ in 0..2 {
-        latest = earliest(times, latest);
-        for time in times
-            .iter_mut()
-            .filter(|time| (latest..latest + near).contains(*time))
-        {
-            *time = latest;
+/// Makes landings that are near each other one, and forgets all but those at the two earliest times.
+fn keep_first_two(landings: &mut Vec<Due>, near: f64) {
+    landings.sort_by(|a, b| a.time.total_cmp(&b.time));
+    let (mut latest, mut times) = (f64::NEG_INFINITY, 0);
+    landings.retain_mut(|due| {
+        if due.time >= latest + near {
+            latest = due.time;
+            times += 1;
         }
-    }
-    for time in times.iter_mut().filter(|time| **time > latest) {
-        *time = f64::INFINITY;
-    }
+        due.time = latest;
+        times <= 2
+    });
 }
 
 #[cfg(test)]
@@ -329,8 +346,13 @@ mod tests {
 
     #[test]
     fn the_two_earliest_landings_are_kept_and_near_ones_are_one() {
-        let mut times = [0.5, f64::INFINITY, 0.2, 0.9, 0.2001];
-        keep_first_two(&mut times, 1e-3);
-        assert_eq!(times, [0.5, f64::INFINITY, 0.2, f64::INFINITY, 0.2]);
+        let due = |(event, time)| Due { event, time };
+        let mut landings: Vec<_> = [0.5, 0.2, 0.9, 0.2001]
+            .into_iter()
+            .enumerate()
+            .map(due)
+            .collect();
+        keep_first_two(&mut landings, 1e-3);
+        assert_eq!(landings, [(1, 0.2), (3, 0.2), (0, 0.5)].map(due));
     }
 }

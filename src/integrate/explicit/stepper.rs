@@ -95,7 +95,7 @@ impl ExplicitStepper {
         std::mem::swap(&mut self.start_rate, &mut self.end_rate);
         if self.time >= self.limit {
             problem.write_state(&self.from, &mut self.argument);
-            self.crossing.due.fill(f64::INFINITY);
+            self.crossing.plan_none();
             self.limit = problem.limit_after(self.time);
             // the derivative after a break, or the very first
             let rate = &mut self.start_rate;
