@@ -116,7 +116,7 @@ impl RatingLife {
     /// ```
     ///
     /// Where the outer ring turns past the load, the exponents change places.
-    pub fn consumption(&self, loads: impl Iterator<Item = [f64; 2]>) -> f64 {
+    pub fn consumption(&self, mut loads: impl Iterator<Item = [f64; 2]>) -> f64 {
         let turning = self.turning as usize;
         let slices = self.edge_factors.len();
         // of balls, which are asked at every sample, without memory of its own
@@ -128,12 +128,15 @@ impl RatingLife {
                 &mut several[..]
             }
         };
-        let firsts = (0..self.rows).flat_map(|row| std::iter::repeat_n(row * slices, self.row));
-        let places = firsts.flat_map(|first| (0..slices).map(move |slice| (first + slice, slice)));
-        for (loads, (place, slice)) in loads.zip(places) {
-            for race in 0..2 {
-                let power = self.power(self.edge_factors[slice] * loads[race], race != turning);
-                sums[place][race] += power;
+        // slice by slice of the rollers of each row
+        for row in sums.chunks_exact_mut(slices) {
+            for _ in 0..self.row {
+                let slices = row.iter_mut().zip(&self.edge_factors);
+                for ((sums, factor), loads) in slices.zip(&mut loads) {
+                    for race in 0..2 {
+                        sums[race] += self.power(factor * loads[race], race != turning);
+                    }
+                }
             }
         }
         let mut damage = 0.0;

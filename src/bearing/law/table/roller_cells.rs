@@ -4,8 +4,9 @@ use std::sync::OnceLock;
 
 use fearless_simd::{Level, Simd, SimdBase, SimdFloat, u32x8};
 
-use super::cells::{Cell, joined, lobatto, power_weights, transposed, weighted};
-use crate::bearing::law::laminae::{Four, Sums, fours};
+use super::cells::{Cell, joined, lobatto, power_weights, weighted};
+use crate::bearing::law::laminae::{Four, NEVER, Sums, fours};
+use crate::bearing::law::ninth_root::ninth_root;
 use crate::bearing::number::{LANES, Lanes};
 use crate::numerics::registers::in_wide_registers;
 
@@ -33,13 +34,15 @@ const MARGIN: f64 = 2.0;
 ///
 /// with x and t the positions in a cell of (p, τ), whose width grows with the distance from zero. Laminae that are
 /// well pressed throughout a cell are a polynomial in it, through values at nodes. The few laminae that meet the
-/// races near the cell are summed one by one: the kinks at which they do are where they are. A cell is made when it is first
-/// asked for, and is the same whoever asks; beyond all cells the sum is over all laminae.
+/// races near the cell are summed one by one, those of rollers side by side together: the kinks at which they do are where
+/// they are. A cell is made when it is first asked for, and is the same whoever asks; beyond all cells the sum is over all laminae.
 #[derive(Debug)]
 pub(in crate::bearing::law) struct RollerCells {
     /// Vector instructions of the processor.
     pub level: Level,
     pub laminae: Box<[Four]>,
+    /// The same laminae, each a position and 2 P, m.
+    each: Box<[[f64; 2]]>,
     /// L/2, m.
     pub half_length: f64,
     /// Least 2 P of any lamina, m.
@@ -54,8 +57,8 @@ pub(in crate::bearing::law) struct RollerCells {
 struct RollerCell {
     /// Σ q and −Σ s q of the laminae that are well pressed.
     far: Cell<POWERS, { TILT_POWERS / 2 }>,
-    /// The laminae that meet the races in the cell or near it.
-    near: Box<[Four]>,
+    /// The laminae that meet the races in the cell or near it, each a position and 2 P, m.
+    near: Box<[[f64; 2]]>,
 }
 
 impl RollerCells {
@@ -66,6 +69,7 @@ impl RollerCells {
         Self {
             level: Level::new(),
             laminae: fours(laminae),
+            each: laminae.into(),
             half_length,
             least_drop: laminae
                 .iter()
@@ -86,13 +90,12 @@ impl RollerCells {
         let (columns, x) = locate(past.max(zero) * (1.0 / self.unit), APPROACH_BITS);
         let (strips, t) = locate(along * (1.0 / self.unit), TILT_BITS);
         let square = t * t;
-        let (mut far, mut near) = ([zero; LANES], [[zero; LANES]; 2]);
+        let (mut far, mut near) = ([zero; LANES], [&[][..]; LANES]);
         for lane in 0..LANES {
             if past[lane] <= 0.0 {
                 continue;
             }
-            let place = [middle[lane], size[lane]];
-            let laminae = match self.cell(columns[lane], strips[lane]) {
+            near[lane] = match self.cell(columns[lane], strips[lane]) {
                 Some(cell) => {
                     let (x, square) = (x[lane], square[lane]);
                     far[lane] = cell
@@ -100,14 +103,25 @@ impl RollerCells {
                         .pairs(Lanes::splat(simd, x), Lanes::splat(simd, square));
                     &cell.near
                 }
-                None => &self.laminae,
+                None => &self.each,
             };
-            let Sums { load, .. } = Sums::over::<false>(simd, laminae, place);
-            [near[0][lane], near[1][lane]] = load;
         }
-        let [load, couple] = joined(far, t);
-        let side = Lanes::splat(simd, 1.0).copysign(tilt);
-        [load + totals(near[0]), side * (couple + totals(near[1]))]
+        let [mut load, mut couple] = joined(far, t);
+        for number in 0..near.iter().map(|near| near.len()).fold(0, usize::max) {
+            let (mut position, mut drop) = ([0.0; LANES], [NEVER; LANES]);
+            for lane in 0..LANES {
+                if let Some(lamina) = near[lane].get(number) {
+                    [position[lane], drop[lane]] = *lamina;
+                }
+            }
+            let position = simd.load_array_f64x4(position);
+            let approach = (middle - position * size) - simd.load_array_f64x4(drop);
+            let pressed = approach.max(zero);
+            let pushed = pressed * ninth_root(pressed);
+            load += pushed;
+            couple -= position * pushed;
+        }
+        [load, Lanes::splat(simd, 1.0).copysign(tilt) * couple]
     }
 
     /// A cell, made where it is asked for first; none beyond all.
@@ -164,16 +178,9 @@ impl RollerCells {
         });
         RollerCell {
             far: Cell::new(&terms),
-            near: fours(&near),
+            near: near.into(),
         }
     }
-}
-
-/// Sums of the lanes of four rows.
-#[inline(always)]
-fn totals<S: Simd>(rows: [Lanes<S>; LANES]) -> Lanes<S> {
-    let [a, b, c, d] = transposed(rows);
-    (a + b) + (c + d)
 }
 
 /// Edges of a cell along a coordinate: those of numbers with the same exponent and the same first bits of the mantissa, less 1.
