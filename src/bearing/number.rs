@@ -49,6 +49,9 @@ pub trait Plain: Number {
 
     /// `value` where this number is positive, else zero.
     fn if_positive(self, value: Self) -> Self;
+
+    /// This number, or `least` where it is less.
+    fn at_least(self, least: f64) -> Self;
 }
 
 /// M functions of K numbers that are not written in the operations of a [`Number`], such as the solution of an equation.
@@ -138,6 +141,11 @@ impl Plain for f64 {
     fn if_positive(self, value: Self) -> Self {
         if self > 0.0 { value } else { 0.0 }
     }
+
+    #[inline(always)]
+    fn at_least(self, least: f64) -> Self {
+        self.max(least)
+    }
 }
 
 impl<S: Simd> Number for Lanes<S> {
@@ -194,6 +202,11 @@ impl<S: Simd> Plain for Lanes<S> {
         let simd = self.witness();
         let zero = self.constant(0.0);
         simd.select_f64x4(simd.simd_gt_f64x4(self, zero), value, zero)
+    }
+
+    #[inline(always)]
+    fn at_least(self, least: f64) -> Self {
+        self.max(self.constant(least))
     }
 }
 

@@ -1,10 +1,10 @@
 //! Sums over the balls of a ring: force, stiffness, and the force against the damping of the contacts.
 
-use fearless_simd::{Simd, SimdBase, SimdFloat};
+use fearless_simd::{Simd, SimdBase};
 
 use super::number::Lanes;
 use super::ring::{Balls, LaneVector, side_by_side};
-use super::{BallForce, BallLaw, BearingRotation, ForceLaw, Matrix5, Ring, Vector5};
+use super::{Ball, BallForce, BallLaw, BearingRotation, ForceLaw, Matrix5, Ring, Vector5};
 use crate::numerics::registers::in_wide_registers;
 
 impl Ring {
@@ -122,19 +122,14 @@ impl Ring {
     }
 
     /// Force as by [`Ring::force`], and the force that moves the ring at a rate against the damping of the contacts,
-    /// given in the frame that turns with the cage:
+    /// given in the frame that turns with the cage: sums over [`BallLaw::damped`].
     ///
-    /// ```text
-    /// δ̇ = ∂δ/∂A1 Ȧ1 + ∂δ/∂A2 Ȧ2 + ∂δ/∂h_i ḣ_i + ∂δ/∂h_o ḣ_o        F_d = Σ_balls Σ_races Q max(c δ̇, −1) ∂δ/∂A
-    /// ```
-    ///
-    /// The approaches change by the first D of A1, A2 and both drops: 2 on
-    /// perfect surfaces, 4 on others.
+    /// Loads change by the first D of A1, A2 and both drops: 2 on perfect surfaces, 4 on others.
     #[inline(always)]
-    pub(super) fn damped_force_by<S: Simd, const D: usize>(
+    pub(super) fn damped_force_by<L: BallLaw, S: Simd, const D: usize>(
         &self,
         simd: S,
-        (law, coefficients): (&impl BallLaw, [f64; 2]),
+        (law, coefficients): (&L, [f64; 2]),
         [displacement, rate]: &[LaneVector<S>; 2],
         rotation: &BearingRotation,
     ) -> [Vector5; 2] {
@@ -147,15 +142,10 @@ impl Ring {
             rotation,
             #[inline(always)]
             |at| {
-                // loads, and elastic approaches with their slopes
-                let ball = at.ball.with_slopes::<D>();
-                let response = law.response(&ball, rotation.speed);
-                elastic.add_force(at, law, &response.force.value());
-                let approaches = law.elastic_approaches(&response);
-                // Ȧ1 and Ȧ2, and the rates of the drops
-                let [axial_rate, radial_rate, _] =
+                // Ȧ1, Ȧ2 and Ṫ, and the rates of the drops
+                let [axial, radial, tilt] =
                     self.components([0.0; 2], rate, [at.cos, at.sin, at.side]);
-                let drop_rates = match &self.surfaces {
+                let drop = match &self.surfaces {
                     Some(surfaces) if D == 4 => {
                         let speeds = [rotation.cage_speed, rotation.speed];
                         let rates = surfaces.rates(at.first, [&at.cos, &at.sin], rotation, speeds);
@@ -163,20 +153,20 @@ impl Ring {
                     }
                     _ => [zero; 2],
                 };
-                let [mut axial, mut radial] = [zero; 2];
-                for (race, approach) in approaches.into_iter().enumerate() {
-                    let [by_axial, by_radial] = [approach.slopes[0], approach.slopes[1]];
-                    let mut rate = by_axial * axial_rate + by_radial * radial_rate;
-                    for (slope, drop_rate) in approach.slopes[2..].iter().zip(&drop_rates) {
-                        rate += *slope * *drop_rate;
-                    }
-                    // no contact pulls: c δ̇ ≥ −1
-                    let limited = (coefficients[race] * rate).max(Lanes::splat(simd, -1.0));
-                    let damped = response.load[race].value * limited;
-                    axial += damped * by_axial;
-                    radial += damped * by_radial;
-                }
-                damping.add(at, [radial, axial, axial]);
+                let rate = Ball {
+                    axial,
+                    radial,
+                    tilt,
+                    drop,
+                };
+                let (force, resisting) =
+                    law.damped::<_, D>(&at.ball, &rate, coefficients, rotation.speed);
+                elastic.add_force(at, law, &force);
+                let moment = match L::FOLLOWS_TILT {
+                    true => resisting.axial + resisting.tilt / self.arm,
+                    false => resisting.axial,
+                };
+                damping.add(at, [resisting.radial, resisting.axial, moment]);
             },
         );
         [elastic.force(), damping.force()]

@@ -63,6 +63,49 @@ pub trait BallLaw: ForceLaw {
     /// Elastic approaches of a ball and both races under its loads, m, inner first.
     fn elastic_approaches<T: Number>(&self, response: &BallResponse<T>) -> [T; 2];
 
+    /// Force of a ball at its place, and what resists its rate by the damping of its contacts with coefficients c in s/m,
+    /// inner race first: conjugate to A1, A2, the tilt and both drops, of which it follows the first D, without the tilt.
+    ///
+    /// ```text
+    /// δ̇ = ∂δ/∂A1 Ȧ1 + ∂δ/∂A2 Ȧ2 + ∂δ/∂h_i ḣ_i + ∂δ/∂h_o ḣ_o        D_a = Σ_races Q max(c δ̇, −1) ∂δ/∂a
+    /// ```
+    #[inline(always)]
+    fn damped<T: Plain, const D: usize>(
+        &self,
+        ball: &Ball<T>,
+        rate: &Ball<T>,
+        coefficients: [f64; 2],
+        speed: f64,
+    ) -> (BallForce<T>, Ball<T>) {
+        // loads, and elastic approaches with their slopes
+        let response = self.response(&ball.with_slopes::<D>(), speed);
+        let zero = ball.axial.constant(0.0);
+        let rates = [rate.axial, rate.radial, rate.drop[0], rate.drop[1]];
+        let mut sums = [zero; 4];
+        let approaches = self.elastic_approaches(&response);
+        for race in 0..2 {
+            let slopes = approaches[race].slopes;
+            let mut rate = slopes[0] * rates[0] + slopes[1] * rates[1];
+            for variable in 2..D {
+                rate = rate + slopes[variable] * rates[variable];
+            }
+            // no contact pulls: c δ̇ ≥ −1
+            let limited = (rate * coefficients[race]).at_least(-1.0);
+            let damped = response.load[race].value * limited;
+            for variable in 0..D {
+                sums[variable] = sums[variable] + damped * slopes[variable];
+            }
+        }
+        let [axial, radial, inner, outer] = sums;
+        let resisting = Ball {
+            axial,
+            radial,
+            tilt: zero,
+            drop: [inner, outer],
+        };
+        (response.force.value(), resisting)
+    }
+
     /// Angle, rad, of the line along which both races press without inertia.
     fn contact_angle(&self, ball: &Ball) -> f64 {
         ball.axial.atan2(ball.radial)

@@ -86,7 +86,7 @@ impl<S: Simd> Sums<Lanes<S>> {
 
 /// Sum of the lanes.
 #[inline(always)]
-fn total<S: Simd>(lanes: &Lanes<S>) -> f64 {
+pub(super) fn total<S: Simd>(lanes: &Lanes<S>) -> f64 {
     let [a, b, c, d] = **lanes;
     (a + b) + (c + d)
 }

@@ -15,6 +15,7 @@ mod line_contacts;
 mod ninth_root;
 mod race_contacts;
 mod roller;
+mod roller_damping;
 mod shares;
 mod spring;
 mod table;
@@ -118,10 +119,6 @@ impl Law {
                 "contact = \"jones\"",
             ),
             (definition.oil.is_none(), "film = true"),
-            (
-                definition.contact_damping.is_none(),
-                "damping of the contacts",
-            ),
         ] {
             if !known {
                 return Err(BearingError::Rollers { what });

@@ -7,6 +7,7 @@ use fearless_simd::{Simd, SimdBase, SimdFloat};
 use super::laminae::{Four, NEVER, Sums};
 use super::line_contacts::LineContacts;
 use super::ninth_root::ninth_root;
+use super::roller_damping::LaminaDamping;
 use super::table::RollerCells;
 use super::{Ball, BallForce, BallLaw, BallResponse, ContactSpring, ForceLaw, Lamina};
 use crate::bearing::Geometry;
@@ -99,6 +100,18 @@ impl<const TILTS: bool> RollerLaw<TILTS> {
         }
     }
 
+    /// Load of a roller, N, and its force.
+    #[inline(always)]
+    fn load_and_force<T: Number>(&self, ball: &Ball<T>) -> (T, BallForce<T>) {
+        let [load, couple] = T::apply(self, [self.middle(ball), Self::tilt(ball)]);
+        let force = BallForce {
+            axial: load * self.sin,
+            radial: load * self.cos,
+            couple,
+        };
+        (load, force)
+    }
+
     /// The laminae one by one: position and 2 P, m.
     fn slices(&self) -> impl Iterator<Item = [f64; 2]> {
         let four = |four: &Four| {
@@ -110,13 +123,17 @@ impl<const TILTS: bool> RollerLaw<TILTS> {
         self.cells.laminae.iter().flat_map(four).take(self.laminae)
     }
 
+    /// Whether no lamina bears, told by the end that is pressed most.
+    #[inline(always)]
+    fn is_apart(&self, [middle, tilt]: [f64; 2]) -> bool {
+        middle + tilt.abs() * self.cells.half_length <= self.cells.least_drop
+    }
+
     /// Sums with the middle of the roller approached by some m under a tilt in rad; those of the stiffness only where
     /// `SLOPES`.
     #[inline(always)]
     fn sums<S: Simd, const SLOPES: bool>(&self, simd: S, place: [f64; 2]) -> Sums<f64> {
-        let [middle, tilt] = place;
-        if middle + tilt.abs() * self.cells.half_length <= self.cells.least_drop {
-            // no lamina bears
+        if self.is_apart(place) {
             return Sums {
                 load: [0.0; 2],
                 stiffness: [0.0; 3],
@@ -159,12 +176,7 @@ impl<const TILTS: bool> ForceLaw for RollerLaw<TILTS> {
 
     #[inline(always)]
     fn force<T: Number>(&self, ball: &Ball<T>, _speed: f64) -> BallForce<T> {
-        let [load, couple] = T::apply(self, [self.middle(ball), Self::tilt(ball)]);
-        BallForce {
-            axial: load * self.sin,
-            radial: load * self.cos,
-            couple,
-        }
+        self.load_and_force(ball).1
     }
 
     /// The laminae; of a roller that does not tilt those of one half, with which the others part.
@@ -204,10 +216,10 @@ impl<const TILTS: bool> BallLaw for RollerLaw<TILTS> {
     type Spring = Self;
 
     #[inline(always)]
-    fn response<T: Number>(&self, ball: &Ball<T>, speed: f64) -> BallResponse<T> {
-        let [load, _] = T::apply(self, [self.middle(ball), Self::tilt(ball)]);
+    fn response<T: Number>(&self, ball: &Ball<T>, _speed: f64) -> BallResponse<T> {
+        let (load, force) = self.load_and_force(ball);
         BallResponse {
-            force: self.force(ball, speed),
+            force,
             load: [load; 2],
             approach: self.largest_approach(ball),
         }
@@ -231,6 +243,32 @@ impl<const TILTS: bool> BallLaw for RollerLaw<TILTS> {
         [response.approach.positive() * 0.5; 2]
     }
 
+    #[inline(always)]
+    fn damped<T: Plain, const D: usize>(
+        &self,
+        ball: &Ball<T>,
+        rate: &Ball<T>,
+        coefficients: [f64; 2],
+        speed: f64,
+    ) -> (BallForce<T>, Ball<T>) {
+        let damping = LaminaDamping {
+            level: self.cells.level,
+            laminae: &self.cells.laminae,
+            stiffness: self.stiffness,
+            coefficients,
+        };
+        let place = [self.middle(ball), Self::tilt(ball)];
+        let rate = [self.middle(rate), Self::tilt(rate)];
+        let [load, couple] = T::apply(&damping, [place[0], place[1], rate[0], rate[1]]);
+        let resisting = Ball {
+            axial: load * self.sin,
+            radial: load * self.cos,
+            tilt: couple,
+            drop: [load * -1.0; 2],
+        };
+        (self.force(ball, speed), resisting)
+    }
+
     /// That of the races, however the roller is pressed.
     fn contact_angle(&self, _ball: &Ball) -> f64 {
         self.sin.atan2(self.cos)
@@ -245,6 +283,10 @@ impl<const TILTS: bool> BallLaw for RollerLaw<TILTS> {
 
     fn slice_loads(&self, ball: &Ball, loads: &mut [f64]) {
         let (middle, tilt) = (self.middle(ball), Self::tilt(ball));
+        if self.is_apart([middle, tilt]) {
+            loads.fill(0.0);
+            return;
+        }
         in_wide_registers!(self.cells.level, simd => {
             for (four, loads) in self.cells.laminae.iter().zip(loads.chunks_mut(LANES)) {
                 let position = simd.load_array_ref_f64x4(&four.position);
@@ -252,7 +294,10 @@ impl<const TILTS: bool> BallLaw for RollerLaw<TILTS> {
                 let approach = (Lanes::splat(simd, middle) - position * tilt) - drop;
                 let pressed = approach.max(Lanes::splat(simd, 0.0));
                 let load = pressed * ninth_root(pressed) * self.stiffness;
-                loads.copy_from_slice(&(*load)[..loads.len()]);
+                match loads.first_chunk_mut::<LANES>() {
+                    Some(whole) => *whole = *load,
+                    None => loads.copy_from_slice(&(*load)[..loads.len()]),
+                }
             }
         });
     }

@@ -66,8 +66,8 @@ impl Support {
         let [elastic, damping] = in_wide_registers!(ring.level, simd => {
             let motion = [side_by_side(simd, &place), side_by_side(simd, &rate)];
             with_law!(law, law => match ring.surfaces {
-                None => ring.damped_force_by::<_, 2>(simd, (law, coefficients), &motion, rotation),
-                Some(_) => ring.damped_force_by::<_, 4>(simd, (law, coefficients), &motion, rotation),
+                None => ring.damped_force_by::<_, _, 2>(simd, (law, coefficients), &motion, rotation),
+                Some(_) => ring.damped_force_by::<_, _, 4>(simd, (law, coefficients), &motion, rotation),
             })
         });
         match follows {

@@ -7,7 +7,7 @@ use crate::bearing::law::with_law;
 use crate::bearing::number::LANES;
 use crate::bearing::ring::side_by_side;
 use crate::bearing::surface::{ImperfectSurfaces, TurningSurfaces};
-use crate::bearing::{BallLaw, BearingRotation, Passing, RaceSpall};
+use crate::bearing::{Ball, BallLaw, BearingRotation, Passing, RaceSpall};
 
 impl Support {
     /// Whether any surface of the bearing differs from a perfect one.
@@ -65,25 +65,25 @@ impl Support {
             let mut moments = [0.0; 2];
             self.ring.visit(simd, &place, rotation, |at| {
                 let directions = [at.cos, at.sin, at.side];
-                let [axial, radial, _] = self.ring.components([0.0; 2], &rate, directions);
+                let [axial, radial, tilt] = self.ring.components([0.0; 2], &rate, directions);
                 let directions: [&[f64; LANES]; 2] = [&at.cos, &at.sin];
                 let ratios = [cage_ratio, 1.0];
                 let [by_inner, by_outer] = surfaces.rates(at.first, directions, rotation, ratios);
                 for (number, ball) in at.single(self.ring.balls()) {
                     let lane = number - at.first;
                     let by_angle = [by_inner[lane], by_outer[lane]];
-                    let [inner, outer] = by_angle.map(|by_angle| rotation.speed * by_angle);
-                    let rates = [axial[lane], radial[lane], inner, outer];
-                    let response = law.response(&ball.with_slopes::<4>(), rotation.speed);
-                    let approaches = law.elastic_approaches(&response);
-                    for race in 0..2 {
-                        let load = response.load[race].value;
-                        moments[0] += load * by_angle[race];
-                        let slopes = approaches[race].slopes;
-                        let parts = slopes.iter().zip(rates);
-                        let rate: f64 = parts.map(|(slope, rate)| slope * rate).sum();
-                        let damped = load * (coefficients[race] * rate).max(-1.0);
-                        moments[1] -= damped * (slopes[2] * by_angle[0] + slopes[3] * by_angle[1]);
+                    let rate = Ball {
+                        axial: axial[lane],
+                        radial: radial[lane],
+                        tilt: tilt[lane],
+                        drop: by_angle.map(|by_angle| rotation.speed * by_angle),
+                    };
+                    let response = law.response(&ball, rotation.speed);
+                    let (_, resisting) =
+                        law.damped::<_, 4>(&ball, &rate, coefficients, rotation.speed);
+                    for (race, by_angle) in by_angle.into_iter().enumerate() {
+                        moments[0] += response.load[race] * by_angle;
+                        moments[1] -= resisting.drop[race] * by_angle;
                     }
                 }
             });

@@ -29,7 +29,7 @@ pub struct DampingInput {
     /// equilibrium; measured on ball bearings: "2.5 us" to "25 us".
     #[schemars(extend("examples" = ["10 us"], "x-minimum" = 0.0, "x-maximum" = 1.0))]
     pub stiffness_time: Option<Quantity<Time>>,
-    /// Damping of the contacts of all balls after Hunt and Crossley: a contact bears (1 + 1.5 α δ̇)
+    /// Damping of the contacts of all balls and of each slice of rollers after Hunt and Crossley: a contact bears (1 + 1.5 α δ̇)
     /// times its load, δ̇ the rate of its approach. α is what a sphere loses of its speed in an impact,
     /// per speed: "0.08 s/m" to "0.32 s/m" for dry steel, more behind oil.
     #[schemars(extend("examples" = [{ "inner": "0.2 s/m", "outer": "0.2 s/m" }]))]

@@ -33,7 +33,8 @@ pub enum SurfaceInput {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DefectInput {
-    /// Where it is: "outer", "inner", "ball" or "roller"; on a race of two rows under the first.
+    /// Where it is: "outer", "inner", "ball" or "roller"; on a race of two rows under the first, which
+    /// bears loads along +z, or with facing "-z" those along −z.
     pub on: SurfaceInput,
     /// Number of the ball that it is on, from 1: ball 1 starts at `first_ball`.
     #[schemars(range(min = 1, max = 200))]

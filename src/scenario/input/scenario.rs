@@ -283,12 +283,6 @@ impl ScenarioInput {
             bearing.build(&self.model, freedoms, &catalogue, problems)
         });
         let contact_damping = damping::contact(self.damping.as_ref());
-        let has_rollers = |own: &MountedBearing| own.bearing.geometry.rollers().is_some();
-        if !contact_damping.is_none() && sets.iter().flatten().flatten().any(has_rollers) {
-            let message = "the damping of contacts is not known of roller bearings";
-            let issue = Issue::new("damping.contact", message);
-            problems.refuse(issue.help("give `ratio` or `coefficients` instead"));
-        }
         let damped = |bearing| MountedBearing {
             contact_damping,
             ..bearing

@@ -1,11 +1,12 @@
 //! Damping of the contacts: it takes energy, it pulls at nothing, and stiff or not its motion is one.
 
-use crate::bearing::{ContactDamping, ContactLaw, MountedBearing};
+use crate::bearing::{ContactDamping, ContactLaw, MountedBearing, Profile, RollerKind};
 use crate::integrate::{Method, Settings};
 use crate::physics::RaceControl;
 use crate::rotor::{CageMotion, Damping, Freedoms, InitialState, RotorDefinition, Sample};
 use crate::simulate::Model;
 
+use crate::tests::published::rollers::roller_bearing;
 use crate::tests::support::{
     AT_EQUILIBRIUM, assert_near, bearing, literature_bearing, model, mounted, rotor, samples,
     settings, shaft, thrust_rotor,
@@ -14,6 +15,10 @@ use crate::tests::support::{
 /// A shaft in the middle of three balls' clearance, thrown at ball 0.
 fn thrown(loss: f64, speed: f64) -> RotorDefinition {
     let three = literature_bearing(3, [11.9062e-3, 52e-3], 20e-6, 1e10);
+    thrown_in(mounted(three), loss, speed)
+}
+
+fn thrown_in(bearing: MountedBearing, loss: f64, speed: f64) -> RotorDefinition {
     RotorDefinition {
         cage: CageMotion::Frozen,
         initial: InitialState {
@@ -28,18 +33,15 @@ fn thrown(loss: f64, speed: f64) -> RotorDefinition {
                     inner: loss,
                     outer: loss,
                 },
-                ..mounted(three)
+                ..bearing
             }],
         )
     }
 }
 
 /// Speed after the first impact.
-fn rebound(loss: f64, speed: f64) -> f64 {
-    let samples = samples(
-        &model(thrown(loss, speed), 800e-6 / speed, 4e6 * speed),
-        0.0,
-    );
+fn rebound(definition: RotorDefinition, speed: f64) -> f64 {
+    let samples = samples(&model(definition, 800e-6 / speed, 4e6 * speed), 0.0);
     let back = samples.iter().position(|sample| sample.velocity[0] < 0.0);
     let free = samples[back.expect("a rebound")..]
         .iter()
@@ -68,16 +70,30 @@ fn expected_rebound(a: f64, speed: f64) -> f64 {
 #[test]
 fn an_impact_loses_speed_as_hunt_and_crossley_say() {
     let speed = 0.1;
+    let rebound = |loss| rebound(thrown(loss, speed), speed);
     for loss in [0.02, 0.2, 5.0, 100.0] {
         // 3/2 α (½² + ½²): both races share the approach
         let expected = expected_rebound(0.75 * loss, speed);
         // a kink in the slope of the force at either end of the contact
-        assert_near("rebound", rebound(loss, speed), expected, 1e-6 * speed);
+        assert_near("rebound", rebound(loss), expected, 1e-6 * speed);
     }
-    assert_near("elastic", rebound(0.0, speed), speed, 1e-7 * speed);
+    assert_near("elastic", rebound(0.0), speed, 1e-7 * speed);
     // 1 − e = α_12 v for small speeds
-    let lost = 1.0 - rebound(0.02, speed) / speed;
+    let lost = 1.0 - rebound(0.02) / speed;
     assert_near("restitution", lost, 0.001, 2e-6);
+}
+
+/// The integral of an impact does not know the exponent of the contact.
+#[test]
+fn an_impact_of_a_roller_loses_speed_as_that_of_a_ball() {
+    let speed = 0.1;
+    let sizes = (3, 9.0, 13.6, 43.5);
+    let three = roller_bearing(RollerKind::Cylindrical, sizes, 0.0, 20.0, Profile::Flat, 30);
+    for loss in [0.2, 5.0] {
+        let expected = expected_rebound(0.75 * loss, speed);
+        let found = rebound(thrown_in(mounted(three), loss, speed), speed);
+        assert_near("rebound", found, expected, 1e-6 * speed);
+    }
 }
 
 /// A decaying motion with contact damping only.

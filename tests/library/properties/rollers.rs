@@ -1,8 +1,8 @@
 //! Rollers: the ring against a plain sum, slopes, energy, and hard cases of lift-off, edges and tilts.
 
 use crate::bearing::{
-    BallLoads, BearingRotation, Defect, DefectProfile, MountedBearing, Profile, Support, Surface,
-    Vector5, Wave,
+    BallLoads, BearingRotation, ContactDamping, Defect, DefectProfile, MountedBearing, Profile,
+    Support, Surface, Vector5, Wave,
 };
 use crate::physics::{contact_modulus, line_stiffness};
 use crate::rotor::{CageMotion, Damping, Freedoms, InitialPosition, InitialState, RotorDefinition};
@@ -40,6 +40,16 @@ fn modulus(bearing: &MountedBearing) -> f64 {
 
 /// The force by the formula, roller by roller and slice by slice, and the sum of the sizes of its terms.
 fn plain_sum(bearing: &MountedBearing, place: &Vector5, cage: f64) -> (Vector5, f64) {
+    weighted_sum(bearing, place, cage, |_| 1.0)
+}
+
+/// The same with the load of every slice times a factor by how its approach follows the ring.
+fn weighted_sum(
+    bearing: &MountedBearing,
+    place: &Vector5,
+    cage: f64,
+    factor: impl Fn(&Vector5) -> f64,
+) -> (Vector5, f64) {
     let geometry = &bearing.bearing.geometry;
     let rollers = geometry.rollers().expect("rollers");
     let stiffness = line_stiffness(rollers.length, modulus(bearing)) / rollers.laminae as f64;
@@ -75,8 +85,8 @@ fn plain_sum(bearing: &MountedBearing, place: &Vector5, cage: f64) -> (Vector5, 
                 .map(|(a, b)| a * b)
                 .sum();
             let approach = moved - 0.5 * cos_a * rollers.clearance - 2.0 * slice.drop;
-            let load = stiffness * approach.max(0.0).powf(10.0 / 9.0);
-            size += load;
+            let load = stiffness * approach.max(0.0).powf(10.0 / 9.0) * factor(&row);
+            size += load.abs();
             for axis in 0..5 {
                 force[axis] += load * row[axis];
             }
@@ -151,6 +161,38 @@ fn stiffness_is_the_slope_of_the_force() {
                         1e-9 * size.max(1.0),
                     );
                 }
+            }
+        }
+    }
+}
+
+/// q max(c δ̇/2, −1)/2 at either race, slice by slice, along how the approach δ follows the ring.
+#[test]
+fn damping_is_the_plain_sum_of_all_slices() {
+    let loss = [0.2, 0.5];
+    for mut bearing in kinds() {
+        bearing.contact_damping = ContactDamping {
+            inner: loss[0],
+            outer: loss[1],
+        };
+        let support = support(&bearing);
+        let rotation = BearingRotation::at_start(0.0).with_cage_at(0.3);
+        // slowly, and so fast that contacts would pull
+        for speed in [0.01, 20.0] {
+            let velocity = [0.4, -1.0, 0.7, 20.0, -35.0].map(|part| speed * part);
+            for place in PLACES {
+                let factor = |row: &Vector5| {
+                    let rate: f64 = row.iter().zip(velocity).map(|(a, b)| a * b).sum();
+                    let at_race = |loss: f64| 0.5 * (0.75 * loss * rate).max(-1.0);
+                    loss.map(at_race).iter().sum()
+                };
+                let (expected, size) = weighted_sum(&bearing, &place, 0.3, factor);
+                let [_, damping] = support.damped_force(&place, &velocity, &rotation);
+                for axis in 0..5 {
+                    assert_near("damping", damping[axis], expected[axis], 2e-12 * size);
+                }
+                let power: f64 = damping.iter().zip(velocity).map(|(a, b)| a * b).sum();
+                assert!(power >= 0.0, "{power}");
             }
         }
     }
@@ -268,6 +310,11 @@ fn energy_closes_where_rollers_lift_off() {
         phase: 0.4,
     };
     damaged.imperfections.waves = vec![(Surface::Inner, wave)];
+    let mut damped = damaged.clone();
+    damped.contact_damping = ContactDamping {
+        inner: 0.1,
+        outer: 0.2,
+    };
     for (bearing, freedoms, load) in [
         (
             thirteen(Profile::Logarithmic, 30),
@@ -275,6 +322,7 @@ fn energy_closes_where_rollers_lift_off() {
             [0.0, -500.0, 0.0, 0.0, 0.1],
         ),
         (damaged, Freedoms::Radial, [0.0, -500.0, 0.0, 0.0, 0.0]),
+        (damped, Freedoms::Lateral, [0.0, -500.0, 0.0, 0.0, 0.1]),
         (tapered(), Freedoms::All, [0.0, -300.0, 900.0, 0.0, 0.0]),
         (
             spherical(),
