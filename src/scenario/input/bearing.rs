@@ -186,8 +186,11 @@ impl BearingInput {
         let mounted = self.build_one(model, freedoms, catalogue, problems);
         let places = self.places(problems);
         let mounted = mounted?;
-        let is_symmetric = mounted.bearing.geometry.is_symmetric();
-        if self.facing.is_some() && is_symmetric && mounted.preload == Preload::AxialOffset(0.0) {
+        let geometry = &mounted.bearing.geometry;
+        // of two rows only one has the spalls of the races
+        let by_rows = geometry.rows() > 1 && !self.defect.is_empty();
+        let is_alike = geometry.is_symmetric() && !by_rows;
+        if self.facing.is_some() && is_alike && mounted.preload == Preload::AxialOffset(0.0) {
             problems.warn(format!(
                 "`{}` says nothing here: {} without preload is alike in both directions",
                 problems.path(".facing"),
