@@ -12,7 +12,7 @@ use crate::rotor::{Coupling, ElementLaw, Rotor, Works};
 use crate::scenario::{Scenario, ScenarioError, load};
 use crate::simulate::RecordedRun;
 use crate::steady::{Steady, SteadyQuestion, steady};
-use crate::tests::support::assert_near;
+use crate::tests::support::{assert_near, scenario};
 
 const SPRING: &str = "[[element]]\nlinear = { stiffness = { x = \"1 N/um\", y = \"1 N/um\" }, damping = { x = \"40 N s/m\", y = \
                       \"40 N s/m\" } }\n";
@@ -30,11 +30,6 @@ fn laval(eccentricity: &str, speed: f64, parts: &[&str]) -> String {
          [time]\nduration = \"0.5 s\"\nsettle = \"0.3 s\"\n[integrator]\ntolerance = 1e-11\nverify = false\n",
         parts.concat()
     )
-}
-
-#[track_caller]
-fn scenario(text: &str) -> Scenario {
-    Scenario::from_toml(text).unwrap_or_else(|error| panic!("{}", error.render(false)))
 }
 
 /// A scenario in a folder, whose files it names.
@@ -55,6 +50,19 @@ fn settled(text: &str) -> Steady {
         integrated: &integrated,
     };
     steady(&question).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// A circle of that radius.
+#[track_caller]
+fn assert_whirls(found: &Steady, speed: f64, radius: f64) {
+    for axis in 0..2 {
+        assert_near(
+            "whirl",
+            amplitude(found, axis, speed),
+            radius,
+            1e-8 * radius,
+        );
+    }
 }
 
 fn amplitude(found: &Steady, axis: usize, speed: f64) -> f64 {
@@ -93,14 +101,7 @@ fn a_full_forward_rub_whirls_with_the_closed_form_amplitude() {
         let expected = bisect(5e-5, 1e-3, dynamic);
         assert!(expected > 5.5e-5, "{expected}");
         let found = settled(&laval("20 um", speed, &[SPRING, RUB]));
-        for axis in 0..2 {
-            assert_near(
-                "whirl",
-                amplitude(&found, axis, speed),
-                expected,
-                1e-8 * expected,
-            );
-        }
+        assert_whirls(&found, speed, expected);
     }
 }
 
@@ -126,14 +127,7 @@ fn a_squeeze_film_whirls_with_the_closed_form_amplitude() {
                 expected / c,
                 amplitude(&found, 0, speed) / expected - 1.0
             );
-            for axis in 0..2 {
-                assert_near(
-                    "whirl",
-                    amplitude(&found, axis, speed),
-                    expected,
-                    1e-8 * expected,
-                );
-            }
+            assert_whirls(&found, speed, expected);
         }
     }
 }

@@ -10,7 +10,7 @@ use crate::rotor::{Pickup, Rotor};
 use crate::scenario::Scenario;
 use crate::steady::{SteadyQuestion, steady};
 use crate::study::linear_response::{LinearResponse, LinearResponseQuestion, Resonance};
-use crate::tests::support::assert_near;
+use crate::tests::support::{assert_near, scenario};
 
 /// 5 kg, 10 µm beside the axis, on 1 N/µm and 200 N s/m.
 const LAVAL: &str = "[shaft]\nmass = \"5 kg\"\neccentricity = \"10 um\"\nfreedoms = \"radial\"\n[speed]\nconstant = \"300 rad/s\"\n\
@@ -23,8 +23,7 @@ fn across(position: f64) -> Vec<Pickup> {
 
 #[track_caller]
 fn asked(text: &str, at: Vec<Pickup>, by: Option<Pickup>, range: [f64; 2]) -> LinearResponse {
-    let scenario = Scenario::from_toml(text);
-    let scenario = scenario.unwrap_or_else(|error| panic!("{}", error.render(false)));
+    let scenario = scenario(text);
     let question = LinearResponseQuestion {
         rotor: scenario.question.rotor,
         at,
@@ -137,7 +136,7 @@ settle = "0.2 s"
 /// Balls after Hertz under a small unbalance: the motion of the whole equations is the linear one but for its size squared.
 #[test]
 fn small_motions_on_ball_bearings_are_those_of_steady() {
-    let scenario = Scenario::from_toml(BENDING).expect("a scenario");
+    let scenario = scenario(BENDING);
     let model = scenario.model.as_ref().expect("a motion");
     let (stop, integrated) = (AtomicBool::new(false), AtomicU64::new(0));
     let whole = steady(&SteadyQuestion {
@@ -220,8 +219,7 @@ linear = { stiffness = { x = "5 N/um", y = "5 N/um" }, damping = { x = "300 N s/
 [speed]
 constant = "3000 rpm"
 "#;
-    let scenario = Scenario::from_toml(text);
-    let scenario = scenario.unwrap_or_else(|error| panic!("{}", error.render(false)));
+    let scenario = scenario(text);
     let at = [0.0, 0.21, 0.305, 0.48].map(across).concat();
     for speed in [100.0, 400.0, 900.0, 1500.0] {
         // so many times as stiff; with a hub where none is given

@@ -7,7 +7,7 @@ use nalgebra::{Complex, DMatrix};
 
 use crate::ask::MatricesQuestion;
 use crate::rotor::{Pickup, Rotor};
-use crate::scenario::Scenario;
+use crate::tests::support::scenario;
 
 /// A rigid shaft that tilts, on a film by coefficients that drive a whirl, a squeeze film and springs off its middle.
 const RIGID: &str = "[shaft]\nmass = \"5 kg\"\nfreedoms = \"lateral\"\ninertia_transverse = \"0.05 kg m^2\"\ninertia_polar = \"0.03 kg m^2\"\n\
@@ -45,10 +45,6 @@ ratio = 0.02
 [speed]
 constant = "9000 rpm"
 "#;
-
-fn scenario(text: &str) -> Scenario {
-    Scenario::from_toml(text).unwrap_or_else(|error| panic!("{}", error.render(false)))
-}
 
 /// λ of the modes and of A; (K − ω² M + iω (C + ΩG))⁻¹ and the receptances.
 #[test]

@@ -9,6 +9,7 @@ use crate::rotor::{Freedoms, Rotor, Whirl};
 use crate::scenario::Scenario;
 use crate::simulate::{Run, speed_warnings};
 use crate::study::campbell::CampbellQuestion;
+use crate::tests::support::scenario;
 
 /// A shaft of 0.4 m with a disc at two thirds on bearings of constant stiffness along x and y alone.
 const WITHOUT_Z: &str = r#"
@@ -41,11 +42,6 @@ motion = false
 duration = "0.6 s"
 settle = "0.4 s"
 "#;
-
-#[track_caller]
-fn scenario(text: &str) -> Scenario {
-    Scenario::from_toml(text).unwrap_or_else(|error| panic!("{}", error.render(false)))
-}
 
 #[track_caller]
 fn run(scenario: &Scenario) -> Run {

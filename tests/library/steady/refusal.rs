@@ -8,13 +8,14 @@ use crate::rotor::load::{Harmonic, HarmonicRate};
 use crate::rotor::{
     CageMotion, Damping, Freedoms, Load, LoadKind, Rotor, RotorDefinition, RotorError, Unrepeated,
 };
-use crate::scenario::Scenario;
 use crate::steady::{
     ResponseQuestion, Stability, SteadyError, SteadyQuestion, response_warnings, steady,
 };
 
 use super::{search, shipped};
-use crate::tests::support::{bearing, constant, model, mounted, rotor, shaft, thrust_rotor};
+use crate::tests::support::{
+    bearing, constant, model, mounted, rotor, scenario, shaft, thrust_rotor,
+};
 
 #[test]
 fn what_does_not_repeat_has_no_steady_motion() {
@@ -211,8 +212,7 @@ ratio = 0.03
 [[load]]
 constant = { y = "-300 N", z = "100 N" }
 "#;
-    let scenario =
-        Scenario::from_toml(text).unwrap_or_else(|error| panic!("{}", error.render(false)));
+    let scenario = scenario(text);
     let told = |definition: &RotorDefinition| {
         let (stop, integrated) = (AtomicBool::new(false), AtomicU64::new(0));
         let question = ResponseQuestion {

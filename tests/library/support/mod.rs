@@ -15,6 +15,7 @@ use crate::rotor::{
     Damping, Freedoms, InitialPosition, InitialState, Load, RotorDefinition, Sample, Shaft,
 };
 use crate::rotor::{Equilibrium, EquilibriumError, StaticProblem};
+use crate::scenario::Scenario;
 use crate::simulate::{
     Analyses, Model, Monitor, Run, Sampling, SimulateError, TraceSink, simulate,
 };
@@ -324,6 +325,12 @@ pub fn assert_near(name: &str, value: f64, expected: f64, tolerance: f64) {
         error <= tolerance,
         "{name}: {value:.12e} is not {expected:.12e}: {error:.2e} apart, {tolerance:.2e} allowed"
     );
+}
+
+/// A scenario given as text.
+#[track_caller]
+pub fn scenario(text: &str) -> Scenario {
+    Scenario::from_toml(text).unwrap_or_else(|error| panic!("{}", error.render(false)))
 }
 
 /// Asserts that a value, rounded as the printed number is, is that number.
