@@ -7,6 +7,7 @@ use nalgebra::{Complex, DMatrix};
 
 use crate::ask::MatricesQuestion;
 use crate::rotor::{Pickup, Rotor};
+use crate::scenario::position;
 use crate::tests::support::scenario;
 
 /// A rigid shaft that tilts, on a film by coefficients that drive a whirl, a squeeze film and springs off its middle.
@@ -172,6 +173,7 @@ fn arrays_are_read_back() {
     }
     assert_eq!(names.len(), 8, "{names:?}");
     assert!(csv.starts_with("x_of_the_shaft_at_"), "{csv}");
-    let refused = MatricesQuestion::new(&scenario, &["600 mm".parse().expect("a place")], None);
+    assert!(position("y@250 mm").is_err());
+    let refused = MatricesQuestion::new(&scenario, &[0.6], None);
     assert!(refused.is_err());
 }
