@@ -132,6 +132,33 @@ fn radii(bearing: &MountedBearing) -> [f64; 4] {
     [-1.0 - 2.0 * RING, -1.0, 1.0, 1.0 + 2.0 * RING].map(|part| 0.5 * (pitch + part * ball))
 }
 
+/// A row of balls or rollers, or the contacts on one side of a row that touches on either.
+struct Row {
+    /// From the middle of the bearing, mm.
+    offset: f64,
+    /// Contact angle, rad.
+    angle: f64,
+}
+
+/// The rows of a bearing, whose balls lie on a pitch radius in mm. Lines of contact of two rows meet in its middle.
+fn rows(bearing: &MountedBearing, pitch: f64) -> Vec<Row> {
+    let geometry = &bearing.bearing.geometry;
+    let angle = geometry.contact_angle();
+    let row = |angle: f64| Row {
+        offset: if geometry.rows() > 1 {
+            pitch * angle.tan()
+        } else {
+            0.0
+        },
+        angle,
+    };
+    // a bearing without a preferred side touches on either
+    match geometry.is_symmetric() {
+        true => vec![row(-angle), row(angle)],
+        false => vec![row(bearing.facing.sign() * angle)],
+    }
+}
+
 impl Drawing {
     fn line(&mut self, colour: Colour, points: Vec<Point>) {
         self.curves.push(Curve::line(colour, points));
@@ -154,6 +181,26 @@ impl Drawing {
             colour,
             vec![first, (right, low), third, (left, high), first],
         );
+    }
+
+    /// A roller of a length and a diameter, whose contacts lean from the radial direction by an angle in rad.
+    fn roller(&mut self, (x, y): Point, [length, diameter]: [f64; 2], lean: f64) {
+        let (sin, cos) = lean.sin_cos();
+        let corners = [
+            (1.0, 1.0),
+            (-1.0, 1.0),
+            (-1.0, -1.0),
+            (1.0, -1.0),
+            (1.0, 1.0),
+        ];
+        let corners = corners.map(|(along, across)| {
+            let (along, across) = (0.5 * along * length, 0.5 * across * diameter);
+            (
+                x + along * cos + across * sin,
+                y - along * sin + across * cos,
+            )
+        });
+        self.line(distinct(RINGS), corners.to_vec());
     }
 
     fn circle(&mut self, colour: Colour, (x, y): Point, radius: f64) {
@@ -283,25 +330,34 @@ impl Drawing {
     fn bearing(&mut self, number: usize, bearing: &MountedBearing, scale: &Scale) {
         let geometry = &bearing.bearing.geometry;
         let ball = MILLI * geometry.ball_diameter();
-        let (centre, half) = (MILLI * bearing.position, HALF_WIDTH * ball);
-        let across = [centre - half, centre + half];
+        let centre = MILLI * bearing.position;
         let [bore, inner, outer, outside] = radii(bearing);
         let pitch = 0.5 * (inner + outer);
-        let angle = geometry.contact_angle();
-        // a bearing without a preferred side touches on either
-        let sides = match geometry.is_symmetric() {
-            true => vec![-angle, angle],
-            false => vec![bearing.facing.sign() * angle],
-        };
+        let rows = rows(bearing, pitch);
+        let elements = &rows[..geometry.rows()];
+        let roller = geometry.rollers().map(|rollers| MILLI * rollers.length);
+        let reach =
+            |row: &Row| row.offset.abs() + 0.5 * roller.map_or(ball, |length| length + 0.4 * ball);
+        let half = elements.iter().map(reach).fold(HALF_WIDTH * ball, f64::max);
+        let across = [centre - half, centre + half];
         for side in [1.0, -1.0] {
             let band = |low: f64, high: f64| [side * low, side * high];
             self.rectangle(distinct(RINGS), across, band(bore, inner + 0.12 * ball));
             self.rectangle(distinct(RINGS), across, band(outer - 0.12 * ball, outside));
-            self.circle(distinct(RINGS), (centre, side * pitch), 0.5 * ball);
-            for angle in &sides {
+            for row in elements {
+                let middle = (centre + row.offset, side * pitch);
+                match roller {
+                    Some(length) => self.roller(middle, [length, ball], side * row.angle),
+                    None => self.circle(distinct(RINGS), middle, 0.5 * ball),
+                }
+            }
+            for Row { offset, angle } in &rows {
                 // from the axis through the ball to its contact with the outer race and a little further
                 let end = pitch + 0.8 * ball;
-                let at = |radius: f64| (centre + (radius - pitch) * angle.tan(), side * radius);
+                let at = |radius: f64| {
+                    let z = centre + offset + (radius - pitch) * angle.tan();
+                    (z, side * radius)
+                };
                 self.fine(distinct(CONTACTS), vec![at(0.0), at(end)]);
             }
             match bearing.housing {
@@ -427,6 +483,32 @@ mod tests {
 
     /// A bearing that is loaded along +Z has its contacts with the outer race on that side of its balls, at its contact
     /// angle; facing the other way it is mirrored.
+    /// The rollers of a motor lie along the shaft, those of a spherical bearing lean with their contacts.
+    #[test]
+    fn rollers_are_drawn_by_their_length_and_diameter() {
+        let motor = include_str!("../../scenarios/motor-6206-nu206.toml");
+        let conveyor = include_str!("../../scenarios/conveyor-head-22212.toml");
+        for (text, count) in [(motor, 2), (conveyor, 8)] {
+            let scenario = Scenario::from_toml(text).expect("a shipped scenario");
+            let rotor = &scenario.question.rotor;
+            let geometry = rotor.bearings.last().expect("a bearing").bearing.geometry;
+            let rollers = geometry.rollers().expect("rollers");
+            let size = [rollers.length, geometry.ball_diameter()].map(|length| MILLI * length);
+            let figure = scene_figure("", rotor);
+            let is_roller = |curve: &&Curve| {
+                let distance = |from: usize, to: usize| {
+                    let [(x0, y0), (x1, y1)] = [from, to].map(|corner| curve.points[corner]);
+                    (x1 - x0).hypot(y1 - y0)
+                };
+                curve.points.len() == 5
+                    && (distance(0, 1) - size[0]).abs() < 1e-9
+                    && (distance(1, 2) - size[1]).abs() < 1e-9
+            };
+            let found = figure.panels[0].curves.iter().filter(is_roller);
+            assert_eq!(found.count(), count);
+        }
+    }
+
     #[test]
     fn lines_of_contact_lean_the_way_the_bearing_is_loaded() {
         let text = include_str!("../../scenarios/back-to-back-7205c.toml");
