@@ -140,7 +140,7 @@ struct Row {
     angle: f64,
 }
 
-/// The rows of a bearing, whose balls lie on a pitch radius in mm. Lines of contact of two rows meet in its middle.
+/// The rows of a bearing with a pitch radius in mm. Lines of contact of two rows meet in its middle.
 fn rows(bearing: &MountedBearing, pitch: f64) -> Vec<Row> {
     let geometry = &bearing.bearing.geometry;
     let angle = geometry.contact_angle();
@@ -352,7 +352,7 @@ impl Drawing {
                 }
             }
             for Row { offset, angle } in &rows {
-                // from the axis through the ball to its contact with the outer race and a little further
+                // from the axis through the ball or roller to its contact with the outer race and a little further
                 let end = pitch + 0.8 * ball;
                 let at = |radius: f64| {
                     let z = centre + offset + (radius - pitch) * angle.tan();
@@ -481,8 +481,6 @@ mod tests {
     use super::*;
     use crate::scenario::Scenario;
 
-    /// A bearing that is loaded along +Z has its contacts with the outer race on that side of its balls, at its contact
-    /// angle; facing the other way it is mirrored.
     /// The rollers of a motor lie along the shaft, those of a spherical bearing lean with their contacts.
     #[test]
     fn rollers_are_drawn_by_their_length_and_diameter() {
@@ -509,6 +507,8 @@ mod tests {
         }
     }
 
+    /// A bearing that is loaded along +Z has its contacts with the outer race on that side of its balls, at its contact
+    /// angle; facing the other way it is mirrored.
     #[test]
     fn lines_of_contact_lean_the_way_the_bearing_is_loaded() {
         let text = include_str!("../../scenarios/back-to-back-7205c.toml");
