@@ -2,12 +2,7 @@
 //!
 //! Trace, spectra, figures, page, studies and the keys `channels` of a scenario ask here for name, unit and value.
 
-use std::borrow::Cow;
-use std::fmt;
 use std::sync::{LazyLock, Mutex, PoisonError};
-
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
 use crate::keys::{DISPLACEMENT, FORCE};
 use crate::rotor::{Body, DriveMoments, EnergyBalance, FREEDOMS, Freedoms, MOST_BEARINGS, Sample};
@@ -137,10 +132,6 @@ static ALL: LazyLock<Vec<(Channel, Column)>> = LazyLock::new(|| {
     all.map(|channel| (channel, channel.column())).collect()
 });
 
-/// Names of the forces of elements, and of the bearings and the resonators behind the first, as a regular expression.
-const FURTHER: &str = "^((bearing([2-9]|[1-5][0-9]|6[0-4])|element([1-9]|[1-5][0-9]|6[0-4]))_(force_[xyz]|moment_[xy])|\
-                       resonator[2-4]_[xyz](_velocity|_acceleration)?)$";
-
 /// The columns of all sensors so far: a channel is copied around, and its column stays.
 static MEASURED: Mutex<Vec<&'static Column>> = Mutex::new(Vec::new());
 
@@ -225,41 +216,6 @@ impl Channel {
     /// The columns of the table `drive`.
     pub(crate) fn of_drive() -> impl Iterator<Item = Self> {
         Self::all().filter(|channel| matches!(channel, Self::Time | Self::Speed | Self::Drive(_)))
-    }
-
-    /// The columns that a trace can show beside the time, in the order in which the tables show them.
-    pub(crate) fn selectable() -> impl Iterator<Item = Self> {
-        let beside =
-            |channel: &Self| !matches!(channel, Self::Time | Self::Energy(_) | Self::Drive(_));
-        Self::all().filter(beside)
-    }
-
-    /// Whether lists of names leave it out, as what bearings behind the first have like it.
-    pub fn is_further(self) -> bool {
-        let resonators = matches!(
-            self,
-            Self::Body {
-                body: Body::Resonator(1..),
-                ..
-            }
-        );
-        let parts = matches!(
-            self,
-            Self::PartForce {
-                part: Part::Bearing(1..) | Part::Element(_),
-                ..
-            }
-        );
-        resonators || parts
-    }
-
-    /// Schema of the names that lists leave out.
-    pub(crate) fn further_schema() -> Schema {
-        json_schema!({
-            "description": "The same of bearing 2, 3, … or of element 1, 2, … in place of bearing 1.",
-            "type": "string",
-            "pattern": FURTHER,
-        })
     }
 
     /// Name as in the files: `x`, `tilt_x`, `x_velocity`, `force_x`, `moment_x` ….
@@ -382,14 +338,6 @@ impl Channel {
         found.map(|(channel, _)| *channel)
     }
 
-    /// Name and unit as a value of a result.
-    pub(crate) fn serialize_with_unit<S: Serializer>(
-        &self,
-        serializer: S,
-    ) -> Result<S::Ok, S::Error> {
-        self.column().serialize(serializer)
-    }
-
     /// Freedom 0 … 4 that it belongs to: x, y, z, θx, θy; none of what belongs to the whole shaft.
     pub(crate) fn freedom(self) -> Option<usize> {
         match self {
@@ -438,59 +386,6 @@ impl Channel {
     /// Whether it is a force or a moment on the shaft.
     pub(crate) fn is_force(self) -> bool {
         matches!(self, Self::Force(_) | Self::PartForce { .. })
-    }
-}
-
-/// The name.
-impl fmt::Display for Channel {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
-    }
-}
-
-/// The name.
-impl Serialize for Channel {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(self.name())
-    }
-}
-
-/// By the name, of those that a trace can show.
-impl<'de> Deserialize<'de> for Channel {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let name = Cow::<str>::deserialize(deserializer)?;
-        let found = Self::selectable().find(|channel| channel.name() == name);
-        found.ok_or_else(|| {
-            let names = Self::selectable().filter(|one| !one.is_further());
-            let names: Vec<_> = names.map(|one| format!("`{one}`")).collect();
-            let names = names.join(", ");
-            de::Error::custom(format!("unknown variant `{name}`, expected one of {names}"))
-        })
-    }
-}
-
-impl JsonSchema for Channel {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> Cow<'static, str> {
-        "column".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        let listed = Self::selectable().filter(|channel| !channel.is_further());
-        let column = |channel: Self| {
-            let description = match channel.unit() {
-                "" => "A number.".to_owned(),
-                unit => format!("In {unit}."),
-            };
-            json_schema!({ "description": description, "type": "string", "const": channel.name() })
-        };
-        json_schema!({
-            "description": "A column of the trace beside the time.",
-            "oneOf": listed.map(column).chain([Self::further_schema()]).collect::<Vec<_>>(),
-        })
     }
 }
 

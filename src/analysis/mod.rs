@@ -2,6 +2,7 @@
 
 pub(crate) mod causes;
 mod channel;
+mod channel_name;
 pub(crate) mod estimation;
 mod hermite;
 mod kurtogram;

@@ -9,6 +9,7 @@ mod cage;
 pub(crate) mod catalogue;
 mod clearance;
 pub(crate) mod definition;
+mod dual;
 mod error;
 mod estimate;
 mod fit;

@@ -5,6 +5,7 @@
 //! two sizes ([`slopes`]), values come from least squares between bounds ([`Problem::fit`]).
 
 mod answer;
+mod kind;
 mod problem;
 mod question;
 mod search;
@@ -14,8 +15,9 @@ mod statistics;
 use std::error::Error;
 
 pub use answer::{Answer, NamedLine, Number, Wanted};
+pub use kind::Kind;
 pub use problem::{Observation, Problem, Unknown};
-pub use question::{Kind, Question};
+pub use question::Question;
 pub use slopes::{Slope, slopes};
 pub use statistics::{Fit, Minimum, Profile, Unidentified};
 

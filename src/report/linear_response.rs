@@ -5,16 +5,12 @@ use std::f64::consts::TAU;
 use nalgebra::Complex;
 use serde_json::{Value, json};
 
-use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
-use super::terminal::{Lines, MICRO, MILLI, PER_MINUTE, significant, to_digits};
+use super::terminal::{Lines, MILLI, PER_MINUTE, to_digits};
 use super::{FileSet, Findings};
 use crate::rotor::{FREEDOM_NAMES, Pickup};
 use crate::scenario::Scenario;
 use crate::study::linear_response::{LinearResponse, LinearResponseQuestion, Resonance};
 use crate::table::{Column, Table};
-
-/// Height of a plot, px.
-const HEIGHT: u32 = 240;
 
 /// The response with its resonances; `operating` is the highest speed of the scenario, rad/s.
 pub fn linear_response_findings(
@@ -96,7 +92,7 @@ pub fn linear_response_findings(
 }
 
 /// `x at 250 mm`.
-fn place(pickup: &Pickup) -> String {
+pub(super) fn place(pickup: &Pickup) -> String {
     let position = to_digits(MILLI * pickup.position, 6);
     format!("{} at {position} mm", FREEDOM_NAMES[pickup.axis])
 }
@@ -111,9 +107,9 @@ fn point_json(pickup: &Pickup) -> Value {
 }
 
 /// What is told of a response.
-struct Told<'a> {
-    question: &'a LinearResponseQuestion,
-    response: &'a LinearResponse,
+pub(super) struct Told<'a> {
+    pub question: &'a LinearResponseQuestion,
+    pub response: &'a LinearResponse,
     operating: f64,
 }
 
@@ -150,7 +146,7 @@ impl Told<'_> {
     }
 
     /// Unit of all motions, behind a prefix; of displacements and tilts side by side both.
-    fn unit(&self, prefix: &str) -> String {
+    pub fn unit(&self, prefix: &str) -> String {
         let mut units: Vec<String> = Vec::new();
         for own in &self.question.at {
             let unit = format!("{prefix}{}{}", motion_unit(own), self.per_force());
@@ -280,87 +276,5 @@ impl Told<'_> {
                 .number("separation_margin_asked", "", |own| self.separation(own)?.1);
         }
         (table.end(), shown)
-    }
-
-    fn names(&self) -> Vec<Name> {
-        Name::each(self.question.at.iter().map(place))
-    }
-
-    /// A curve for each pickup through points made of values and motions.
-    fn curves(&self, point: impl Fn(f64, Complex<f64>) -> Point) -> Vec<Curve> {
-        let pickups = 0..self.question.at.len();
-        let curve = |index: usize| {
-            let all = self.response.points.iter();
-            let points =
-                all.filter_map(|(value, motions)| Some(point(*value, motions.as_ref()?[index])));
-            Curve::line(distinct(index), points.collect())
-        };
-        pickups.map(curve).collect()
-    }
-
-    fn axis(&self) -> (Axis, f64) {
-        let (label, factor) = match self.question.by {
-            Some(_) => (("frequency", "Hz"), 1.0 / TAU),
-            None => (("speed", "1/min"), PER_MINUTE),
-        };
-        let [from, to] = self.question.range.map(|end| factor * end);
-        (Axis::over(label, from..to), factor)
-    }
-
-    /// Amplitude and phase over speed or frequency.
-    fn bode(&self, title: &str) -> Figure {
-        let (axis, factor) = self.axis();
-        let curves = self.curves(|value, motion| (factor * value, MICRO * motion.norm()));
-        let heights: Vec<f64> = curves
-            .iter()
-            .flat_map(|own| &own.points)
-            .map(|own| own.1)
-            .collect();
-        let amplitudes = Panel {
-            curves,
-            ..Panel::new(
-                axis.clone(),
-                Axis::logarithmic(("amplitude", &self.unit("µ")), heights),
-                HEIGHT,
-            )
-        };
-        let phases = Panel {
-            curves: self.curves(|value, motion| (factor * value, motion.arg().to_degrees())),
-            ..Panel::new(axis, Axis::over(("phase", "deg"), -180.0..180.0), HEIGHT)
-        };
-        Figure::new("bode", title, 1, vec![amplitudes, phases]).with_names(self.names())
-    }
-
-    /// Every motion as a point of the plane, with the resonances named.
-    fn polar(&self, title: &str) -> Figure {
-        let curves = self.curves(|_, motion| (MICRO * motion.re, MICRO * motion.im));
-        let points = curves.iter().flat_map(|own| &own.points);
-        let most = points.map(|own| own.0.hypot(own.1)).fold(0.0, f64::max);
-        let most = if most > 0.0 { 1.1 * most } else { 1.0 };
-        let label = |part: &str| (format!("{part} part"), self.unit("µ"));
-        let (_, factor) = self.axis();
-        let peaks = self.response.resonances.iter().filter_map(|own| {
-            let nearest = self
-                .response
-                .points
-                .iter()
-                .min_by(|a, b| (a.0 - own.peak).abs().total_cmp(&(b.0 - own.peak).abs()))?;
-            let motion = nearest.1.as_ref()?[own.pickup];
-            Some((
-                (MICRO * motion.re, MICRO * motion.im),
-                significant(factor * own.peak),
-            ))
-        });
-        let panel = Panel {
-            peaks: peaks.collect(),
-            curves,
-            aspect: Some(1.0),
-            ..Panel::new(
-                Axis::over(label("real"), -most..most),
-                Axis::over(label("imaginary"), -most..most),
-                0,
-            )
-        };
-        Figure::new("polar", title, 1, vec![panel]).with_names(self.names())
     }
 }

@@ -18,6 +18,7 @@ mod fit;
 mod folder;
 mod histories;
 mod linear_response;
+mod linear_response_figures;
 pub(crate) mod many;
 mod matrices;
 mod measured;
@@ -45,6 +46,7 @@ pub(crate) mod table;
 mod terminal;
 pub(crate) mod text;
 mod variable;
+mod whole_file;
 
 pub(crate) use accuracy::accuracy_findings;
 pub(crate) use campbell::campbell_findings;
@@ -56,7 +58,7 @@ pub use error::ReportError;
 pub(crate) use estimate::{entry_json, entry_text, estimate_json, estimate_text};
 pub(crate) use findings::{Findings, versioned};
 pub(crate) use fit::fit_findings;
-pub(crate) use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole};
+pub(crate) use folder::{FileSet, RunFolder, write_whole};
 #[cfg(test)]
 pub(crate) use histories::Histories;
 pub(crate) use linear_response::linear_response_findings;
@@ -66,6 +68,7 @@ pub(crate) use roller_catalogue::{
     add_roller_table, roller_entry_json, roller_entry_text, roller_estimate_json,
     roller_estimate_text,
 };
+pub(crate) use whole_file::{PartialFile, WholeFile};
 
 pub(crate) use measured::{listed_record, measured_findings, record_json};
 

@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 
-use crate::bearing::number::{Dual, Plain};
+use crate::bearing::dual::Dual;
+use crate::bearing::number::Plain;
 use crate::physics::{BallMotion, Race};
 
 /// A ball between its races, seen in its own plane.

@@ -1,20 +1,19 @@
 //! What is drawn of a study: numbers along an axis and over two, places of the shaft, rank correlations.
 
-use super::digest::{Digest, is_down, number};
-use super::rows::Rows;
-use crate::report::ReportError;
+use super::digest::{Digest, is_down};
+use super::shown::Shown;
 use crate::report::figure::{
     Axis, Cell, Curve, Figure, GREY, Label, Mark, Name, Panel, Point, distinct, ends, graded,
     padded,
 };
-use crate::report::terminal::{MICRO, shown_column};
+use crate::report::terminal::shown_column;
 use crate::report::variable::{axis_label, key_in_words, variable_column};
 use crate::study::many::RunRecord;
 
 /// Height of a plot, px.
 const ROW_HEIGHT: u32 = 272;
 /// Height of a single plot, px.
-const HEIGHT: u32 = 480;
+pub(super) const HEIGHT: u32 = 480;
 /// Most points of a curve that are marked.
 const MOST_MARKS: usize = 60;
 /// Steps of colour in a map.
@@ -31,82 +30,10 @@ const MAP_HEIGHT: u32 = 300;
 /// The values of an axis in order, and the edges halfway between them.
 type Edges = (Vec<f64>, Vec<f64>);
 
-/// Places of the shaft, and the run that each is of.
-type Places = (Vec<Point>, Vec<u64>);
-
-/// Most places of the shaft that are drawn, about: of more, those of every so many runs.
-const MOST_PLACES: usize = 200_000;
-
 /// Height of a bar, px.
 const BAR: u32 = 26;
 
-/// The number that says how a motion repeats.
-const PERIOD: &str = "period_cycles";
-
-/// What the figures show where a study names nothing.
-const SHOWN: [&str; 8] = [
-    "x_rms_m",
-    "y_rms_m",
-    "z_rms_m",
-    "x_order_1_m",
-    "largest_ball_load_N",
-    "bearing_1_life_h",
-    "natural_frequency_1_Hz",
-    "stiffness_y_N_m",
-];
-
-/// A number that the figures show.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Shown {
-    /// Its place among the columns.
-    pub column: usize,
-    /// What it is called, with the unit in which it is drawn.
-    label: Label,
-    /// What its values are multiplied by for that.
-    factor: f64,
-    /// Whether it is a count only where it is positive.
-    is_code: bool,
-}
-
-impl Shown {
-    /// What is drawn of a run.
-    fn value(&self, row: &RunRecord) -> f64 {
-        let value = number(row, self.column);
-        match self.is_code && value < 0.0 {
-            true => f64::NAN,
-            false => self.factor * value,
-        }
-    }
-}
-
 impl Digest {
-    /// The numbers that the study names or else some of all that vary, as far as runs have them.
-    pub(super) fn shown(&self) -> Vec<Shown> {
-        let names: Vec<&str> = match &self.head.named {
-            Some(named) => named.iter().map(String::as_str).collect(),
-            None => SHOWN.to_vec(),
-        };
-        let known = |name: &&str| {
-            let column = self.column(name)?;
-            let digest = &self.columns[column];
-            let tells = digest.varies() || (self.head.named.is_some() && digest.known > 1);
-            let (label, factor) = shown_column(&digest.column);
-            let is_code = digest.column.quantity == PERIOD;
-            let label = if is_code {
-                "cycles of a motion that repeats".into()
-            } else {
-                label.into()
-            };
-            tells.then_some(Shown {
-                column,
-                label,
-                factor,
-                is_code,
-            })
-        };
-        names.iter().filter_map(known).collect()
-    }
-
     /// Numbers along the only axis, by direction.
     pub(super) fn response(&self) -> Option<Figure> {
         let [axis] = &self.head.axes[..] else {
@@ -132,7 +59,7 @@ impl Digest {
     }
 
     /// What the colours mean: how a run came to its value.
-    fn directions(&self) -> Vec<Name> {
+    pub(super) fn directions(&self) -> Vec<Name> {
         let is_there = |down| self.rows.iter().any(|row| is_down(row) == down);
         if is_there(false) && is_there(true) {
             Name::each(["up", "down"])
@@ -155,59 +82,6 @@ impl Digest {
             runs,
             ..Curve::marked(colour, points, most_marks)
         })
-    }
-
-    /// Places of the shaft over the only axis: the displacement that is spread most, by direction.
-    pub(super) fn bifurcation(&self, rows: &Rows) -> Result<Option<Figure>, ReportError> {
-        let head = &self.head;
-        let ([axis], Some([low, high])) = (&head.axes[..], self.ends(0)) else {
-            return Ok(None);
-        };
-        let lengths = head.lengths();
-        // of every displacement: value of the axis and place in µm, up and down
-        let mut found = vec![<[Places; 2]>::default(); lengths.len()];
-        let every = self.points.div_ceil(MOST_PLACES).max(1);
-        let drawn = self.rows.iter().step_by(every).map(|row| row.run);
-        rows.each_of(drawn, |row| {
-            let at = self.at(&row, 0);
-            for point in row.outcome.iter().flat_map(|outcome| &outcome.points) {
-                for (places, (index, _)) in found.iter_mut().zip(&lengths) {
-                    let (points, runs) = &mut places[usize::from(is_down(&row))];
-                    points.push((at, MICRO * point.displacement[*index]));
-                    runs.push(row.run);
-                }
-            }
-        })?;
-        let range = |places: &[Places; 2]| {
-            let points = places.iter().flat_map(|(points, _)| points);
-            padded(points.map(|point| point.1))
-        };
-        let spread = |places: &[Places; 2]| {
-            let range = range(places);
-            range.end - range.start
-        };
-        let found = found.into_iter().zip(lengths);
-        let found = found.filter(|(places, _)| places.iter().any(|(points, _)| !points.is_empty()));
-        let widest = found.max_by(|(a, _), (b, _)| spread(a).total_cmp(&spread(b)));
-        let Some((places, (_, channel))) = widest else {
-            return Ok(None);
-        };
-        let (label, _) = shown_column(&channel.column());
-        let heights = Axis::over(label, range(&places));
-        let places = places.into_iter().enumerate();
-        let dots = places.map(|(down, (points, runs))| Curve {
-            mark: Mark::Spot,
-            // where both ways meet both are seen
-            beside: 2 * down as u8,
-            runs,
-            ..Curve::dots(distinct(down), points)
-        });
-        let panel = Panel {
-            curves: dots.collect(),
-            ..Panel::new(Axis::around(axis_label(axis), [low, high]), heights, HEIGHT)
-        };
-        let figure = Figure::new("bifurcation", &head.title, 1, vec![panel]);
-        Ok(Some(figure.with_names(self.directions())))
     }
 
     /// What the study names, or else vibration, over both axes of a grid.

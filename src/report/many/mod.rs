@@ -1,5 +1,6 @@
 //! The files of a study of many runs: its rows while it goes on, tables, figures and a summary at its end.
 
+mod bifurcation;
 mod cells;
 mod column_digest;
 mod digest;
@@ -9,6 +10,7 @@ mod head;
 mod identity;
 mod ross;
 mod rows;
+mod shown;
 mod standing;
 mod statistics;
 mod tables;

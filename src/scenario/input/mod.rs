@@ -28,6 +28,7 @@ mod ratings;
 mod record;
 mod recorded;
 mod roller;
+mod rotor;
 mod scenario;
 mod settings;
 mod shaft;

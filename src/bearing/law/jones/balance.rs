@@ -1,7 +1,8 @@
 //! The two contacts of a ball at a trial position, and the balance of forces on it.
 
 use super::inertia::{InertiaForces, InertiaLaw};
-use crate::bearing::number::{Dual, Number};
+use crate::bearing::dual::Dual;
+use crate::bearing::number::Number;
 
 /// Dimensions of a ball's plane, and its inertia.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,7 +1,8 @@
 //! What the motion of a ball asks of its contacts: centrifugal force and friction forces.
 
 use super::balance::Contact;
-use crate::bearing::number::{Dual, Number};
+use crate::bearing::dual::Dual;
+use crate::bearing::number::Number;
 use crate::physics::RaceControl;
 
 /// Inertia forces of a ball, N.

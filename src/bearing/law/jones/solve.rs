@@ -1,8 +1,9 @@
 //! Position of a ball between its races: damped Newton from an explicit start.
 
 use super::balance::{Balance, Ball, Plane, Positions, apply, inverse};
+use crate::bearing::dual::Dual;
 use crate::bearing::law::{ContactSpring, HertzSpring};
-use crate::bearing::number::{Dual, Number};
+use crate::bearing::number::Number;
 use crate::physics::series_stiffness;
 
 /// Trial positions after which a solve ends with what it has.
