@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use super::{Outcome, terminal};
-use crate::bearing::catalogue::{self, CatalogueEntry};
-use crate::bearing::{Bearing, Estimate, RollerEntry, RollerEstimate};
+use crate::bearing::catalogue::{self, CatalogueEntry, Found};
+use crate::bearing::{Bearing, Estimate, EstimateError, RollerEntry, RollerEstimate};
 use crate::report::{
     add_roller_table, catalogue_text, entry_json, entry_text, roller_entry_json, roller_entry_text,
     versioned,
@@ -70,30 +70,27 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
 }
 
 fn one(designation: &str, json: bool) -> Result<String, String> {
-    let found = match (
-        catalogue::look_up(&catalogue::EMPTY, designation),
-        catalogue::look_up_rollers(&catalogue::EMPTY, designation),
-    ) {
-        (Ok(found), _) => found,
-        (Err(_), Some((entry, _))) => return one_of_rollers(entry, json),
-        (Err(error), None) => return Err(error.to_string()),
+    let (found, _) =
+        catalogue::look_up(&catalogue::EMPTY, designation).map_err(|error| error.to_string())?;
+    let wrong = |name: &str, error: EstimateError| format!("{name}: {error}");
+    let (document, lines) = match found {
+        Found::Balls(entry) => {
+            let estimate = entry.line.estimate();
+            let estimate = estimate.map_err(|error| wrong(&entry.designation, error))?;
+            let bearing = Bearing::catalogue(designation).map_err(|error| error.to_string())?;
+            let lines = entry_text(entry, &bearing, &estimate);
+            (entry_json(entry, &bearing, &estimate), lines)
+        }
+        Found::Rollers(entry) => {
+            let estimate = entry.line.estimate();
+            let estimate = estimate.map_err(|error| wrong(&entry.designation, error))?;
+            let lines = roller_entry_text(entry, &estimate);
+            (roller_entry_json(entry, &estimate), lines)
+        }
     };
-    let entry = found.entry;
-    let estimate = entry.line.estimate();
-    let estimate = estimate.map_err(|error| format!("{}: {error}", entry.designation))?;
-    let bearing = Bearing::catalogue(designation).map_err(|error| error.to_string())?;
     Ok(match json {
-        true => format!("{:#}\n", versioned(entry_json(entry, &bearing, &estimate))),
-        false => entry_text(entry, &bearing, &estimate).text(terminal::details()),
-    })
-}
-
-fn one_of_rollers(entry: &RollerEntry, json: bool) -> Result<String, String> {
-    let estimate = entry.line.estimate();
-    let estimate = estimate.map_err(|error| format!("{}: {error}", entry.designation))?;
-    Ok(match json {
-        true => format!("{:#}\n", versioned(roller_entry_json(entry, &estimate))),
-        false => roller_entry_text(entry, &estimate).text(terminal::details()),
+        true => format!("{:#}\n", versioned(document)),
+        false => lines.text(terminal::details()),
     })
 }
 
@@ -107,10 +104,11 @@ fn rollers() -> impl Iterator<Item = (&'static RollerEntry, RollerEstimate)> {
 fn found() -> Vec<(&'static CatalogueEntry, Bearing, Estimate)> {
     let entries = catalogue::all(&catalogue::EMPTY).flat_map(|known| &known.balls);
     let found = entries.filter_map(|entry| {
-        let first = catalogue::look_up(&catalogue::EMPTY, &entry.designation).ok()?;
+        let (first, _) = catalogue::look_up(&catalogue::EMPTY, &entry.designation).ok()?;
         let bearing = entry.bearing().ok()?;
         let estimate = entry.line.estimate().ok()?;
-        std::ptr::eq(first.entry, entry).then_some((entry, bearing, estimate))
+        let is_found = matches!(first, Found::Balls(first) if std::ptr::eq(first, entry));
+        is_found.then_some((entry, bearing, estimate))
     });
     let mut found: Vec<_> = found.collect();
     found.sort_by(|(a, ..), (b, ..)| a.designation.cmp(&b.designation));

@@ -86,19 +86,21 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
             return Ok(Outcome::WrongInput);
         }
     };
-    let json = arguments.json;
     let told = match &line {
-        RatedLine::Balls(line) => line.estimate().map(|estimate| match json {
-            true => format!("{:#}\n", estimate_json(line, &estimate)),
-            false => estimate_text(TITLE, line, &estimate).text(terminal::details()),
+        RatedLine::Balls(line) => line.estimate().map(|found| {
+            (
+                estimate_json(line, &found),
+                estimate_text(TITLE, line, &found),
+            )
         }),
-        RatedLine::Rollers(line) => line.estimate().map(|estimate| match json {
-            true => format!("{:#}\n", roller_estimate_json(line, &estimate)),
-            false => roller_estimate_text(TITLE, line, &estimate).text(terminal::details()),
+        RatedLine::Rollers(line) => line.estimate().map(|found| {
+            let text = roller_estimate_text(TITLE, line, &found);
+            (roller_estimate_json(line, &found), text)
         }),
     };
     match told {
-        Ok(text) => terminal::print(&text)?,
+        Ok((document, _)) if arguments.json => terminal::print(&format!("{document:#}\n"))?,
+        Ok((_, lines)) => terminal::print(&lines.text(terminal::details()))?,
         Err(error) => return Ok(terminal::refuse(error)),
     }
     Ok(Outcome::Done)

@@ -33,7 +33,7 @@ pub fn entry_text(entry: &CatalogueEntry, bearing: &Bearing, estimate: &Estimate
     let line = &entry.line;
     let mut out = Lines::titled(&entry.designation);
     let [bore, outside] = [line.bore, line.outside_diameter].map(|size| rounded(1e3 * size, 6));
-    let width = entry.width.map(|width| format!(" × {}", 1e3 * width));
+    let width = line.width.map(|width| format!(" × {}", 1e3 * width));
     let width = width.unwrap_or_default();
     out.line("size", format!("{bore} × {outside}{width} mm"));
     add_estimate(&mut out, line, estimate);
@@ -128,7 +128,7 @@ pub fn entry_json(entry: &CatalogueEntry, bearing: &Bearing, estimate: &Estimate
         "groove_factor_outer": estimate.internal.groove_factor_outer,
         "bore_mm": millimetres(line.bore),
         "outside_diameter_mm": millimetres(line.outside_diameter),
-        "width_mm": entry.width.map(millimetres),
+        "width_mm": line.width.map(millimetres),
         "dynamic_rating_N": line.dynamic_rating,
         "static_rating_N": line.static_rating,
         "fatigue_load_limit_N": bearing.fatigue_load_limit().ok(),

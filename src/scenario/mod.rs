@@ -188,7 +188,10 @@ pub(crate) fn ratings<'a>(
     let input: Option<RatingsInput> = reader::read(schema, &mut problems);
     let line = input.and_then(|input| match input.kind {
         None => Some(RatedLine::Balls(input.line())),
-        Some(_) => input.roller_line(&mut problems).map(RatedLine::Rollers),
+        Some(kind) => {
+            let line = input.roller_line(kind, &mut problems);
+            line.map(RatedLine::Rollers)
+        }
     });
     line.filter(|_| problems.issues.is_empty())
         .ok_or(problems.issues)

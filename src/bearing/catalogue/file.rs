@@ -1,6 +1,6 @@
 //! Reads catalogue files, the one that is shipped and the user's own.
 
-use super::{Catalogue, CatalogueEntry, RollerEntry, normal};
+use super::{Catalogue, CatalogueEntry, normal};
 use crate::bearing::{CatalogueLine, RollerKind, RollerLine};
 
 /// Columns of a catalogue file that must be there.
@@ -152,13 +152,13 @@ impl Row<'_> {
         let added = match self.text("kind") {
             "" | "ball" => {
                 self.refuse(&OF_ROLLERS, "a ball bearing", &mut problems);
-                let entry = self.ball_bearing(&mut problems);
-                entry.map(|entry| catalogue.balls.push(entry))
+                let line = self.ball_bearing(&mut problems);
+                line.map(|line| catalogue.balls.push(self.entry(line)))
             }
             name => {
                 self.refuse(&OF_BALLS, "a roller bearing", &mut problems);
-                let entry = self.roller_bearing(name, &mut problems);
-                entry.map(|entry| catalogue.rollers.push(entry))
+                let line = self.roller_bearing(name, &mut problems);
+                line.map(|line| catalogue.rollers.push(self.entry(line)))
             }
         };
         match added {
@@ -179,7 +179,18 @@ impl Row<'_> {
         problems.extend(given.map(|column| format!("{of} has no `{column}`")));
     }
 
-    fn ball_bearing(&self, problems: &mut Vec<String>) -> Option<CatalogueEntry> {
+    /// The bearing with what is printed of it.
+    fn entry<L>(&self, line: L) -> CatalogueEntry<L> {
+        CatalogueEntry {
+            designation: self.text("designation").to_owned(),
+            key: normal(self.text("designation")),
+            maker: self.text("maker").to_owned(),
+            source: self.text("source").to_owned(),
+            line,
+        }
+    }
+
+    fn ball_bearing(&self, problems: &mut Vec<String>) -> Option<CatalogueLine> {
         let balls = self.count("balls", problems);
         let mut number = |column, divisor| self.number(column, divisor, problems);
         let [bore, outside, ball, pitch, width] = [
@@ -202,28 +213,22 @@ impl Row<'_> {
         if inner.is_some() != outer.is_some() {
             problems.push("give both groove factors or none".to_owned());
         }
-        Some(CatalogueEntry {
-            designation: self.text("designation").to_owned(),
-            key: normal(self.text("designation")),
-            maker: self.text("maker").to_owned(),
-            source: self.text("source").to_owned(),
+        Some(CatalogueLine {
+            bore: bore?,
+            outside_diameter: outside?,
             width,
-            line: CatalogueLine {
-                bore: bore?,
-                outside_diameter: outside?,
-                contact_angle: angle?.to_radians(),
-                dynamic_rating: dynamic?,
-                static_rating: statical,
-                static_factor: factor,
-                balls,
-                ball_diameter: ball,
-                pitch_diameter: pitch,
-                groove_factors: inner.zip(outer).map(|(inner, outer)| [inner, outer]),
-            },
+            contact_angle: angle?.to_radians(),
+            dynamic_rating: dynamic?,
+            static_rating: statical,
+            static_factor: factor,
+            balls,
+            ball_diameter: ball,
+            pitch_diameter: pitch,
+            groove_factors: inner.zip(outer).map(Into::into),
         })
     }
 
-    fn roller_bearing(&self, kind: &str, problems: &mut Vec<String>) -> Option<RollerEntry> {
+    fn roller_bearing(&self, kind: &str, problems: &mut Vec<String>) -> Option<RollerLine> {
         let named = KINDS.into_iter().find(|known| known.name() == kind);
         if named.is_none() {
             let names = KINDS.map(RollerKind::name).join(", ");
@@ -250,22 +255,16 @@ impl Row<'_> {
         let [angle, dynamic, statical] =
             ["contact_angle_deg", "dynamic_rating_N", "static_rating_N"]
                 .map(|column| number(column, 1.0));
-        Some(RollerEntry {
-            designation: self.text("designation").to_owned(),
-            key: normal(self.text("designation")),
-            maker: self.text("maker").to_owned(),
-            source: self.text("source").to_owned(),
-            line: RollerLine {
-                kind: named?,
-                boundary: [bore?, outside?, width?],
-                contact_angle: angle?.to_radians(),
-                dynamic_rating: dynamic?,
-                static_rating: statical?,
-                rollers,
-                diameter,
-                length,
-                pitch_diameter: pitch,
-            },
+        Some(RollerLine {
+            kind: named?,
+            boundary: [bore?, outside?, width?],
+            contact_angle: angle?.to_radians(),
+            dynamic_rating: dynamic?,
+            static_rating: statical?,
+            rollers,
+            diameter,
+            length,
+            pitch_diameter: pitch,
         })
     }
 }

@@ -2,22 +2,19 @@
 
 mod file;
 mod kind;
-mod rollers;
 
 pub(crate) use file::read;
-pub use rollers::RollerEntry;
-pub(crate) use rollers::look_up_rollers;
 
 use std::collections::BTreeMap;
 use std::sync::{LazyLock, OnceLock};
 
-use super::{Bearing, BearingError, CatalogueLine, ClearanceClass, FreePosition};
+use super::{Bearing, BearingError, CatalogueLine, ClearanceClass, FreePosition, RollerLine};
 use crate::physics::SkfFriction;
 
-/// A bearing of a catalogue.
+/// A bearing of a catalogue, and what is printed or known of its balls or rollers.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub struct CatalogueEntry {
+pub struct CatalogueEntry<L = CatalogueLine> {
     /// Designation, for instance `7205C`.
     pub designation: String,
     /// The designation as those that are looked up are compared with it.
@@ -26,11 +23,12 @@ pub struct CatalogueEntry {
     pub maker: String,
     /// Where the numbers come from.
     pub source: String,
-    /// Width, m.
-    pub width: Option<f64>,
     /// What is printed or known.
-    pub line: CatalogueLine,
+    pub line: L,
 }
+
+/// A roller bearing of a catalogue.
+pub type RollerEntry = CatalogueEntry<RollerLine>;
 
 /// The bearings of a catalogue.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -74,17 +72,21 @@ fn all_balls(file: &Catalogue) -> impl Iterator<Item = &CatalogueEntry> {
     all(file).flat_map(|catalogue| &catalogue.balls)
 }
 
-/// A bearing that was looked up, and the class of clearance that its suffixes name.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Found<'a> {
-    pub entry: &'a CatalogueEntry,
-    pub class: Option<ClearanceClass>,
+/// A bearing that was looked up.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Found<'a> {
+    Balls(&'a CatalogueEntry),
+    Rollers(&'a RollerEntry),
 }
 
 /// Suffixes that change neither balls nor races: seals and shields, cages, tolerances, snap rings, greases, quality of
 /// electric motors, and names of makers.
 const SUFFIXES: &str = "2RS1 2RS2 2RSR 2RSH 2RSL 2RSD 2RS 2HRS 2BRS 2RZ 2RU 2RD 2RK 2ZR 2Z RS1 RS2 RSR RSH RSL RS HRS RZ RU RD ZZ ZR ZNR Z DDU DDW DD DU VV \
     LLU LLB LLH LLC LU LB EE TN9 TNH TVH TVP TYN TN JEM JN J MA M EM QE6 NR N P6 P5 P4 P2 P0 GJN WT HT MT33 MT47 LHT23 5K 2AS";
+
+/// Suffixes of roller bearings that change neither rollers nor races of these designations: designs, cages, grooves for
+/// oil. A tapered bore, K, is another bearing: its clearance differs.
+const ROLLER_SUFFIXES: &str = "ECP ECJ ECML ECM ECPH EC ETN9 ET EW E1 E CC CJ CA CW33 W33 W20 TVP2 TVPB TVPA XL J2 JR J A Q RHR R MB MA M C";
 
 /// Makers whose names come before or after designations.
 const MAKERS: &str =
@@ -126,36 +128,43 @@ fn suffixes<'a>(mut rest: &'a str, more: &str) -> Result<Option<ClearanceClass>,
     }
 }
 
-/// The bearing of a designation; letter case, blanks and the maker's name do not matter, and suffixes of seals, cages and
-/// tolerances change nothing.
+/// The bearing of a designation, that of balls where there are two, and the class of clearance that its suffixes name;
+/// letter case, blanks and the maker's name do not matter, and suffixes of seals, cages and tolerances change nothing.
 ///
 /// # Errors
 /// [`UnknownBearing`] says what comes near.
 pub(crate) fn look_up<'a>(
     file: &'a Catalogue,
     designation: &str,
-) -> Result<Found<'a>, UnknownBearing> {
+) -> Result<(Found<'a>, Option<ClearanceClass>), UnknownBearing> {
     let wanted = normal(designation);
-    matching(all_balls(file), |entry| &entry.key, &wanted, "")
-        .map(|(entry, class)| Found { entry, class })
-        .map_err(|odd| UnknownBearing::new(file, designation, odd))
+    let odd = match matching(all_balls(file), &wanted, "") {
+        Ok((entry, class)) => return Ok((Found::Balls(entry), class)),
+        Err(odd) => odd,
+    };
+    let rollers = all(file).flat_map(|catalogue| &catalogue.rollers);
+    matching(rollers, &wanted, ROLLER_SUFFIXES)
+        .map(|(entry, class)| (Found::Rollers(entry), class))
+        .map_err(|_| UnknownBearing::new(file, designation, odd))
 }
 
 /// An entry, and the class of clearance that the suffixes of its designation name.
-type Matched<'a, T> = (&'a T, Option<ClearanceClass>);
+type Matched<'a, L> = (&'a CatalogueEntry<L>, Option<ClearanceClass>);
+
+/// An entry, and the suffix that is not known of it.
+type Odd<'a, 'w, L> = (&'a CatalogueEntry<L>, &'w str);
 
 /// The entry with the longest key that a designation in capital letters without blanks is, but for suffixes, and the class
 /// that these name; or else an entry with the suffix that is not known.
-fn matching<'a, 'w, T>(
-    entries: impl Iterator<Item = &'a T>,
-    key: impl Fn(&T) -> &str,
+fn matching<'a, 'w, L>(
+    entries: impl Iterator<Item = &'a CatalogueEntry<L>>,
     wanted: &'w str,
     more: &str,
-) -> Result<Matched<'a, T>, Option<(&'a T, &'w str)>> {
-    let mut found: Option<Matched<'_, T>> = None;
-    let mut odd: Option<(&T, &str)> = None;
+) -> Result<Matched<'a, L>, Option<Odd<'a, 'w, L>>> {
+    let mut found: Option<Matched<'_, L>> = None;
+    let mut odd: Option<Odd<'_, '_, L>> = None;
     for entry in entries {
-        let base = key(entry);
+        let base = entry.key.as_str();
         let Some(rest) = wanted.strip_prefix(base) else {
             continue;
         };
@@ -163,11 +172,9 @@ fn matching<'a, 'w, T>(
         if base.is_empty() || is_number && suffixes(rest, more).is_err() {
             continue;
         }
-        let longer = |entry: &T| base.len() > key(entry).len();
+        let is_longer = |found: &Matched<'_, L>| base.len() > found.0.key.len();
         match suffixes(rest, more) {
-            Ok(class) if found.as_ref().is_none_or(|found| longer(found.0)) => {
-                found = Some((entry, class));
-            }
+            Ok(class) if found.as_ref().is_none_or(is_longer) => found = Some((entry, class)),
             Ok(_) => {}
             Err(part) => odd = odd.or(Some((entry, part))),
         }
@@ -178,8 +185,10 @@ fn matching<'a, 'w, T>(
 /// The entry of a designation that is shipped or the user's own.
 #[cfg(test)]
 pub(crate) fn find(designation: &str) -> Option<CatalogueEntry> {
-    let found = look_up(&EMPTY, designation).ok()?;
-    Some(found.entry.clone())
+    match look_up(&EMPTY, designation) {
+        Ok((Found::Balls(entry), _)) => Some(entry.clone()),
+        _ => None,
+    }
 }
 
 /// A designation that is in no catalogue.
@@ -194,7 +203,7 @@ pub struct UnknownBearing {
 }
 
 impl UnknownBearing {
-    fn new(file: &Catalogue, designation: &str, odd: Option<(&CatalogueEntry, &str)>) -> Self {
+    fn new(file: &Catalogue, designation: &str, odd: Option<Odd<'_, '_, CatalogueLine>>) -> Self {
         let wanted = normal(designation);
         let number = |text: &str| {
             let digits = text.trim_start_matches(|c: char| !c.is_ascii_digit());
@@ -265,13 +274,15 @@ pub(crate) fn series(file: &Catalogue) -> String {
 }
 
 impl Bearing {
-    /// The bearing of a designation, in SI units, balls and rings of bearing steel; letter case and blanks do not
+    /// The ball bearing of a designation, in SI units, balls and rings of bearing steel; letter case and blanks do not
     /// matter, and suffixes of seals, cages, tolerances and clearance are understood.
     ///
     /// # Errors
     /// [`UnknownBearing`] says what comes near.
     pub fn catalogue(designation: &str) -> Result<Self, UnknownBearing> {
-        let Found { entry, class } = look_up(&EMPTY, designation)?;
+        let (Found::Balls(entry), class) = look_up(&EMPTY, designation)? else {
+            return Err(UnknownBearing::new(&EMPTY, designation, None));
+        };
         let bearing = entry.of_class(class.unwrap_or_default());
         bearing.map_err(|error| UnknownBearing {
             designation: designation.to_owned(),
@@ -341,11 +352,60 @@ mod tests {
             ("6205 2RS1", "6205", None),
             ("6205.2ZR.C4", "6205", Some(ClearanceClass::C4)),
         ] {
-            let found = look_up(&EMPTY, text).expect(text);
-            assert_eq!(
-                (found.entry.designation.as_str(), found.class),
-                (designation, class)
-            );
+            let (found, named) = look_up(&EMPTY, text).expect(text);
+            let expected = find(designation).expect(designation);
+            assert_eq!((found, named), (Found::Balls(&expected), class));
+        }
+    }
+
+    fn rollers(designation: &str) -> Option<(&'static RollerEntry, Option<ClearanceClass>)> {
+        match look_up(&EMPTY, designation) {
+            Ok((Found::Rollers(entry), class)) => Some((entry, class)),
+            _ => None,
+        }
+    }
+
+    #[test]
+    fn suffixes_of_roller_bearings() {
+        for (text, designation, class) in [
+            ("NU 206 ECP", "NU206", None),
+            ("SKF NU206 ECM/C3", "NU206", Some(ClearanceClass::C3)),
+            ("22212 E/C3", "22212", Some(ClearanceClass::C3)),
+            ("22212-E1-XL", "22212", None),
+            ("30206 J2/Q", "30206", None),
+        ] {
+            let (entry, found) = rollers(text).expect(text);
+            assert_eq!((entry.designation.as_str(), found), (designation, class));
+        }
+        for unknown in ["22212 K", "NU20", "NU2060", "N206"] {
+            assert!(rollers(unknown).is_none(), "{unknown}");
+        }
+    }
+
+    #[test]
+    fn every_shipped_roller_bearing_has_rollers_of_its_ratings() -> Result<(), BearingError> {
+        assert!(CATALOGUE.rollers.len() >= 60);
+        for entry in &CATALOGUE.rollers {
+            let line = &entry.line;
+            let estimate = line.estimate().map_err(Box::new)?;
+            let off = estimate.best.static_rating / line.static_rating - 1.0;
+            assert!(off.abs() < 0.02, "{}: {off}", entry.designation);
+            let found = rollers(&entry.designation).map(|(found, _)| found);
+            assert_eq!(found, Some(entry));
+        }
+        Ok(())
+    }
+
+    /// The 2 and the 22 series of a bore have the same raceways, and the ratings of both find as many rollers.
+    #[test]
+    fn ratings_of_two_series_find_the_same_rollers() {
+        for bore in ["05", "06", "07", "08", "10", "12"] {
+            let [narrow, wide] = ["NU2", "NU22"].map(|series| {
+                let (entry, _) = rollers(&format!("{series}{bore}")).expect("an entry");
+                entry.line.estimate().expect("rollers").best
+            });
+            assert_eq!(narrow.rollers, wide.rollers, "{bore}");
+            assert!(narrow.length < wide.length);
         }
     }
 
@@ -360,7 +420,7 @@ mod tests {
 
     #[test]
     fn other_kinds_of_bearing_are_named() {
-        let help = |text| look_up(&EMPTY, text).expect_err(text).help;
+        let help = |text| Bearing::catalogue(text).expect_err(text).help;
         for (kind, designations) in [
             (
                 "a cylindrical roller",

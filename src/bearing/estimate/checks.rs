@@ -23,32 +23,72 @@ const FILLING_ANGLE: [f64; 2] = [180.0, 202.0];
 /// Largest ball of bearings as they are made, over the height of the section: both rings need their share under the grooves.
 const USUAL_BALL: f64 = 0.65;
 
+/// Refuses a printed line whose sizes and forces are no positive numbers, and a bearing without a section.
+pub(super) fn check_print(
+    [bore, outside_diameter]: [f64; 2],
+    contact_angle: f64,
+    others: &[(&'static str, Option<f64>)],
+) -> Result<(), EstimateError> {
+    let boundary = [
+        ("bore", Some(bore)),
+        ("outside diameter", Some(outside_diameter)),
+    ];
+    for (name, value) in boundary.iter().chain(others) {
+        if let Some(value) = value.filter(|value| !(*value > 0.0 && value.is_finite())) {
+            return Err(EstimateError::Number { name, value });
+        }
+    }
+    if bore >= outside_diameter {
+        return Err(EstimateError::Section {
+            bore,
+            outside_diameter,
+        });
+    }
+    if !(0.0..=Geometry::LARGEST_CONTACT_ANGLE).contains(&contact_angle) {
+        let degrees = contact_angle.to_degrees();
+        return Err(GeometryError::ContactAngle { degrees }.into());
+    }
+    Ok(())
+}
+
+/// Note of a rating, N, that is further off the print than a tolerance; `parts` are balls or rollers.
+pub(super) fn off_print(
+    name: &str,
+    parts: &str,
+    [found, printed]: [f64; 2],
+    tolerance: f64,
+) -> Option<String> {
+    let difference = found / printed - 1.0;
+    (difference.abs() > tolerance).then(|| {
+        format!(
+            "{name} of these {parts} is {:+.1} % off the print: {found:.0} N against {printed:.0} N",
+            1e2 * difference
+        )
+    })
+}
+
+/// Note of the nearest of others that fit nearly as well, and of the keys that would settle it.
+pub(super) fn near_as_well(
+    others: impl Iterator<Item = impl ToString>,
+    keys: &str,
+) -> Option<String> {
+    let named: Vec<_> = others.take(MOST_NAMED).map(|own| own.to_string()).collect();
+    let named = (!named.is_empty()).then(|| named.join(" and "))?;
+    Some(format!(
+        "the ratings fit {named} nearly as well: give {keys} where you know them"
+    ))
+}
+
 impl CatalogueLine {
     pub(super) fn check(&self) -> Result<(), EstimateError> {
-        let numbers = [
-            ("bore", Some(self.bore)),
-            ("outside diameter", Some(self.outside_diameter)),
+        let others = [
             ("dynamic load rating", Some(self.dynamic_rating)),
             ("static load rating", self.static_rating),
             ("ball diameter", self.ball_diameter),
             ("pitch diameter", self.pitch_diameter),
         ];
-        for (name, value) in numbers {
-            if let Some(value) = value.filter(|value| !(*value > 0.0 && value.is_finite())) {
-                return Err(EstimateError::Number { name, value });
-            }
-        }
-        if self.bore >= self.outside_diameter {
-            return Err(EstimateError::Section {
-                bore: self.bore,
-                outside_diameter: self.outside_diameter,
-            });
-        }
-        if !(0.0..=Geometry::LARGEST_CONTACT_ANGLE).contains(&self.contact_angle) {
-            let degrees = self.contact_angle.to_degrees();
-            return Err(GeometryError::ContactAngle { degrees }.into());
-        }
-        Ok(())
+        let boundary = [self.bore, self.outside_diameter];
+        check_print(boundary, self.contact_angle, &others)
     }
 
     pub(super) fn notes(
@@ -58,21 +98,14 @@ impl CatalogueLine {
         others: &[Candidate],
     ) -> Vec<String> {
         let mut notes = Vec::new();
-        let mut off = |name: &str, found: f64, printed: f64, tolerance: f64| {
-            let difference = found / printed - 1.0;
-            if difference.abs() > tolerance {
-                notes.push(format!(
-                    "{name} of these balls is {:+.1} % off the print: {found:.0} N against {printed:.0} N",
-                    1e2 * difference
-                ));
-            }
-        };
         let internal = &estimate.internal;
+        let off = |name, ratings, tolerance| off_print(name, "balls", ratings, tolerance);
         if !self.is_rated_usually(internal.dynamic_rating) {
-            off("C", internal.dynamic_rating, self.dynamic_rating, 0.0);
+            let ratings = [internal.dynamic_rating, self.dynamic_rating];
+            notes.extend(off("C", ratings, 0.0));
         }
         if let Some(printed) = self.static_rating {
-            off("C0", internal.static_rating, printed, 0.02);
+            notes.extend(off("C0", [internal.static_rating, printed], 0.02));
         }
         let dynamic = internal.dynamic_rating / self.dynamic_rating - 1.0;
         let factors = estimate.static_factor.zip(self.static_factor);
@@ -82,14 +115,8 @@ impl CatalogueLine {
         let fits = |other: &&Candidate| {
             other.deviation - deviation < close && self.fits(other) && self.agrees(other)
         };
-        let named = others.iter().filter(fits).take(MOST_NAMED);
-        let named: Vec<_> = named.map(Candidate::to_string).collect();
-        if !named.is_empty() {
-            notes.push(format!(
-                "the ratings fit {} nearly as well: give `balls`, `ball_diameter` or `f0` where you know them",
-                named.join(" and ")
-            ));
-        }
+        let keys = "`balls`, `ball_diameter` or `f0`";
+        notes.extend(near_as_well(others.iter().filter(fits), keys));
         let (balls, ball_diameter) = (internal.balls, internal.ball_diameter);
         let excess = self.factor_excess(balls, ball_diameter);
         if let Some((found, printed)) = factors

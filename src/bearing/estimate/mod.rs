@@ -22,6 +22,8 @@ pub struct CatalogueLine {
     pub bore: f64,
     /// Outside diameter D_o, m.
     pub outside_diameter: f64,
+    /// Width, m.
+    pub width: Option<f64>,
     /// Nominal contact angle, rad; zero of a deep-groove bearing.
     pub contact_angle: f64,
     /// Basic dynamic load rating C, N.

@@ -3,7 +3,8 @@
 use serde::Serialize;
 
 use super::EstimateError;
-use super::search::BY_ISO;
+use super::checks::{check_print, near_as_well, off_print};
+use super::search::{BY_ISO, LARGEST_STATIC, UNUSUAL, dynamic_deviation, is_rated_within};
 use crate::bearing::{Geometry, GeometryError, Profile, RollerKind, Rollers};
 use crate::physics::{roller_dynamic_rating, roller_static_rating};
 
@@ -93,18 +94,14 @@ const STEP: f64 = 0.5e-3;
 const DIAMETERS: [f64; 2] = [0.3, 0.65];
 /// C as makers print it over C by ISO 281: many rate their newer roller bearings higher.
 const DYNAMIC_RATIO: [f64; 2] = [0.97, 1.20];
-/// Largest deviation of C_0 of rollers that are taken for those of the bearing.
-const LARGEST_STATIC: f64 = 0.04;
-/// What rollers unlike those of bearings as they are made have on top of their deviation, for each of: part of the pitch
-/// circle that they fill, length over the width of a row, length over diameter.
-const UNUSUAL: f64 = 0.05;
+/// Part of the pitch circle that rollers of bearings as they are made fill.
 const FILLING: [f64; 2] = [0.62, 0.96];
+/// Their length over the width of a row.
 const LENGTHS: [f64; 2] = [0.3, 0.85];
+/// Their length over their diameter.
 const SLENDERNESS: [f64; 2] = [0.7, 2.0];
 /// Other rollers whose deviation is larger by less than this are named.
 const CLOSE: f64 = 0.01;
-/// Most other rollers that are named.
-const MOST_NAMED: usize = 3;
 
 impl RollerLine {
     /// Finds number, diameter and length of the rollers as far as the line does not give them.
@@ -167,31 +164,15 @@ impl RollerLine {
 
     fn check(&self) -> Result<(), EstimateError> {
         let [bore, outside_diameter, width] = self.boundary;
-        for (name, value) in [
-            ("bore", Some(bore)),
-            ("outside diameter", Some(outside_diameter)),
+        let others = [
             ("width", Some(width)),
             ("dynamic load rating", Some(self.dynamic_rating)),
             ("static load rating", Some(self.static_rating)),
             ("roller diameter", self.diameter),
             ("roller length", self.length),
             ("pitch diameter", self.pitch_diameter),
-        ] {
-            if let Some(value) = value.filter(|value| !(*value > 0.0 && value.is_finite())) {
-                return Err(EstimateError::Number { name, value });
-            }
-        }
-        if bore >= outside_diameter {
-            return Err(EstimateError::Section {
-                bore,
-                outside_diameter,
-            });
-        }
-        if !(0.0..=Geometry::LARGEST_CONTACT_ANGLE).contains(&self.contact_angle) {
-            let degrees = self.contact_angle.to_degrees();
-            return Err(GeometryError::ContactAngle { degrees }.into());
-        }
-        Ok(())
+        ];
+        check_print([bore, outside_diameter], self.contact_angle, &others)
     }
 
     fn pitch(&self) -> f64 {
@@ -243,11 +224,7 @@ impl RollerLine {
             self.contact_angle,
         );
         let static_rating = self.static_rating_of(rollers, diameter, length);
-        let off = |found: f64, printed: f64| (found / printed - 1.0).abs();
-        let dynamic = match off(dynamic_rating, self.dynamic_rating) {
-            dynamic if self.is_rated_usually(dynamic_rating) => dynamic.min(BY_ISO),
-            dynamic => dynamic,
-        };
+        let dynamic = dynamic_deviation([dynamic_rating, self.dynamic_rating], DYNAMIC_RATIO);
         let room = self.boundary[2] / (rows as f64 * self.contact_angle.cos());
         let filling = rollers as f64 * (diameter / pitch).min(1.0).asin() / std::f64::consts::PI;
         let unusual = [
@@ -263,47 +240,31 @@ impl RollerLine {
             length,
             dynamic_rating,
             static_rating,
-            deviation: off(static_rating, self.static_rating) + dynamic + UNUSUAL * unusual,
+            deviation: (static_rating / self.static_rating - 1.0).abs()
+                + dynamic
+                + UNUSUAL * unusual,
         }
     }
 
-    /// Whether the printed C lies about an ISO 281 rating as those of makers do.
-    fn is_rated_usually(&self, rating: f64) -> bool {
-        let [least, largest] = DYNAMIC_RATIO;
-        (least..=largest).contains(&(self.dynamic_rating / rating))
-    }
-
     fn fits(&self, candidate: &RollerCandidate) -> bool {
+        let dynamic = [candidate.dynamic_rating, self.dynamic_rating];
         (candidate.static_rating / self.static_rating - 1.0).abs() <= LARGEST_STATIC
-            && self.is_rated_usually(candidate.dynamic_rating)
+            && is_rated_within(dynamic, DYNAMIC_RATIO)
     }
 
     fn notes(&self, best: &RollerCandidate, others: &[RollerCandidate]) -> Vec<String> {
         let ratings = [
-            ("C", best.dynamic_rating, self.dynamic_rating),
-            ("C0", best.static_rating, self.static_rating),
+            ("C", [best.dynamic_rating, self.dynamic_rating]),
+            ("C0", [best.static_rating, self.static_rating]),
         ];
-        let off = ratings.iter().filter_map(|(name, found, printed)| {
-            let difference = found / printed - 1.0;
-            (difference.abs() > BY_ISO).then(|| {
-                format!(
-                    "{name} of these rollers is {:+.1} % off the print: {found:.0} N against {printed:.0} N",
-                    1e2 * difference
-                )
-            })
-        });
-        let mut notes: Vec<String> = off.collect();
-        let near =
+        let off = ratings
+            .into_iter()
+            .filter_map(|(name, ratings)| off_print(name, "rollers", ratings, BY_ISO));
+        let is_near =
             |other: &&RollerCandidate| other.deviation - best.deviation < CLOSE && self.fits(other);
-        let named = others.iter().filter(near).take(MOST_NAMED);
-        let named: Vec<_> = named.map(RollerCandidate::to_string).collect();
-        if !named.is_empty() {
-            notes.push(format!(
-                "the ratings fit {} nearly as well: give `rollers`, `diameter` and `length` in [bearing.roller] where you know them",
-                named.join(" and ")
-            ));
-        }
-        notes
+        let keys = "`rollers`, `diameter` and `length` in [bearing.roller]";
+        off.chain(near_as_well(others.iter().filter(is_near), keys))
+            .collect()
     }
 }
 

@@ -15,14 +15,15 @@ const DYNAMIC_RATIO: [f64; 2] = [0.98, 1.10];
 /// A C within this of ISO 281 speaks for the balls; any other within [`DYNAMIC_RATIO`] only says that its maker rates higher.
 pub(super) const BY_ISO: f64 = 0.01;
 
-/// Largest deviation of C_0 of balls that are taken for those of the bearing.
-const LARGEST_STATIC: f64 = 0.04;
+/// Largest deviation of C_0 of balls or rollers that are taken for those of the bearing.
+pub(super) const LARGEST_STATIC: f64 = 0.04;
 
 /// Largest difference from a printed f0 beyond its rounding.
 pub(super) const FACTOR_TOLERANCE: f64 = 0.2;
 
-/// What balls too large or too many or too few for bearings as they are made have on top of their deviation.
-const UNUSUAL: f64 = 0.05;
+/// What balls too large or too many or too few for bearings as they are made, and rollers unlike theirs, have on top of
+/// their deviation.
+pub(super) const UNUSUAL: f64 = 0.05;
 
 /// What balls of a rare size have on top of their deviation.
 const RARE: f64 = 0.01;
@@ -102,8 +103,7 @@ impl CatalogueLine {
 
     /// Whether the printed C lies about an ISO 281 rating as those of makers do.
     pub(super) fn is_rated_usually(&self, rating: f64) -> bool {
-        let [least, largest] = DYNAMIC_RATIO;
-        (least..=largest).contains(&(self.dynamic_rating / rating))
+        is_rated_within([rating, self.dynamic_rating], DYNAMIC_RATIO)
     }
 
     /// How far the f0 of balls is from the print beyond what rounding explains: f0 is printed whole or with one decimal.
@@ -123,12 +123,10 @@ impl CatalogueLine {
     pub(super) fn candidate(&self, balls: usize, ball_diameter: f64, pitch: f64) -> Candidate {
         let dynamic_rating = dynamic_rating(balls, ball_diameter, pitch, self.contact_angle);
         let static_rating = self.static_rating_of(balls, ball_diameter, pitch, REFERENCE_GROOVES);
-        let off = |found: f64, printed: f64| (found / printed - 1.0).abs();
-        let statical = self.static_rating.map_or(0.0, |c0| off(static_rating, c0));
-        let dynamic = match off(dynamic_rating, self.dynamic_rating) {
-            dynamic if self.is_rated_usually(dynamic_rating) => dynamic.min(BY_ISO),
-            dynamic => dynamic,
-        };
+        let statical = self
+            .static_rating
+            .map_or(0.0, |printed| (static_rating / printed - 1.0).abs());
+        let dynamic = dynamic_deviation([dynamic_rating, self.dynamic_rating], DYNAMIC_RATIO);
         let factor = self.factor_excess(balls, ball_diameter);
         let factor = factor
             .zip(self.static_factor)
@@ -150,6 +148,21 @@ impl CatalogueLine {
             static_rating,
             deviation: statical + dynamic + factor + UNUSUAL * unusual + rare,
         }
+    }
+}
+
+/// Whether the printed C over that of ISO 281 lies within limits of makers.
+pub(super) fn is_rated_within([found, printed]: [f64; 2], [least, largest]: [f64; 2]) -> bool {
+    (least..=largest).contains(&(printed / found))
+}
+
+/// How far C by ISO 281 is from the print, which within limits of makers says no more than that a maker rates higher.
+pub(super) fn dynamic_deviation(ratings: [f64; 2], limits: [f64; 2]) -> f64 {
+    let [found, printed] = ratings;
+    let deviation = (found / printed - 1.0).abs();
+    match is_rated_within(ratings, limits) {
+        true => deviation.min(BY_ISO),
+        false => deviation,
     }
 }
 

@@ -2,9 +2,9 @@
 
 use super::bearing::{BearingInput, no_race_control};
 use super::geometry::Sources;
+use super::identity::Printed;
 use super::oil::OilInput;
 use super::settings::{ContactChoice, ModelInput};
-use crate::bearing::catalogue::Catalogue;
 use crate::bearing::{Bearing, BearingError, ContactLaw, Estimate, Geometry, Imperfections, Oil};
 use crate::physics::{Race, SkfFriction};
 use crate::rotor::Freedoms;
@@ -17,10 +17,9 @@ impl BearingInput {
     pub(super) fn ball_bearing(
         &self,
         freedoms: Freedoms,
-        catalogue: &Catalogue,
+        printed: Option<Printed>,
         problems: &mut Problems<'_>,
     ) -> Option<Bearing> {
-        let printed = self.identity().printed(catalogue, problems)?;
         let known = printed.as_ref();
         let line = known.map(|printed| printed.line);
         let skf_friction = known.and_then(|printed| SkfFriction::from_designation(&printed.name));

@@ -9,18 +9,18 @@ use super::arrangement::Arrangement;
 use super::ball_sizes::BallSizesInput;
 use super::fit::FitInput;
 use super::geometry::GeometryInput;
-use super::identity::Identity;
+use super::identity::{Identity, PrintedBearing};
 use super::imperfections::{CageJitterInput, DefectInput, WavinessInput};
 use super::material::{MaterialInput, material};
 use super::oil::OilInput;
 use super::ratings::RatingsInput;
-use super::roller::{PrintedRollers, RollerInput};
+use super::roller::RollerInput;
 use super::settings::{ContactChoice, ModelInput};
 use super::support::HousingInput;
-use crate::bearing::catalogue::{CATALOGUE, Catalogue};
+use crate::bearing::catalogue::{self, CATALOGUE, Catalogue, Found};
 use crate::bearing::{
     Bearing, BearingError, ClearanceClass, ContactDamping, Facing, GeometryError, MountedBearing,
-    Oil, Preload, catalogue,
+    Oil, Preload,
 };
 use crate::physics::{Race, RaceControl};
 use crate::rotor::Freedoms;
@@ -226,13 +226,21 @@ impl BearingInput {
         catalogue: &Catalogue,
         problems: &mut Problems<'_>,
     ) -> Option<MountedBearing> {
-        let printed = self.printed_rollers(catalogue, problems)?;
-        let bearing = match (&self.roller, printed.as_ref()) {
-            (None, None) => self.ball_bearing(freedoms, catalogue, problems)?,
-            (own, printed) => {
-                let own = own.clone().unwrap_or_default();
-                own.bearing(self, printed, model, problems)?
+        let of_rollers = |own: &RollerInput, printed, problems: &mut Problems<'_>| {
+            own.bearing(self, printed, model, problems)
+        };
+        let bearing = match (
+            self.identity(catalogue).printed(catalogue, problems)?,
+            &self.roller,
+        ) {
+            (Some(PrintedBearing::Rollers(printed)), own) => {
+                of_rollers(&own.clone().unwrap_or_default(), Some(&printed), problems)?
             }
+            (_, Some(own)) => of_rollers(own, None, problems)?,
+            (Some(PrintedBearing::Balls(printed)), None) => {
+                self.ball_bearing(freedoms, Some(printed), problems)?
+            }
+            (None, None) => self.ball_bearing(freedoms, None, problems)?,
         };
         let ring_material = material(self.material.as_ref(), bearing.ring_material);
         let bearing = Bearing {
@@ -273,35 +281,6 @@ impl BearingInput {
         })
     }
 
-    /// What a catalogue prints of the bearing, `Some(None)` where that is no roller bearing.
-    fn printed_rollers(
-        &self,
-        catalogue: &Catalogue,
-        problems: &mut Problems<'_>,
-    ) -> Option<Option<PrintedRollers>> {
-        let rated = self.ratings.as_ref().filter(|own| own.kind.is_some());
-        if let Some(ratings) = rated {
-            return ratings.roller_line(problems).map(|line| {
-                Some(PrintedRollers {
-                    line,
-                    name: "the bearing of these ratings".to_owned(),
-                    key: ".ratings",
-                    class: None,
-                })
-            });
-        }
-        // a bearing of the user's own comes first
-        let named = self.catalogue.as_deref();
-        let named = named.filter(|name| catalogue::look_up(catalogue, name).is_err());
-        let found = named.and_then(|name| catalogue::look_up_rollers(catalogue, name));
-        Some(found.map(|(entry, class)| PrintedRollers {
-            line: entry.line,
-            name: entry.designation.clone(),
-            key: ".catalogue",
-            class,
-        }))
-    }
-
     /// Refuses what belongs to one bearing where there are two.
     pub(super) fn check_alone(&self, key: &str, problems: &mut Problems<'_>) {
         if self.arrangement.is_some() {
@@ -321,12 +300,19 @@ impl BearingInput {
             .unwrap_or(Preload::AxialOffset(offset))
     }
 
-    /// What says which bearing it is.
-    pub(super) fn identity(&self) -> Identity<'_> {
+    /// What says which bearing it is; where rollers are given, what is printed of others.
+    fn identity(&self, catalogue: &Catalogue) -> Identity<'_> {
+        let has_balls = self.roller.is_none();
+        let names_rollers = |name: &&str| {
+            let found = catalogue::look_up(catalogue, name);
+            matches!(found, Ok((Found::Rollers(_), _)))
+        };
+        let named = self.catalogue.as_deref();
+        let rated = self.ratings.as_ref();
         Identity {
-            catalogue: self.catalogue.as_deref(),
-            ratings: self.ratings.as_ref(),
-            has_geometry: self.geometry.is_some(),
+            catalogue: named.filter(|name| has_balls || names_rollers(name)),
+            ratings: rated.filter(|own| has_balls || own.kind.is_some()),
+            has_dimensions: !has_balls || self.geometry.is_some(),
             clearance_class: self.clearance_class,
         }
     }

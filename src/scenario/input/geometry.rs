@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::identity::Printed;
 use crate::bearing::{
     CatalogueLine, ClearanceClass, Estimate, EstimateError, FreePosition, Geometry, GeometryError,
     REFERENCE_GROOVES,
@@ -52,18 +53,6 @@ pub struct GeometryInput {
     /// "1.334e10 N/m^1.5". Default: from Hertz's theory.
     #[schemars(extend("x-above" = 0.0))]
     pub contact_stiffness: Option<Quantity<ContactStiffness>>,
-}
-
-/// What a catalogue prints of a bearing.
-pub struct Printed {
-    /// The line.
-    pub line: CatalogueLine,
-    /// Its designation, or what stands for it.
-    pub name: String,
-    /// The key that gives it, from the bearing.
-    pub key: &'static str,
-    /// Class of the clearance that its suffixes name.
-    pub class: Option<ClearanceClass>,
 }
 
 /// Where the dimensions of one bearing come from.
@@ -123,7 +112,7 @@ impl Sources<'_> {
         };
         problems.take(line.estimate().map_err(|error| match error {
             EstimateError::Geometry(error) => self.wrong(&error),
-            error => Issue::new(printed.key, format!("{}: {error}", printed.name)),
+            error => printed.wrong(&error),
         }))
     }
 
@@ -272,17 +261,7 @@ impl Sources<'_> {
                 micrometres(smallest),
                 micrometres(largest)
             ),
-            GeometryError::Overlap {
-                balls,
-                ball_diameter,
-                pitch_diameter,
-                largest,
-            } => format!(
-                "{balls} balls of {} overlap on a pitch circle of {}: at most {largest} fit",
-                millimetres(ball_diameter),
-                millimetres(pitch_diameter)
-            ),
-            _ => error.to_string(),
+            _ => dimensions_message("balls", error),
         }
     }
 
@@ -297,6 +276,23 @@ impl Sources<'_> {
 /// Path of a key, from the bearing.
 fn at(key: &str) -> String {
     format!(".geometry.{key}")
+}
+
+/// What is wrong with the dimensions of balls or rollers, with lengths in the units of a drawing.
+pub(super) fn dimensions_message(parts: &str, error: &GeometryError) -> String {
+    match *error {
+        GeometryError::Overlap {
+            balls,
+            ball_diameter,
+            pitch_diameter,
+            largest,
+        } => format!(
+            "{balls} {parts} of {} overlap on a pitch circle of {}: at most {largest} fit",
+            millimetres(ball_diameter),
+            millimetres(pitch_diameter)
+        ),
+        _ => error.to_string(),
+    }
 }
 
 /// A length in mm with four significant digits.

@@ -1,9 +1,8 @@
 //! What says which bearing it is: its designation, what a catalogue prints, or its dimensions.
 
-use super::geometry::Printed;
 use super::ratings::RatingsInput;
-use crate::bearing::catalogue::Catalogue;
-use crate::bearing::{ClearanceClass, catalogue};
+use crate::bearing::catalogue::{self, Catalogue, CatalogueEntry, Found};
+use crate::bearing::{CatalogueLine, ClearanceClass, EstimateError, RollerLine};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 
@@ -14,32 +13,77 @@ pub struct Identity<'a> {
     /// What a catalogue prints of it.
     pub ratings: Option<&'a RatingsInput>,
     /// Whether dimensions are given.
-    pub has_geometry: bool,
+    pub has_dimensions: bool,
     /// Class of the clearance, where it is given.
     pub clearance_class: Option<ClearanceClass>,
 }
 
+/// What a catalogue prints of a bearing.
+pub struct Printed<L = CatalogueLine> {
+    /// The line.
+    pub line: L,
+    /// Its designation, or what stands for it.
+    pub name: String,
+    /// The key that gives it, from the bearing.
+    pub key: &'static str,
+    /// Class of the clearance that its suffixes name.
+    pub class: Option<ClearanceClass>,
+}
+
+/// What a catalogue prints of a bearing of balls or rollers.
+pub enum PrintedBearing {
+    Balls(Printed),
+    Rollers(Printed<RollerLine>),
+}
+
+impl<L: Copy> Printed<L> {
+    /// The line of `[bearing.ratings]`.
+    fn rated(line: L) -> Self {
+        Self {
+            line,
+            name: "the bearing of these ratings".to_owned(),
+            key: ".ratings",
+            class: None,
+        }
+    }
+
+    fn found(entry: &CatalogueEntry<L>, class: Option<ClearanceClass>) -> Self {
+        Self {
+            line: entry.line,
+            name: entry.designation.clone(),
+            key: ".catalogue",
+            class,
+        }
+    }
+
+    /// The problem of a line that belongs to no bearing.
+    pub fn wrong(&self, error: &EstimateError) -> Issue {
+        Issue::new(self.key, format!("{}: {error}", self.name))
+    }
+}
+
 impl Identity<'_> {
-    /// What a catalogue prints of the bearing, `Some(None)` where only the geometry is given; `None` where nothing tells what
+    /// What a catalogue prints of the bearing, `Some(None)` where only the dimensions are given; `None` where nothing tells what
     /// the bearing is.
     pub fn printed(
         &self,
         catalogue: &Catalogue,
         problems: &mut Problems<'_>,
-    ) -> Option<Option<Printed>> {
+    ) -> Option<Option<PrintedBearing>> {
         let printed = match (self.catalogue, self.ratings) {
             (Some(_), Some(_)) => {
                 let message = "`catalogue` and `ratings` both say what the bearing is";
                 let issue = Issue::new(".ratings", message).help("keep one of them");
                 Err(issue.against(".catalogue"))
             }
-            (None, Some(ratings)) => Ok(Some(Printed {
-                line: ratings.line(),
-                name: "the bearing of these ratings".to_owned(),
-                key: ".ratings",
-                class: None,
+            (None, Some(ratings)) => Ok(Some(match ratings.kind {
+                None => PrintedBearing::Balls(Printed::rated(ratings.line())),
+                Some(kind) => {
+                    let line = ratings.roller_line(kind, problems)?;
+                    PrintedBearing::Rollers(Printed::rated(line))
+                }
             })),
-            (None, None) if self.has_geometry => Ok(None),
+            (None, None) if self.has_dimensions => Ok(None),
             (None, None) => {
                 let message = format!(
                     "`{}` needs `catalogue`, a table `[bearing.ratings]`, `[bearing.geometry]` or `[bearing.roller]`",
@@ -59,12 +103,13 @@ impl Identity<'_> {
         catalogue: &Catalogue,
         designation: &str,
         problems: &mut Problems<'_>,
-    ) -> Result<Printed, Issue> {
-        let found = catalogue::look_up(catalogue, designation).map_err(|unknown| {
+    ) -> Result<PrintedBearing, Issue> {
+        let found = catalogue::look_up(catalogue, designation);
+        let (found, class) = found.map_err(|unknown| {
             let message = format!("the catalogue has no bearing \"{designation}\"");
             Issue::new(".catalogue", message).help(unknown.help)
         })?;
-        if let (Some(named), Some(given)) = (found.class, self.clearance_class)
+        if let (Some(named), Some(given)) = (class, self.clearance_class)
             && named != given
         {
             let message = format!(
@@ -75,11 +120,9 @@ impl Identity<'_> {
             let issue = Issue::new(".clearance_class", message).help("keep one of them");
             problems.refuse(issue.against(".catalogue"));
         }
-        Ok(Printed {
-            line: found.entry.line,
-            name: found.entry.designation.clone(),
-            key: ".catalogue",
-            class: found.class,
+        Ok(match found {
+            Found::Balls(entry) => PrintedBearing::Balls(Printed::found(entry, class)),
+            Found::Rollers(entry) => PrintedBearing::Rollers(Printed::found(entry, class)),
         })
     }
 }

@@ -51,9 +51,8 @@ pub struct RatingsInput {
 }
 
 impl RatingsInput {
-    /// The line of a catalogue of roller bearings, where that is what it is and nothing contradicts it.
-    pub fn roller_line(&self, problems: &mut Problems<'_>) -> Option<RollerLine> {
-        let kind = self.kind?;
+    /// The line of a catalogue of roller bearings of a kind, where nothing contradicts it.
+    pub fn roller_line(&self, kind: RollerKind, problems: &mut Problems<'_>) -> Option<RollerLine> {
         for (key, given) in [
             (".ratings.balls", self.balls.is_some()),
             (".ratings.ball_diameter", self.ball_diameter.is_some()),

@@ -4,16 +4,17 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::geometry::{GeometryInput, Sources};
-use super::identity::Identity;
+use super::identity::{Identity, Printed, PrintedBearing};
 use super::output::{Output, TableFormat};
 use super::ratings::RatingsInput;
 use super::settings::MachineInput;
 use super::spectrum::SpectrumInput;
 use crate::analysis::Window;
-use crate::bearing::{Bearing, Geometry, REFERENCE_GROOVES, catalogue};
+use crate::bearing::{Bearing, EstimateError, Geometry, REFERENCE_GROOVES, RollerLine, catalogue};
 use crate::measurement::MeasuredBearing;
 use crate::physics::Race;
 use crate::rotor::Freedoms;
+use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{AngularSpeed, Frequency, Quantity, Time};
 
@@ -202,26 +203,55 @@ impl AsRef<str> for SignalName {
 impl RecordBearingInput {
     /// The bearing, as far as it rolls.
     pub fn build(&self, problems: &mut Problems<'_>) -> Option<MeasuredBearing> {
-        let rollers = self.catalogue.as_deref();
-        let rollers = rollers.filter(|_| self.ratings.is_none() && self.geometry.is_none());
-        let rollers = rollers.filter(|name| catalogue::look_up(&catalogue::EMPTY, name).is_err());
-        if let Some((entry, _)) =
-            rollers.and_then(|name| catalogue::look_up_rollers(&catalogue::EMPTY, name))
-        {
-            let estimate = entry.line.estimate().ok()?;
-            let geometry = estimate.geometry(entry.line.contact_angle).ok()?;
-            for note in &estimate.notes {
-                problems.warn(format!("`{}`: {note}", problems.path(".")));
-            }
-            return Some(self.measured(entry.designation.clone(), geometry));
-        }
         let identity = Identity {
             catalogue: self.catalogue.as_deref(),
             ratings: self.ratings.as_ref(),
-            has_geometry: self.geometry.is_some(),
+            has_dimensions: self.geometry.is_some(),
             clearance_class: None,
         };
         let printed = identity.printed(&catalogue::EMPTY, problems)?;
+        let (name, geometry, notes) = match printed {
+            Some(PrintedBearing::Rollers(printed)) => self.rollers(printed, problems)?,
+            Some(PrintedBearing::Balls(printed)) => self.balls(Some(printed), problems)?,
+            None => self.balls(None, problems)?,
+        };
+        for note in notes {
+            problems.warn(format!("`{}`: {note}", problems.path(".")));
+        }
+        Some(MeasuredBearing {
+            name,
+            bearing: Bearing {
+                rotating_ring: self.rotating_ring,
+                ..Bearing::of_steel(geometry)
+            },
+            slip: self.cage_slip,
+        })
+    }
+
+    /// The name of a roller bearing, its geometry, and what the reader should know of its estimate.
+    fn rollers(
+        &self,
+        printed: Printed<RollerLine>,
+        problems: &mut Problems<'_>,
+    ) -> Option<(String, Geometry, Vec<String>)> {
+        if self.geometry.is_some() {
+            let issue = Issue::new(".geometry", "this belongs to balls").help("remove it");
+            problems.refuse(issue.against(printed.key));
+        }
+        let line = &printed.line;
+        let estimate = problems.take(line.estimate().map_err(|error| printed.wrong(&error)))?;
+        let geometry = estimate.geometry(line.contact_angle);
+        let wrong = |error| printed.wrong(&EstimateError::from(error));
+        let geometry = problems.take(geometry.map_err(wrong))?;
+        Some((printed.name, geometry, estimate.notes))
+    }
+
+    /// The same of a ball bearing, of which nothing may be printed.
+    fn balls(
+        &self,
+        printed: Option<Printed>,
+        problems: &mut Problems<'_>,
+    ) -> Option<(String, Geometry, Vec<String>)> {
         let name = printed.as_ref().map(|printed| printed.name.clone());
         let mut input = self.geometry.clone().unwrap_or_default();
         if printed.is_none() {
@@ -240,21 +270,8 @@ impl RecordBearingInput {
             clearance_class,
         };
         let (geometry, estimate) = sources.build(Freedoms::Radial, 0.0, problems)?;
-        for note in estimate.iter().flat_map(|estimate| &estimate.notes) {
-            problems.warn(format!("`{}`: {note}", problems.path(".")));
-        }
         let name = name.unwrap_or_else(|| format!("{} balls", geometry.balls()));
-        Some(self.measured(name, geometry))
-    }
-
-    fn measured(&self, name: String, geometry: Geometry) -> MeasuredBearing {
-        MeasuredBearing {
-            name,
-            bearing: Bearing {
-                rotating_ring: self.rotating_ring,
-                ..Bearing::of_steel(geometry)
-            },
-            slip: self.cage_slip,
-        }
+        let notes = estimate.map(|estimate| estimate.notes);
+        Some((name, geometry, notes.unwrap_or_default()))
     }
 }
