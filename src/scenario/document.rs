@@ -1,14 +1,14 @@
 //! A file as it was written: its text and the tree of its values.
 
 use std::io::{self, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
 use super::node::{Node, read_json, read_toml};
 use super::problems::Problems;
 use super::setting::Setting;
-use super::{Format, Issue, ScenarioError, visible};
+use super::{Format, Issue, Scenario, ScenarioError, visible};
 use crate::record::open_regular;
 
 /// Most bytes of a file.
@@ -18,6 +18,19 @@ const LARGEST: u64 = 16 << 20;
 pub(crate) const STDIN: &str = "-";
 /// What messages call standard input, and results that come of it.
 pub(crate) const STDIN_NAME: &str = "stdin";
+
+/// What a file asks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum FileKind {
+    /// What happens in a scene.
+    Scenario,
+    /// Many runs of a scenario.
+    Study,
+    /// Values of quantities of a scenario.
+    Fit,
+    /// What a record of sensors holds.
+    Record,
+}
 
 /// A text that is TOML or JSON.
 #[derive(Debug)]
@@ -110,26 +123,71 @@ impl Document {
         }
     }
 
-    /// Whether it is a study file: it names the scenario that it starts from.
-    pub fn is_study(&self) -> bool {
-        self.root.find("base").is_some() && self.root.find("shaft").is_none() && !self.is_fit()
+    /// What kind of file it is, by a table or key that no other kind has; none where that is not clear.
+    pub fn kind(&self) -> Option<FileKind> {
+        let has = |key| self.root.find(key).is_some();
+        match (has("shaft"), has("base")) {
+            (true, true) => None,
+            (true, false) => Some(FileKind::Scenario),
+            _ if has("unknown") || has("observation") => Some(FileKind::Fit),
+            (false, true) => Some(FileKind::Study),
+            (false, false) => has("record").then_some(FileKind::Record),
+        }
     }
 
-    /// Whether it is a fit file: something is sought, or was measured.
-    pub fn is_fit(&self) -> bool {
-        let named = ["unknown", "observation"];
-        named.iter().any(|table| self.root.find(table).is_some())
-            && self.root.find("shaft").is_none()
+    /// Refuses a file of another kind than that which is due.
+    pub fn check_kind(&self, due: FileKind) -> Result<(), ScenarioError> {
+        let (key, what, help) = match self.kind() {
+            None => return Ok(()),
+            Some(kind) if kind == due => return Ok(()),
+            Some(FileKind::Scenario) => (
+                "shaft",
+                "a scenario",
+                "use `jeffcott run`, `bearing`, `steady`, `campbell` or `accuracy`",
+            ),
+            Some(FileKind::Study) => (
+                "base",
+                "a study file: it names the scenario that its runs start from",
+                "use `jeffcott study`, or give that scenario",
+            ),
+            Some(FileKind::Fit) => (
+                "unknown",
+                "a fit file: it names the scenario whose quantities are sought",
+                "use `jeffcott fit`, or give that scenario",
+            ),
+            Some(FileKind::Record) => (
+                "record",
+                "the description of a record of sensors",
+                "use `jeffcott analyze`",
+            ),
+        };
+        Err(self.refused(Issue::new(key, format!("this is {what}")).help(help)))
     }
 
-    /// Whether it describes a record of sensors.
-    pub fn is_record(&self) -> bool {
-        self.root.find("record").is_some() && self.root.find("shaft").is_none()
-    }
-
-    /// Whether it is a scenario: it has a shaft.
-    pub fn is_scenario(&self) -> bool {
-        self.root.find("shaft").is_some() && self.root.find("base").is_none()
+    /// The scenario that it names by its `base`, and the folder of that; `None` where nothing is there.
+    ///
+    /// # Errors
+    /// [`ScenarioError`] of that scenario.
+    pub fn base(
+        &self,
+        named: &str,
+        problems: &mut Problems<'_>,
+    ) -> Result<Option<(Scenario, PathBuf)>, ScenarioError> {
+        if problems.is_faulty("base") {
+            return Ok(None);
+        }
+        let base = self.folder().join(named);
+        if base.exists() {
+            let folder = base.parent().unwrap_or(Path::new("")).to_owned();
+            return Ok(Some((super::load(&base)?, folder)));
+        }
+        let message = format!("there is no scenario {}", base.display());
+        let help = format!(
+            "`{named}` is looked for from the folder of {}",
+            problems.subject
+        );
+        problems.add(Issue::new("base", message).help(help));
+        Ok(None)
     }
 
     /// The folder that files named in it are relative to.

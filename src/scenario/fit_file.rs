@@ -1,17 +1,17 @@
 //! Fit files: quantities of a scenario whose values are sought, and what was measured.
 
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 use serde_json::{Value, json};
 
-use super::document::Document;
+use super::document::{Document, FileKind};
 use super::fit_input::FitFileInput;
 use super::input::Questions;
 use super::key::Key;
-use super::problems::Problems;
 use super::schema::schema_of;
 use super::typed::number;
-use super::{Format, Issue, Scenario, ScenarioError, questions, reader};
+use super::{Format, Issue, Scenario, ScenarioError, questions, read_titled};
 use crate::fit::{Effort, Kind, Observation, Question, Unknown, Wanted};
 use crate::study::Variable;
 use crate::study::campbell::CampbellQuestion;
@@ -80,7 +80,7 @@ pub struct Balance {
 
 /// JSON Schema (draft 7) of a fit file.
 pub fn fit_schema() -> &'static Value {
-    static SCHEMA: std::sync::LazyLock<Value> = std::sync::LazyLock::new(schema_of::<FitFileInput>);
+    static SCHEMA: LazyLock<Value> = LazyLock::new(schema_of::<FitFileInput>);
     &SCHEMA
 }
 
@@ -94,24 +94,11 @@ pub fn load_fit(path: &Path, settings: &[String]) -> Result<FitFile, ScenarioErr
 
 /// Checks a fit and the scenario that it starts from.
 pub(super) fn check_fit(document: &Document) -> Result<FitFile, ScenarioError> {
-    if !document.is_fit() {
-        let message = "this is no fit file: it names a scenario by `base`, and has `[[unknown]]` and `[[observation]]`";
-        return Err(document.refused(Issue::new("", message)));
-    }
+    document.check_kind(FileKind::Fit)?;
     let mut problems = document.problems().about("the fit");
-    let fit = match read(&mut problems) {
+    let fit = match read_titled::<FitFileInput>(fit_schema(), &mut problems) {
+        Some(input) => input.on_base(document, &mut problems)?,
         None => None,
-        Some(input) => {
-            match super::study_file::base_of(&input.base, document.folder(), &mut problems) {
-                None => None,
-                Some(base) => {
-                    let scenario = super::load(&base)?;
-                    let title = input.title.clone().unwrap_or_else(|| document.stem());
-                    let folder = base.parent().unwrap_or(Path::new(""));
-                    input.fit(&scenario, title, [folder, document.folder()], &mut problems)
-                }
-            }
-        }
     };
     document.finish(fit, problems).map(|(fit, _)| fit)
 }
@@ -129,17 +116,12 @@ pub fn parse_fit(
 ) -> Result<FitFile, ScenarioError> {
     let document = Document::parse(text, "fit", format)?;
     let mut problems = document.problems().about("the fit");
-    let fit = read(&mut problems).and_then(|input| {
+    let read = read_titled::<FitFileInput>(fit_schema(), &mut problems);
+    let fit = read.and_then(|input| {
         let title = input.title.as_ref().unwrap_or(&scenario.title).clone();
         input.fit(scenario, title, [folder; 2], &mut problems)
     });
     document.finish(fit, problems).map(|(fit, _)| fit)
-}
-
-fn read(problems: &mut Problems<'_>) -> Option<FitFileInput> {
-    let input: FitFileInput = reader::read(fit_schema(), problems)?;
-    super::check_title(input.title.as_deref(), problems);
-    Some(input)
 }
 
 impl FitFile {

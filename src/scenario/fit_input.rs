@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::json;
 
 use super::axis::Scalar;
+use super::document::Document;
 use super::fit_file::{Correction, FitFile, TURN};
 use super::key::{self, Key, number_keys};
 use super::key_path::KeyPaths;
@@ -14,7 +15,7 @@ use super::observation::ObservationInput;
 use super::problems::Problems;
 use super::quantity::{Length, Quantity};
 use super::set_input::SetInput;
-use super::{Issue, Scenario, echo, open};
+use super::{Issue, Scenario, ScenarioError, echo, open};
 use crate::fit::{Kind, Observation, Unknown};
 
 /// Searches where no number is given.
@@ -129,6 +130,23 @@ impl UnknownInput {
 }
 
 impl FitFileInput {
+    /// The fit of the scenario that it names, as far as nothing contradicts it.
+    ///
+    /// # Errors
+    /// [`ScenarioError`] of that scenario.
+    pub fn on_base(
+        &self,
+        document: &Document,
+        problems: &mut Problems<'_>,
+    ) -> Result<Option<FitFile>, ScenarioError> {
+        let Some((scenario, folder)) = document.base(&self.base, problems)? else {
+            return Ok(None);
+        };
+        let title = self.title.clone().unwrap_or_else(|| document.stem());
+        let folders = [folder.as_path(), document.folder()];
+        Ok(self.fit(&scenario, title, folders, problems))
+    }
+
     /// The fit of a scenario whose files are in the first folder; those of the fit are in the second.
     pub fn fit(
         &self,

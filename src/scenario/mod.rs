@@ -49,13 +49,14 @@ mod wrong_value;
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
+use serde::de::DeserializeOwned;
 use serde_json::Value;
 
 use super::bearing::{CatalogueLine, Oil, RollerLine};
 use super::quasi_static::StaticQuestion;
 use super::simulate::{Model, RecordedRun, SimulateError};
 use super::study::ContactChoice;
-use document::Document;
+use document::{Document, FileKind};
 use fit_file::check_fit;
 use input::{Questions, RatingsInput, ScenarioInput};
 use node::Node;
@@ -150,16 +151,12 @@ pub(crate) enum Loaded {
 /// As [`load`].
 pub(crate) fn load_any(path: &Path, settings: &[String]) -> Result<Loaded, ScenarioError> {
     let document = Document::open(path)?.with(settings)?;
-    if document.is_study() {
-        return check_study(&document).map(|study| Loaded::Study(study.into()));
-    }
-    if document.is_fit() {
-        return check_fit(&document).map(|fit| Loaded::Fit(fit.into()));
-    }
-    if document.is_record() {
-        return check_record(&document).map(|record| Loaded::Record(record.into()));
-    }
-    check(&document).map(|scenario| Loaded::Scenario(scenario.into()))
+    Ok(match document.kind() {
+        Some(FileKind::Study) => Loaded::Study(check_study(&document)?.into()),
+        Some(FileKind::Fit) => Loaded::Fit(check_fit(&document)?.into()),
+        Some(FileKind::Record) => Loaded::Record(check_record(&document)?.into()),
+        Some(FileKind::Scenario) | None => Loaded::Scenario(check(&document)?.into()),
+    })
 }
 
 /// What a catalogue prints of a bearing.
@@ -207,22 +204,7 @@ pub fn parse(text: &str, name: &str, format: Format) -> Result<Scenario, Scenari
 }
 
 fn check(document: &Document) -> Result<Scenario, ScenarioError> {
-    if document.is_study() {
-        let message = "this is a study file: it names the scenario that its runs start from";
-        let issue = Issue::new("base", message).help("use `jeffcott study`, or give that scenario");
-        return Err(document.refused(issue));
-    }
-    if document.is_fit() {
-        let message = "this is a fit file: it names the scenario whose quantities are sought";
-        let issue =
-            Issue::new("unknown", message).help("use `jeffcott fit`, or give that scenario");
-        return Err(document.refused(issue));
-    }
-    if document.is_record() {
-        let message = "this describes a record of sensors, not a scenario";
-        let issue = Issue::new("record", message).help("use `jeffcott analyze`");
-        return Err(document.refused(issue));
-    }
+    document.check_kind(FileKind::Scenario)?;
     let mut problems = document.problems();
     let built = build(&mut problems);
     let ((input, questions), warnings) = document.finish(built, problems)?;
@@ -232,19 +214,22 @@ fn check(document: &Document) -> Result<Scenario, ScenarioError> {
 
 /// The tables of a scenario and what they ask.
 fn build(problems: &mut Problems<'_>) -> Option<(ScenarioInput, Questions)> {
-    let mut input: ScenarioInput = reader::read(schema(), problems)?;
+    let mut input: ScenarioInput = read_titled(schema(), problems)?;
     input.shaft.choose_freedoms(problems);
-    check_title(input.title.as_deref(), problems);
     let questions = input.build(problems)?;
     Some((input, questions))
 }
 
-/// Refuses what a terminal or a figure would take for a command.
-fn check_title(title: Option<&str>, problems: &mut Problems<'_>) {
+/// Reads a file with a title; refuses one that a terminal or a figure would take for a command.
+fn read_titled<T: DeserializeOwned>(schema: &Value, problems: &mut Problems<'_>) -> Option<T> {
+    let input = reader::read(schema, problems)?;
+    let title = problems.node("title").map(Value::from);
+    let title = title.as_ref().and_then(Value::as_str);
     if title.is_some_and(|title| title.contains(['\n', '\t']) || !is_visible(title)) {
         let message = "a title is one line without control characters and marks of direction";
         problems.refuse(Issue::new("title", message));
     }
+    Some(input)
 }
 
 /// What a scenario asks; the files that it names are in `folder`.

@@ -6,12 +6,12 @@ use std::sync::LazyLock;
 
 use serde_json::Value;
 
-use super::document::Document;
+use super::document::{Document, FileKind};
 use super::input::{Output, RecordFileInput, Recorded, Turning as Turns, build_spectra};
 use super::problems::Problems;
 use super::schema::schema_of;
 use super::signals::Signals;
-use super::{Format, Issue, ScenarioError, check_title, echo, reader};
+use super::{Format, Issue, ScenarioError, echo, read_titled};
 use crate::analysis::{
     Axis, Channel, Detrend, Scaling, Segment, SpectrumKind, SpectrumRequest, Window,
 };
@@ -99,6 +99,7 @@ pub(super) fn check_record(document: &Document) -> Result<MeasuredFile, Scenario
 }
 
 fn check(document: &Document, record: Option<Record>) -> Result<MeasuredFile, ScenarioError> {
+    document.check_kind(FileKind::Record)?;
     let mut problems = document.problems().about("the record");
     let built = build(document, record, &mut problems);
     let (mut file, warnings) = document.finish(built, problems)?;
@@ -111,8 +112,7 @@ fn build(
     record: Option<Record>,
     problems: &mut Problems<'_>,
 ) -> Option<MeasuredFile> {
-    let input: RecordFileInput = reader::read(record_schema(), problems)?;
-    check_title(input.title.as_deref(), problems);
+    let input: RecordFileInput = read_titled(record_schema(), problems)?;
     let bearings = problems.each("bearing", &input.bearing, |bearing, problems| {
         bearing.build(problems)
     });

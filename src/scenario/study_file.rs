@@ -6,14 +6,13 @@ use std::sync::atomic::AtomicBool;
 
 use serde_json::{Value, json};
 
-use super::document::Document;
+use super::document::{Document, FileKind};
 use super::input::Questions;
 use super::key::Key;
 use super::key_path::set_value;
-use super::problems::Problems;
 use super::schema::schema_of;
 use super::study_input::StudyFileInput;
-use super::{Format, Issue, Scenario, ScenarioError, built, questions, reader};
+use super::{Format, Issue, Scenario, ScenarioError, built, questions, read_titled};
 use crate::quasi_static::StaticQuestion;
 use crate::simulate::Model;
 use crate::study::Variable;
@@ -72,19 +71,9 @@ pub fn load_study(path: &Path, settings: &[String]) -> Result<StudyFile, Scenari
 
 /// Checks a study and the scenario that it starts from.
 pub(super) fn check_study(document: &Document) -> Result<StudyFile, ScenarioError> {
-    if document.is_scenario() {
-        let message = "this is a scenario, not a study file, which names one by `base`";
-        let help = "use `jeffcott run`, `bearing`, `steady`, `campbell` or `accuracy`, or write a study file";
-        let issue = Issue::new("shaft", message).help(help);
-        return Err(document.refused(issue));
-    }
-    if document.is_fit() {
-        let issue =
-            Issue::new("unknown", "this is a fit file, not a study").help("use `jeffcott fit`");
-        return Err(document.refused(issue));
-    }
+    document.check_kind(FileKind::Study)?;
     let mut problems = document.problems().about("the study");
-    let study = match read(&mut problems) {
+    let study = match read_titled::<StudyFileInput>(study_schema(), &mut problems) {
         Some(input) => input.on_base(document, &mut problems)?,
         None => None,
     };
@@ -104,35 +93,12 @@ pub fn parse_study(
 ) -> Result<StudyFile, ScenarioError> {
     let document = Document::parse(text, "study", format)?;
     let mut problems = document.problems().about("the study");
-    let study = read(&mut problems).and_then(|input| {
+    let read = read_titled::<StudyFileInput>(study_schema(), &mut problems);
+    let study = read.and_then(|input| {
         let title = input.title.as_ref().unwrap_or(&scenario.title).clone();
         input.study(scenario, title, folder.to_owned(), &mut problems)
     });
     document.finish(study, problems).map(|(study, _)| study)
-}
-
-fn read(problems: &mut Problems<'_>) -> Option<StudyFileInput> {
-    let input: StudyFileInput = reader::read(study_schema(), problems)?;
-    super::check_title(input.title.as_deref(), problems);
-    Some(input)
-}
-
-/// The scenario that a file in a folder names by its `base`; `None` where nothing is there.
-pub(super) fn base_of(named: &str, folder: &Path, problems: &mut Problems<'_>) -> Option<PathBuf> {
-    if problems.is_faulty("base") {
-        return None;
-    }
-    let base = folder.join(named);
-    if base.exists() {
-        return Some(base);
-    }
-    let message = format!("there is no scenario {}", base.display());
-    let help = format!(
-        "`{named}` is looked for from the folder of {}",
-        problems.subject
-    );
-    problems.add(Issue::new("base", message).help(help));
-    None
 }
 
 impl StudyFile {

@@ -13,7 +13,7 @@ use super::key::all_keys;
 use super::key_path::entry;
 use super::problems::Problems;
 use super::set_input::SetInput;
-use super::study_file::{StudyFile, TIMES, base_of};
+use super::study_file::{StudyFile, TIMES};
 use super::{Issue, Scenario, ScenarioError, echo, key, questions, reader, without};
 use crate::study::many::{Ask, Cycles, Keep, NumberColumn, Sweep, number_columns, static_columns};
 use crate::study::plan::{Axis, MOST_RUNS, MOST_SOBOL_AXES, Plan, Sampling};
@@ -100,12 +100,10 @@ impl StudyFileInput {
         document: &Document,
         problems: &mut Problems<'_>,
     ) -> Result<Option<StudyFile>, ScenarioError> {
-        let Some(base) = base_of(&self.base, document.folder(), problems) else {
+        let Some((scenario, folder)) = document.base(&self.base, problems)? else {
             return Ok(None);
         };
-        let scenario = super::load(&base)?;
         let title = self.title.clone().unwrap_or_else(|| document.stem());
-        let folder = base.parent().unwrap_or(Path::new("")).to_owned();
         Ok(self.study(&scenario, title, folder, problems))
     }
 

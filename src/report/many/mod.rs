@@ -57,11 +57,11 @@ pub(crate) fn open(
     let rows = RowFile::open(&folder.path().join(name), head, anew)?;
     let own = &rows.head.runs;
     let has_traces = traces::stand(folder.path())? || rows.head.keep.traces;
-    traces::remove_unfinished(folder.path(), own, runs)?;
+    traces::remove_earlier(folder.path(), traces::UNFINISHED, own, runs)?;
     if has_traces && rows.count == 0 {
         // traces are put in place one by one: what sealed those of an earlier study goes before them
         folder.unseal()?;
-        traces::remove_stale(folder.path(), own, runs)?;
+        traces::remove_earlier(folder.path(), traces::WHOLE, own, runs)?;
     }
     Ok((folder, rows))
 }

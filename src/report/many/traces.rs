@@ -79,38 +79,25 @@ pub(super) fn stand(study: &Path) -> Result<bool, ReportError> {
     }
 }
 
-/// Removes the traces that an earlier study has left: of the runs that are now made, and of those beyond
-/// the last.
-pub(super) fn remove_stale(study: &Path, own: &Range<u64>, count: u64) -> Result<(), ReportError> {
-    remove_where(study, ["trace-", ".csv"], |run| {
-        own.contains(&run) || run >= count
-    })
-}
+/// What stands before and behind the number of the run in the name of a trace, and of one that is being written.
+pub(super) const WHOLE: [&str; 2] = ["trace-", ".csv"];
+pub(super) const UNFINISHED: [&str; 2] = [".trace-", ".csv.partial"];
 
-/// Removes what a killed study has left of the traces of some runs, and of those beyond the last.
-pub(super) fn remove_unfinished(
+/// Removes the traces that an earlier study has left: of the runs that are now made, and of those beyond the last.
+pub(super) fn remove_earlier(
     study: &Path,
+    [before, after]: [&str; 2],
     own: &Range<u64>,
     count: u64,
 ) -> Result<(), ReportError> {
-    remove_where(study, [".trace-", ".csv.partial"], |run| {
-        own.contains(&run) || run >= count
-    })
-}
-
-/// Removes files that are called by a number of a run between two texts.
-fn remove_where(
-    study: &Path,
-    [before, after]: [&str; 2],
-    of: impl Fn(u64) -> bool,
-) -> Result<(), ReportError> {
+    let is_left = |run: &u64| own.contains(run) || *run >= count;
     let entries = fs::read_dir(study.join(FOLDER)).into_iter().flatten();
     for path in entries.flatten().map(|entry| entry.path()) {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let number = name.strip_prefix(before);
         let number = number.and_then(|rest| rest.strip_suffix(after));
         let number = number.and_then(|number| number.parse::<u64>().ok());
-        if number.is_some_and(&of) {
+        if number.as_ref().is_some_and(is_left) {
             fs::remove_file(&path).map_err(ReportError::file(FileAction::Remove, &path))?;
         }
     }
