@@ -198,7 +198,7 @@ pub fn wrote(files: &[PathBuf]) -> String {
 }
 
 /// A table without rules, everything but its first column to the right.
-pub(super) fn table<'a>(
+fn table<'a>(
     header: impl IntoIterator<Item = &'a str>,
     rows: impl IntoIterator<Item = Vec<String>>,
 ) -> String {

@@ -2,20 +2,17 @@
 
 use std::fmt;
 
-use super::{ColumnComparison, Comparison, Difference, TableComparison, Worst};
-use crate::report::terminal::{Lines, table, to_digits, wrapped};
+use super::{ColumnComparison, Comparison, TableComparison, Worst};
+use crate::report::terminal::{Lines, to_digits};
 use crate::table::Column;
 
 impl fmt::Display for Comparison {
     /// A table of the worst places, what keeps the results from being compared, the verdict and, where
     /// they differ, what to do.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for table in &self.tables {
-            write_table(f, table)?;
-            write_differences(f, table.differences.iter().chain(&table.left_out))?;
-        }
-        write_differences(f, self.differences.iter().chain(&self.left_out))?;
-        f.write_str(&self.verdict())
+        let mut lines = Lines::default();
+        self.tell_places(&mut lines);
+        write!(f, "{}{}", lines.text(false), self.verdict())
     }
 }
 
@@ -36,20 +33,22 @@ impl Comparison {
     /// Tells what [`Display`](fmt::Display) does, the verdict first, as a page shows it.
     pub(super) fn tell(&self, lines: &mut Lines) {
         lines.line("result", self.verdict());
-        let differences = |lines: &mut Lines, all: &[Difference]| {
-            all.iter().for_each(|difference| lines.put(difference));
-        };
+        self.tell_places(lines);
+    }
+
+    /// The worst places of every table, and what differs or is left out besides.
+    fn tell_places(&self, lines: &mut Lines) {
         for table in &self.tables {
             lines.put(&table.name);
             if !table.columns.is_empty() {
                 let (header, rows) = worst_places(table);
                 lines.table(header.iter().map(String::as_str), rows);
             }
-            differences(lines, &table.differences);
-            differences(lines, &table.left_out);
+            lines.each("differs", &table.differences);
+            lines.each("left out", &table.left_out);
         }
-        differences(lines, &self.differences);
-        differences(lines, &self.left_out);
+        lines.each("differs", &self.differences);
+        lines.each("left out", &self.left_out);
     }
 
     /// Whether one of the results has files, columns or samples that the other has not.
@@ -67,13 +66,6 @@ impl Comparison {
             .filter(|(_, column)| !column.agrees())
             .max_by(|a, b| a.1.needed.total_cmp(&b.1.needed))
     }
-}
-
-fn write_differences<'a>(
-    f: &mut fmt::Formatter<'_>,
-    mut differences: impl Iterator<Item = &'a Difference>,
-) -> fmt::Result {
-    differences.try_for_each(|difference| writeln!(f, "{}", wrapped(&format!("  {difference}"), 4)))
 }
 
 /// Where to look, and what would let the results agree.
@@ -108,15 +100,6 @@ fn rounded_up(number: f64) -> f64 {
         return rounded;
     }
     to_digits(rounded + 0.1 * 10f64.powf(number.log10().floor()), 2)
-}
-
-fn write_table(f: &mut fmt::Formatter<'_>, found: &TableComparison) -> fmt::Result {
-    writeln!(f, "{}", found.name)?;
-    if found.columns.is_empty() {
-        return Ok(());
-    }
-    let (header, rows) = worst_places(found);
-    writeln!(f, "{}", table(header.iter().map(String::as_str), rows))
 }
 
 /// The worst places of every column, with the heads of their table.

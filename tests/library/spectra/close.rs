@@ -24,11 +24,13 @@ fn spectrum(amplitude: f64) -> Spectrum {
 #[test]
 #[should_panic(expected = "spectra are not close
 &spectrum(1e-6) against &spectrum(1.001e-6)
+
  column          |a−b|  allowed  f_Hz     a         b  differs in
  f_Hz            0.0e0   3.0e-5     0     0         0     nowhere
  order           0.0e0   1.5e-6     0     0         0     nowhere
  x_amplitude_m  1.0e-9  1.0e-12    20  1e-6  1.001e-6       1 row
  x_phase_rad     0.0e0   4.1e-6    20   0.2       0.2     nowhere
+
 different: most of all x_amplitude_m, at f_Hz = 20
 look there first; if that is meant, a relative tolerance of 1e-3 allows it:
 --column x_amplitude_m=1e-3")]
