@@ -1,9 +1,9 @@
 //! What the benches of this crate measure from inside, and what its Python package calls: for them alone, without any
 //! promise.
 
-pub use crate::analysis::causes::{BearingFrequencies, Sources, causes, nearest_cause};
+pub use crate::analysis::causes::{BearingFrequencies, Sources, causes};
 pub use crate::analysis::estimation::{
-    Axis, Detrend, EstimateError, Scaling, Segment, SpectrumKind, SpectrumRequest, estimate,
+    Axis, Detrend, Scaling, Segment, SpectrumKind, SpectrumRequest, estimate,
 };
 pub use crate::analysis::recording::{Recording, SampleGrid};
 pub use crate::bearing::definition::MountedBearing;
@@ -13,14 +13,12 @@ pub use crate::bearing::law::{
 pub use crate::bearing::ring::Ring;
 pub use crate::bearing::rotation::BearingRotation;
 pub use crate::bearing::support::Support;
-pub use crate::bearing::surface::Imperfections;
 pub use crate::integrate::System;
 pub use crate::report::run_tables::trace_columns;
 #[cfg(feature = "parquet")]
 pub use crate::report::table::ParquetTable;
 pub use crate::report::table::{CsvTable, Origin};
 pub use crate::rotor::{Freedoms, MotionScale, Rotor, StaticProblem};
-pub use crate::scenario::TableFormat;
 pub use crate::scenario::document::written;
 pub use crate::scenario::fit_file::{load_fit, parse_fit};
 pub use crate::scenario::study_file::{StudyFile, load_study, parse_study};
