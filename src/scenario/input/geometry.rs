@@ -80,11 +80,16 @@ impl Sources<'_> {
         };
         let entry = estimate.as_ref().map(|estimate| &estimate.internal);
         let balls = input.balls.map(|balls| balls as usize);
-        let balls = self.need("balls", balls.or(entry.map(|entry| entry.balls)), problems);
+        let balls = needed(
+            ".geometry",
+            "balls",
+            balls.or(entry.map(|entry| entry.balls)),
+            problems,
+        );
         let diameter = si(&input.ball_diameter).or(entry.map(|e| e.ball_diameter));
-        let diameter = self.need("ball_diameter", diameter, problems);
+        let diameter = needed(".geometry", "ball_diameter", diameter, problems);
         let pitch = si(&input.pitch_diameter).or(entry.map(|e| e.pitch_diameter));
-        let pitch = self.need("pitch_diameter", pitch, problems);
+        let pitch = needed(".geometry", "pitch_diameter", pitch, problems);
         let free = self.free_position(problems);
         // in a radial scene with given contact stiffness and radial clearance the balls stay in the radial plane
         let flat = input.contact_stiffness.is_some() && input.radial_clearance.is_some();
@@ -138,14 +143,6 @@ impl Sources<'_> {
             ));
         }
         all.map(|((_, given), otherwise)| given.unwrap_or(otherwise))
-    }
-
-    fn need<T>(&self, key: &str, value: Option<T>, problems: &mut Problems<'_>) -> Option<T> {
-        let table = problems.path(".geometry");
-        problems.take(value.ok_or_else(|| {
-            let message = format!("`{table}` needs `{key}` where no catalogue bearing gives it");
-            Issue::new(at(key), message)
-        }))
     }
 
     /// The class whose middle the clearance is: the one given, or else CN of a deep-groove bearing of the catalogue.
@@ -271,6 +268,20 @@ impl Sources<'_> {
             None => "diametral_clearance",
         }
     }
+}
+
+/// The value of a key of a table of the bearing, which must be there.
+pub(super) fn needed<T>(
+    table: &str,
+    key: &str,
+    value: Option<T>,
+    problems: &mut Problems<'_>,
+) -> Option<T> {
+    problems.take(value.ok_or_else(|| {
+        let shown = problems.path(table);
+        let message = format!("`{shown}` needs `{key}` where no catalogue bearing gives it");
+        Issue::new(format!("{table}.{key}"), message)
+    }))
 }
 
 /// Path of a key, from the bearing.

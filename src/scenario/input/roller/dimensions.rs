@@ -1,6 +1,6 @@
 //! Number and sizes of rollers, their clearance, and what they need of room.
 
-use super::super::geometry::{dimensions_message, millimetres};
+use super::super::geometry::{dimensions_message, millimetres, needed};
 use super::super::identity::Printed;
 use super::RollerInput;
 use crate::bearing::{
@@ -58,13 +58,7 @@ impl RollerInput {
             None => None,
         };
         let found = estimate.as_ref().map(|estimate| estimate.best);
-        let mut need = |key: &str, value: Option<f64>| {
-            let message = format!(
-                "`{}` needs `{key}` where no catalogue bearing gives it",
-                problems.path(".roller")
-            );
-            problems.take(value.ok_or_else(|| Issue::new(format!(".roller.{key}"), message)))
-        };
+        let mut need = |key: &str, value| needed(".roller", key, value, problems);
         let pitch = pitch.or(estimate.as_ref().map(|estimate| estimate.pitch_diameter));
         let dimensions = [
             need("diameter", diameter.or(found.map(|found| found.diameter))),
@@ -72,18 +66,18 @@ impl RollerInput {
             need("pitch_diameter", pitch),
         ];
         let count = rollers.or(found.map(|found| found.rollers));
-        let count = need("rollers", count.map(|count| count as f64));
+        let count = needed(".roller", "rollers", count, problems);
         let kind = self.kind.or(line.map(|line| line.kind));
         // a kind that is missing is the last to be told
-        need("kind", kind.map(|_| 0.0))?;
+        let kind = needed(".roller", "kind", kind, problems)?;
         let [Some(diameter), Some(length), Some(pitch_diameter)] = dimensions else {
             return None;
         };
         let boundary = line.map(|line| line.boundary);
         let angle = line.map_or(0.0, |line| line.contact_angle);
         Some(Known {
-            kind: kind?,
-            rollers: count? as usize,
+            kind,
+            rollers: count?,
             diameter,
             length,
             pitch_diameter,

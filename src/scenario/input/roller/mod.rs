@@ -166,34 +166,31 @@ fn check_keys(
     printed: Option<&Printed<RollerLine>>,
     problems: &mut Problems<'_>,
 ) {
-    let twice = "`[bearing.roller]` already says what the bearing is";
-    let ball = "this belongs to balls";
-    let one_way = "only tapered rollers are preloaded along the axis";
-    let preloads = kind != RollerKind::Tapered;
-    let named = own.catalogue.is_some() && printed.is_none_or(|own| own.key != ".catalogue");
-    let rated = own.ratings.is_some() && printed.is_none_or(|own| own.key != ".ratings");
-    for (key, given, message) in [
-        (".catalogue", named, twice),
-        (".ratings", rated, twice),
-        (".geometry", own.geometry.is_some(), ball),
-        (".shoulder_angle", own.shoulder_angle.is_some(), ball),
-        (".race_control", own.race_control.is_some(), ball),
-        (".contact", own.contact == Some(ContactChoice::Jones), ball),
-        (
-            ".axial_offset",
-            preloads && own.axial_offset.is_some(),
-            one_way,
-        ),
-        (".preload", preloads && own.preload.is_some(), one_way),
-        (
-            ".spring_preload",
-            preloads && own.spring_preload.is_some(),
-            one_way,
-        ),
-    ] {
-        if given {
-            let issue = Issue::new(key, message).help("remove it");
-            problems.refuse(issue.against(".roller"));
+    let printed = printed.map_or("", |printed| printed.key);
+    let twice = [".catalogue", ".ratings"].into_iter();
+    let twice: Vec<_> = twice.filter(|key| *key != printed).collect();
+    let of_balls = "this belongs to balls";
+    let mut refuse = |keys: &[&str], message: &str| {
+        for key in keys {
+            if problems.node(&problems.path(key)).is_some() {
+                let issue = Issue::new(*key, message).help("remove it");
+                problems.refuse(issue.against(".roller"));
+            }
         }
+    };
+    refuse(
+        &twice,
+        "`[bearing.roller]` already says what the bearing is",
+    );
+    refuse(&[".geometry", ".shoulder_angle", ".race_control"], of_balls);
+    if own.contact == Some(ContactChoice::Jones) {
+        refuse(&[".contact"], of_balls);
+    }
+    if kind != RollerKind::Tapered {
+        let preloads = [".axial_offset", ".preload", ".spring_preload"];
+        refuse(
+            &preloads,
+            "only tapered rollers are preloaded along the axis",
+        );
     }
 }
