@@ -14,13 +14,13 @@ use super::order_tracks::tracks_table;
 use super::run_answer::SpectraSummary;
 use super::run_up::{maps_figures, waterfall_table};
 use super::spectra::{
-    estimated_figure, estimated_table, frequency_limit, measured_figures, peak_table,
+    estimated_figures, estimated_table, frequency_limit, measured_figures, peak_table,
     spectrum_table, table_name,
 };
 use super::statics::ball_pass_text;
 use super::terminal::{Lines, PER_MINUTE, digits, listed, of_bearing, shown_unit, significant};
 use super::text::{add_envelope_lines, add_peaks};
-use crate::analysis::{ChannelStatistics, EstimatedSpectrum};
+use crate::analysis::ChannelStatistics;
 use crate::measurement::{Measured, Slip, SpeedEstimate};
 use crate::physics::{Race, velocity_band};
 use crate::record::Record;
@@ -223,24 +223,14 @@ fn figures(title: &str, found: &Measured) -> Vec<Figure> {
         .iter()
         .map(|pass| 4.5 * pass.outer.max(pass.inner));
     let lines = passes.fold(0.0, f64::max);
-    let drawn = |spectrum: &EstimatedSpectrum| {
-        let shown = match spectrum.lines.is_empty() || lines == 0.0 {
-            true => limit,
-            false => lines,
-        };
-        estimated_figure(title, spectrum, shown)
-    };
-    let named = |named: bool| {
-        let all = found.spectra.iter();
-        all.filter(move |spectrum| spectrum.lines.is_empty() != named)
-            .map(drawn)
-    };
+    let lines = if lines > 0.0 { lines } else { limit };
+    let drawn = |named, limit| estimated_figures(title, &found.spectra, named, limit);
     let lowest = velocity_band(if highest > 0.0 {
         highest
     } else {
         f64::INFINITY
     })[0];
-    let mut figures: Vec<Figure> = named(true).collect();
+    let mut figures: Vec<Figure> = drawn(true, lines).collect();
     let spectra = spectrum.map(|spectrum| measured_figures(title, spectrum, &found.peaks, lowest));
     figures.extend(spectra.into_iter().flatten());
     let signals = found.statistics.iter();
@@ -248,7 +238,7 @@ fn figures(title: &str, found: &Measured) -> Vec<Figure> {
     let histories = Histories::of_columns(signals, found.recording.start(), found.rate);
     figures.push(histories.all("trace", title));
     figures.extend(found.maps.iter().flat_map(|maps| maps_figures(title, maps)));
-    figures.extend(named(false));
+    figures.extend(drawn(false, limit));
     figures
 }
 

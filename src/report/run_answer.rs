@@ -15,7 +15,7 @@ use super::rolling_elements::balls_figure;
 use super::run_up::{maps_figures, maps_json, run_up_json};
 use super::scene::scene_figure;
 use super::spectra::{
-    estimated_figure, estimated_json, estimated_table, frequency_limit_of, peak_table,
+    estimated_figures, estimated_json, estimated_table, frequency_limit_of, peak_table,
     spectra_figures, spectrum_table, table_name,
 };
 use super::text::text;
@@ -91,12 +91,7 @@ impl<'a> RunAnswer<'a> {
         } = *self;
         let title = &scenario.title;
         let limit = frequency_limit_of(run);
-        let drawn = |spectrum| estimated_figure(title, spectrum, limit);
-        let named = |named| {
-            let all = run.spectra.iter();
-            all.filter(move |spectrum| spectrum.lines.is_empty() != named)
-                .map(drawn)
-        };
+        let named = |named| estimated_figures(title, &run.spectra, named, limit);
         let spectrum = run.spectrum.as_ref();
         let mut figures = Vec::new();
         if !measured.is_empty() {

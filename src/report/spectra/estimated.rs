@@ -81,12 +81,20 @@ fn per_axis(spectrum: &EstimatedSpectrum) -> String {
 /// Height of a plot, px.
 const HEIGHT: u32 = 340;
 
-/// A panel for every unit, up to `limit` in Hz.
-pub(in crate::report) fn estimated_figure(
+/// Figures of the spectra that have named lines, or of those that have none, up to `limit` in Hz.
+pub(in crate::report) fn estimated_figures(
     title: &str,
-    spectrum: &EstimatedSpectrum,
+    spectra: &[EstimatedSpectrum],
+    named: bool,
     limit: f64,
-) -> Figure {
+) -> impl Iterator<Item = Figure> {
+    let asked = spectra.iter();
+    let asked = asked.filter(move |spectrum| spectrum.lines.is_empty() != named);
+    asked.map(move |spectrum| figure(title, spectrum, limit))
+}
+
+/// A panel for every unit.
+fn figure(title: &str, spectrum: &EstimatedSpectrum, limit: f64) -> Figure {
     let table = estimated_table(spectrum);
     let lines = spectrum.lines.iter().map(|line| NamedLine {
         column: column(spectrum, spectrum.columns[line.column].quantity),

@@ -4,7 +4,7 @@ mod estimated;
 mod run;
 mod shown;
 
-pub(super) use estimated::{estimated_figure, estimated_json, estimated_table, table_name};
+pub(super) use estimated::{estimated_figures, estimated_json, estimated_table, table_name};
 pub(crate) use run::spectrum_figure;
 pub use run::write_spectrum;
 pub(super) use run::{
