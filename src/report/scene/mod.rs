@@ -134,13 +134,17 @@ mod tests {
     fn rollers_are_drawn_by_their_length_and_diameter() {
         let motor = include_str!("../../../scenarios/motor-6206-nu206.toml");
         let conveyor = include_str!("../../../scenarios/conveyor-head-22212.toml");
-        for (text, count) in [(motor, 2), (conveyor, 8)] {
+        for (text, count, legend) in [
+            (motor, 2, "rings, balls and rollers"),
+            (conveyor, 8, "rings and rollers"),
+        ] {
             let scenario = Scenario::from_toml(text).expect("a shipped scenario");
             let rotor = &scenario.question.rotor;
             let geometry = rotor.bearings.last().expect("a bearing").bearing.geometry;
             let rollers = geometry.rollers().expect("rollers");
             let size = [rollers.length, geometry.ball_diameter()].map(|length| MILLI * length);
             let figure = scene_figure("", rotor);
+            assert_eq!(figure.names[0].text, legend);
             let is_roller = |curve: &&Curve| {
                 let distance = |from: usize, to: usize| {
                     let [(x0, y0), (x1, y1)] = [from, to].map(|corner| curve.points[corner]);
