@@ -14,7 +14,7 @@ pub use crate::bearing::ring::Ring;
 pub use crate::bearing::rotation::BearingRotation;
 pub use crate::bearing::support::Support;
 pub use crate::integrate::System;
-pub use crate::report::run_tables::trace_columns;
+pub use crate::report::run::tables::trace_columns;
 #[cfg(feature = "parquet")]
 pub use crate::report::table::ParquetTable;
 pub use crate::report::table::{CsvTable, Origin};

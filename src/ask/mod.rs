@@ -24,7 +24,7 @@ use crate::simulate::Model;
 
 pub use crate::report::WrittenFindings;
 pub use crate::report::findings::Findings;
-pub use crate::report::recorded::RunFindings;
+pub use crate::report::run::recorded::RunFindings;
 pub use accuracy::AccuracyQuestion;
 pub use analyze::{AnalyzeQuestion, record_setting};
 pub use bearing::BearingQuestion;

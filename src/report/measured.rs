@@ -8,18 +8,18 @@ use serde_json::{Value, json};
 use super::FileSet;
 use super::figure::Figure;
 use super::findings::{Findings, document};
-use super::histories::Histories;
-use super::motion::{add_severity, rms_text};
-use super::order_tracks::tracks_table;
-use super::run_answer::SpectraSummary;
-use super::run_up::{maps_figures, waterfall_table};
+use super::run::answer::SpectraSummary;
+use super::run::histories::Histories;
+use super::run::motion::{add_severity, rms_text};
+use super::run::order_tracks::tracks_table;
+use super::run::run_up::{maps_figures, waterfall_table};
+use super::run::text::{add_envelope_lines, add_peaks};
 use super::spectra::{
     estimated_figures, estimated_table, frequency_limit, measured_figures, peak_table,
     spectrum_table, table_name,
 };
 use super::statics::ball_pass_text;
 use super::terminal::{Lines, PER_MINUTE, digits, listed, of_bearing, shown_unit, significant};
-use super::text::{add_envelope_lines, add_peaks};
 use crate::analysis::ChannelStatistics;
 use crate::measurement::{Measured, Slip, SpeedEstimate};
 use crate::physics::{Race, velocity_band};

@@ -7,12 +7,12 @@ use serde_json::json;
 
 use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
 use super::findings::with_keys;
-use super::histories::Histories;
-use super::run_tables::sample_table;
+use super::run::histories::Histories;
+use super::run::tables::sample_table;
+use super::run::text::reduction_text;
 use super::terminal::{
     Lines, MICRO, MILLI, digits, listed, measured_text, shown_column, shown_unit,
 };
-use super::text::reduction_text;
 use super::{FileSet, Findings};
 use crate::analysis::{Channel, Line};
 use crate::scenario::Scenario;

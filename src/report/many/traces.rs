@@ -11,7 +11,7 @@ use super::StudyError;
 use super::rows::Rows;
 use crate::analysis::Channel;
 use crate::record::open_regular;
-use crate::report::run_tables::TraceCsv;
+use crate::report::run::tables::TraceCsv;
 use crate::report::whole_file::sync_folder;
 use crate::report::{FileAction, FileSet, PartialFile, ReportError, RunFolder};
 use crate::rotor::Sample;

@@ -9,7 +9,7 @@ use crate::analysis::Channel;
 use crate::report::ReportError;
 use crate::report::figure::Figure;
 use crate::report::raster::{MOST_CELLS, Raster, moving};
-use crate::report::run_up::runs_figure;
+use crate::report::run::run_up::runs_figure;
 use crate::report::variable::{axis_label, shown};
 use crate::study::many::{Line, RunRecord};
 

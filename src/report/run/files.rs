@@ -7,17 +7,17 @@ use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
-use super::compare::Overlay;
+use super::answer::{Drawn, RunAnswer};
 use super::film::Film;
-use super::findings::{WrittenFindings, document};
 use super::histories::Histories;
-use super::run_answer::{Drawn, RunAnswer};
-use super::run_tables::{SampleFiles, ball_columns, ball_row, event_columns, event_row};
 use super::run_up::{waterfall_columns, waterfall_rows};
-use super::table::TableFiles;
-use super::{FileSet, ReportError, RunFolder, SensitivityTable};
+use super::tables::{SampleFiles, ball_columns, ball_row, event_columns, event_row};
 use crate::analysis::Channel;
 use crate::integrate::{Counters, IntegrateError};
+use crate::report::compare::Overlay;
+use crate::report::findings::{WrittenFindings, document};
+use crate::report::table::TableFiles;
+use crate::report::{FileSet, ReportError, RunFolder, SensitivityTable};
 use crate::rotor::{BallContacts, Sample};
 use crate::scenario::Scenario;
 use crate::simulate::{Event, Model, Run, TraceSink};

@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::terminal::Lines;
 use crate::integrate::{ChangeReason, Method, MethodUse};
+use crate::report::terminal::Lines;
 use crate::simulate::{BearingHistory, EventKind, TableUse};
 
 /// A line or more for every bearing that was to have a table.

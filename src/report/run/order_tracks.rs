@@ -1,9 +1,9 @@
 //! Amplitudes and phases of orders over the speed.
 
-use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
-use super::raster::moving;
-use super::terminal::{MICRO, PER_MINUTE, shown_column};
 use crate::analysis::{Channel, OrderTracks, Track};
+use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
+use crate::report::raster::moving;
+use crate::report::terminal::{MICRO, PER_MINUTE, shown_column};
 use crate::table::Table;
 
 /// Height of a plot, px.
@@ -13,7 +13,7 @@ pub(super) const ORDERS_HEIGHT: u32 = 212;
 pub(super) const LEAST_OF_PHASE: f64 = 0.01;
 
 /// One row a window: time, speed, then amplitude and phase of every order of every channel.
-pub(super) fn tracks_table(tracks: &OrderTracks) -> Table<'static> {
+pub(in crate::report) fn tracks_table(tracks: &OrderTracks) -> Table<'static> {
     let mut table = Table::of(&tracks.points)
         .number("t", "s", |point| point.time)
         .number("speed", "rad/s", |point| point.speed);
@@ -30,7 +30,7 @@ pub(super) fn tracks_table(tracks: &OrderTracks) -> Table<'static> {
 }
 
 /// `1×` → `order_1`, `2×BPFO` → `BPFO_2x`, `BPFO of bearing 2` → `BPFO_of_bearing_2`, `3× + BPFO` → `order_3_and_BPFO`.
-pub(super) fn column(name: &str) -> String {
+pub(in crate::report) fn column(name: &str) -> String {
     if let Some((one, others)) = name.split_once(" + ") {
         return format!("{}_and_{}", column(one), column(others));
     }
@@ -55,7 +55,7 @@ pub(super) fn order_figure(title: &str, tracks: &OrderTracks) -> Figure {
     figure.with_names(Name::each(names))
 }
 
-pub(super) fn amplitudes(tracks: &OrderTracks, row: usize) -> Panel {
+pub(in crate::report) fn amplitudes(tracks: &OrderTracks, row: usize) -> Panel {
     let name = (format!("amplitude of {}", tracks.channels[row]), "µm");
     let curve = |order: usize| {
         let points = over_speed(tracks, row, order, |track| Some(MICRO * track.amplitude));
@@ -66,7 +66,7 @@ pub(super) fn amplitudes(tracks: &OrderTracks, row: usize) -> Panel {
 }
 
 /// Where an order is louder than `least`, m.
-pub(super) fn phases(tracks: &OrderTracks, row: usize, least: f64) -> Panel {
+pub(in crate::report) fn phases(tracks: &OrderTracks, row: usize, least: f64) -> Panel {
     let name = (format!("phase of {}", tracks.channels[row]), "deg");
     let phase = |track: &Track| (track.amplitude > least).then(|| track.phase.to_degrees());
     // dots, for a line would run across the figure where the angle begins anew
@@ -78,7 +78,7 @@ pub(super) fn phases(tracks: &OrderTracks, row: usize, least: f64) -> Panel {
     }
 }
 
-pub(super) fn over_speed(
+pub(in crate::report) fn over_speed(
     tracks: &OrderTracks,
     channel: usize,
     order: usize,
@@ -91,7 +91,7 @@ pub(super) fn over_speed(
     values.flatten().collect()
 }
 
-pub(super) fn speeds(tracks: &OrderTracks) -> Axis {
+pub(in crate::report) fn speeds(tracks: &OrderTracks) -> Axis {
     let speeds = tracks.points.iter().map(|point| PER_MINUTE * point.speed);
     Axis::spanning(shown_column(&Channel::Speed.column()).0, speeds)
 }

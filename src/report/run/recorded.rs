@@ -5,15 +5,15 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use super::compare::Overlay;
-use super::findings::Findings;
+use super::answer::{Drawn, RunAnswer};
 use super::histories::Histories;
-use super::run_answer::{Drawn, RunAnswer};
-use super::run_tables::{ball_columns, ball_row, event_columns, event_row, sample_table};
 use super::run_up::waterfall_table;
-use super::spectra::estimated_table;
-use super::{FileAction, ReportError, RunReport, SensitivityTable};
+use super::tables::{ball_columns, ball_row, event_columns, event_row, sample_table};
 use crate::analysis::Channel;
+use crate::report::compare::Overlay;
+use crate::report::findings::Findings;
+use crate::report::spectra::estimated_table;
+use crate::report::{FileAction, ReportError, RunReport, SensitivityTable};
 use crate::scenario::Scenario;
 use crate::simulate::{Maps, Model, Monitor, RecordedRun, SimulateError};
 use crate::study::campbell::{Campbell, along_run_up};

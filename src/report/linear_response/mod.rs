@@ -1,12 +1,14 @@
 //! The linear response: tables, Bode and polar diagrams, resonances.
 
+mod figures;
+
 use std::f64::consts::TAU;
 
 use nalgebra::Complex;
 use serde_json::{Value, json};
 
-use super::terminal::{Lines, MILLI, PER_MINUTE, to_digits};
-use super::{FileSet, Findings};
+use crate::report::terminal::{Lines, MILLI, PER_MINUTE, to_digits};
+use crate::report::{FileSet, Findings};
 use crate::rotor::{FREEDOM_NAMES, Pickup};
 use crate::scenario::Scenario;
 use crate::study::linear_response::{LinearResponse, LinearResponseQuestion, Resonance};
@@ -92,7 +94,7 @@ pub fn linear_response_findings(
 }
 
 /// `x at 250 mm`.
-pub(super) fn place(pickup: &Pickup) -> String {
+fn place(pickup: &Pickup) -> String {
     let position = to_digits(MILLI * pickup.position, 6);
     format!("{} at {position} mm", FREEDOM_NAMES[pickup.axis])
 }
@@ -107,9 +109,9 @@ fn point_json(pickup: &Pickup) -> Value {
 }
 
 /// What is told of a response.
-pub(super) struct Told<'a> {
-    pub question: &'a LinearResponseQuestion,
-    pub response: &'a LinearResponse,
+struct Told<'a> {
+    question: &'a LinearResponseQuestion,
+    response: &'a LinearResponse,
     operating: f64,
 }
 
@@ -146,7 +148,7 @@ impl Told<'_> {
     }
 
     /// Unit of all motions, behind a prefix; of displacements and tilts side by side both.
-    pub fn unit(&self, prefix: &str) -> String {
+    fn unit(&self, prefix: &str) -> String {
         let mut units: Vec<String> = Vec::new();
         for own in &self.question.at {
             let unit = format!("{prefix}{}{}", motion_unit(own), self.per_force());

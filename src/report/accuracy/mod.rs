@@ -2,12 +2,14 @@
 //!
 //! These files hold times, and so are the only ones that differ from one measurement to the next.
 
-use super::accuracy_figures::{ladder_figure, methods_figure};
-use super::terminal::{Lines, MICRO, or_dash, wrapped};
-use super::{FileSet, Findings};
+mod figures;
+
+use crate::report::terminal::{Lines, MICRO, or_dash, wrapped};
+use crate::report::{FileSet, Findings};
 use crate::scenario::Scenario;
 use crate::study::accuracy::{Accuracy, Agreement, Cost, Errors, FidelityRow, Row};
 use crate::table::{Named, Table, TableOf};
+use figures::{ladder_figure, methods_figure};
 
 /// Reference, methods and ladder of a measurement.
 pub fn accuracy_findings(scenario: &Scenario, accuracy: &Accuracy) -> Findings {

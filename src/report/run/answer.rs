@@ -3,24 +3,25 @@
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use super::compare::{Overlay, overlay_figures};
-use super::figure::Figure;
+use super::defects;
 use super::film::Film;
-use super::findings::{Findings, with_keys};
 use super::histories::Histories;
 use super::method_use::{method_use_json, parted};
 use super::motion::{motion_json, orbit_figure, poincare_table};
 use super::order_tracks::tracks_table;
-use super::rolling_elements::balls_figure;
 use super::run_up::{maps_figures, maps_json, run_up_json};
-use super::scene::scene_figure;
-use super::spectra::{
+use super::text::text;
+use crate::analysis::{EstimatedSpectrum, Peak, Spectrum};
+use crate::report::compare::{Overlay, overlay_figures};
+use crate::report::figure::Figure;
+use crate::report::findings::{Findings, with_keys};
+use crate::report::rolling_elements::balls_figure;
+use crate::report::scene::scene_figure;
+use crate::report::spectra::{
     estimated_figures, estimated_json, estimated_table, frequency_limit_of, peak_table,
     spectra_figures, spectrum_table, table_name,
 };
-use super::text::text;
-use super::{FileSet, SensitivityTable, campbell, defects, spectrum_figure};
-use crate::analysis::{EstimatedSpectrum, Peak, Spectrum};
+use crate::report::{FileSet, SensitivityTable, campbell, spectrum_figure};
 use crate::scenario::Scenario;
 use crate::simulate::{Maps, Model, Run};
 use crate::study::campbell::{Campbell, CriticalSpeed};
@@ -167,7 +168,7 @@ struct RunSummary<'a> {
 
 /// What the document of a run or a record has of its spectra.
 #[derive(Debug, Serialize)]
-pub(super) struct SpectraSummary {
+pub(in crate::report) struct SpectraSummary {
     spectrum: Option<Value>,
     peaks: Value,
     maps: Option<Value>,

@@ -2,10 +2,10 @@
 
 use serde_json::{Value, json};
 
-use super::findings::versioned;
-use super::terminal::{Lines, mark_estimated, rounded};
 use crate::bearing::catalogue::CatalogueEntry;
 use crate::bearing::{Bearing, CatalogueLine, Estimate};
+use crate::report::findings::versioned;
+use crate::report::terminal::{Lines, mark_estimated, rounded};
 
 /// The estimate for people.
 pub fn estimate_text(title: &str, line: &CatalogueLine, estimate: &Estimate) -> Lines {

@@ -5,9 +5,9 @@ use std::f64::consts::TAU;
 
 use serde_json::{Value, json};
 
-use super::figure::narrow;
-use super::terminal::{MICRO, MILLI};
 use crate::bearing::Support;
+use crate::report::figure::narrow;
+use crate::report::terminal::{MICRO, MILLI};
 use crate::rotor::{BallContacts, RotorDefinition, Sample};
 use crate::simulate::LAST_BALLS;
 

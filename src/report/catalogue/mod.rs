@@ -1,8 +1,11 @@
 //! The list of the bearings of the catalogue.
 
-use super::terminal::{Lines, or_dash, rounded};
+pub(super) mod balls;
+pub(super) mod rollers;
+
 use crate::bearing::Estimate;
 use crate::bearing::catalogue::CatalogueEntry;
+use crate::report::terminal::{Lines, or_dash, rounded};
 
 /// A row a bearing, and the sources of their numbers.
 pub fn catalogue_text<'a>(

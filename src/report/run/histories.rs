@@ -2,10 +2,10 @@
 
 use std::collections::VecDeque;
 
-use super::envelope::{Decimator, SCREEN_BUCKETS};
-use super::figure::{Axis, Curve, Figure, Panel, distinct};
-use super::terminal::shown_column;
 use crate::analysis::Channel;
+use crate::report::envelope::{Decimator, SCREEN_BUCKETS};
+use crate::report::figure::{Axis, Curve, Figure, Panel, distinct};
+use crate::report::terminal::shown_column;
 use crate::rotor::{Freedoms, Sample};
 
 /// Height of up to four panels of a figure together, px.
@@ -69,7 +69,7 @@ impl Histories {
     }
 
     /// Of columns at equal times, the first values at a time in s.
-    pub(super) fn of_columns<'a>(
+    pub(in crate::report) fn of_columns<'a>(
         columns: impl Iterator<Item = (Channel, &'a [f64])>,
         start: f64,
         rate: f64,
@@ -91,7 +91,7 @@ impl Histories {
     }
 
     /// A panel for each.
-    pub(super) fn all(&self, name: &str, title: &str) -> Figure {
+    pub(in crate::report) fn all(&self, name: &str, title: &str) -> Figure {
         self.panels(name, title, self.histories.iter().collect())
     }
 
@@ -130,7 +130,7 @@ impl Histories {
 
     /// A panel for each other quantity of a page, but for what is unknown and for what does not change, no more than
     /// round-off beside the largest value of its unit.
-    pub(super) fn others(&self, title: &str) -> Option<Figure> {
+    pub(in crate::report) fn others(&self, title: &str) -> Option<Figure> {
         let others = || self.histories.iter().filter(|own| !own.is_displacement());
         let magnitude = |unit: &str| {
             let alike = others().filter(|history| history.channel.unit() == unit);

@@ -3,12 +3,12 @@
 use super::method_use::{add_table_use, method_use_text, parted};
 use super::motion::{add_housings, add_motion, add_severity};
 use super::run_up::add_run_up;
-use super::statics::ball_pass_text;
-use super::terminal::{
+use crate::analysis::{Axis, EnvelopeLine, EstimatedSpectrum, Peak, Spectrum};
+use crate::report::statics::ball_pass_text;
+use crate::report::terminal::{
     Lines, MICRO, clearance_text, displacement_text, listed, mark_estimated, measured_text,
     of_bearing, shown_unit, significant, to_digits,
 };
-use crate::analysis::{Axis, EnvelopeLine, EstimatedSpectrum, Peak, Spectrum};
 use crate::simulate::{
     BearingHistory, EventCount, EventKind, Model, NaturalFrequency, Reduction, Run, SpallPassage,
     Spread, StaticState,
@@ -104,7 +104,7 @@ pub fn text(title: &str, model: &Model, run: &Run, campbell: Option<&Campbell>) 
 }
 
 /// The strongest named lines of envelopes.
-pub(super) fn add_envelope_lines(out: &mut Lines, spectra: &[EstimatedSpectrum]) {
+pub(in crate::report) fn add_envelope_lines(out: &mut Lines, spectra: &[EstimatedSpectrum]) {
     for spectrum in spectra.iter().filter(|of| !of.lines.is_empty()) {
         let lines = spectrum.lines.iter().take(ENVELOPE_LINES);
         let lines = lines.map(|line| line_text(spectrum, line));
@@ -113,7 +113,7 @@ pub(super) fn add_envelope_lines(out: &mut Lines, spectra: &[EstimatedSpectrum])
 }
 
 /// `6 modes of bending in each plane, 1.2e-6 µm, 3e-6 of the motion, from 10`.
-pub(super) fn reduction_text(reduction: &Reduction) -> String {
+pub(in crate::report) fn reduction_text(reduction: &Reduction) -> String {
     let kept = format!("{} modes of bending in each plane", reduction.modes);
     match &reduction.error {
         None => kept,
@@ -163,7 +163,12 @@ fn line_text(spectrum: &EstimatedSpectrum, line: &EnvelopeLine) -> String {
 }
 
 /// The strongest peaks of channels of one unit, which have one order.
-pub(super) fn add_peaks(out: &mut Lines, peaks: &[Peak], spectrum: Option<&Spectrum>, unit: &str) {
+pub(in crate::report) fn add_peaks(
+    out: &mut Lines,
+    peaks: &[Peak],
+    spectrum: Option<&Spectrum>,
+    unit: &str,
+) {
     let alike = peaks.iter().filter(|peak| peak.channel.unit() == unit);
     let mut alike: Vec<&Peak> = alike.collect();
     alike.sort_by(|a, b| b.amplitude.total_cmp(&a.amplitude));

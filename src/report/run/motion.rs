@@ -2,11 +2,11 @@
 
 use serde_json::{Value, json};
 
-use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
-use super::findings::with_keys;
-use super::terminal::{Lines, MICRO, MILLI, listed, significant};
 use crate::analysis::{Channel, Kind, LONGEST_PERIOD, Motion, Section, SectionKind, VelocityLevel};
 use crate::physics::MachineSupport;
+use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
+use crate::report::findings::with_keys;
+use crate::report::terminal::{Lines, MICRO, MILLI, listed, significant};
 use crate::rotor::FREEDOMS;
 use crate::simulate::VibrationSeverity;
 use crate::table::Table;
@@ -68,7 +68,7 @@ pub(super) fn add_housings(out: &mut Lines, motion: &Motion) {
 }
 
 /// In which zone of ISO 20816-3 the vibration lies, and how far that holds.
-pub(super) fn add_severity(out: &mut Lines, severity: &VibrationSeverity) {
+pub(in crate::report) fn add_severity(out: &mut Lines, severity: &VibrationSeverity) {
     let support = match severity.support {
         MachineSupport::Rigid => "rigid",
         MachineSupport::Flexible => "flexible",
@@ -150,7 +150,7 @@ fn level_text(channel: Channel, level: &VelocityLevel) -> String {
     format!("{} of {part} along {axis}", rms_text(level))
 }
 
-pub(super) fn rms_text(level: &VelocityLevel) -> String {
+pub(in crate::report) fn rms_text(level: &VelocityLevel) -> String {
     let [low, high] = level.band;
     format!(
         "{} mm/s RMS from {low:.0} to {high:.0} Hz",

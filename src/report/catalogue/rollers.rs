@@ -2,9 +2,9 @@
 
 use serde_json::{Value, json};
 
-use super::findings::versioned;
-use super::terminal::{Lines, mark_estimated, or_dash, rounded};
 use crate::bearing::{RollerEntry, RollerEstimate, RollerLine};
+use crate::report::findings::versioned;
+use crate::report::terminal::{Lines, mark_estimated, or_dash, rounded};
 
 fn millimetres(length: f64) -> f64 {
     rounded(1e3 * length, 6)

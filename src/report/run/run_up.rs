@@ -2,20 +2,20 @@
 
 use serde_json::{Map as Object, Value, json};
 
-use super::figure::{Axis, Curve, Figure, Label, Panel, WHITE};
-use super::findings::with_keys;
 use super::order_tracks::order_figure;
-use super::raster::{DECADES, Raster, moving};
-use super::terminal::{
+use crate::analysis::{Channel, Waterfall};
+use crate::report::figure::{Axis, Curve, Figure, Label, Panel, WHITE};
+use crate::report::findings::with_keys;
+use crate::report::raster::{DECADES, Raster, moving};
+use crate::report::terminal::{
     Lines, MICRO, PER_MINUTE, PER_SECOND, listed, shown_column, shown_unit, significant,
 };
-use crate::analysis::{Channel, Waterfall};
 use crate::simulate::{Extreme, Maps, RunUp};
 use crate::study::campbell::{Campbell, CriticalSpeed};
 use crate::table::{Column, Table};
 
 /// What is drawn of the maps, as far as they are not empty.
-pub(super) fn maps_figures(title: &str, maps: &Maps) -> Vec<Figure> {
+pub(in crate::report) fn maps_figures(title: &str, maps: &Maps) -> Vec<Figure> {
     let waterfall = !maps.waterfall.slices.is_empty();
     let tracks = !maps.tracks.points.is_empty();
     let waterfall = waterfall.then(|| waterfall_figure(title, maps));
@@ -119,7 +119,7 @@ pub(super) fn waterfall_columns(waterfall: &Waterfall) -> Vec<Column> {
 }
 
 /// A row a frequency of every spectrum.
-pub(super) fn waterfall_table(waterfall: &Waterfall) -> Table<'static> {
+pub(in crate::report) fn waterfall_table(waterfall: &Waterfall) -> Table<'static> {
     Table::of_rows(waterfall_columns(waterfall), waterfall_rows(waterfall))
 }
 

@@ -1,21 +1,21 @@
 //! Figures of accuracy: error over time of methods, and of levels of the physics.
 
-use super::figure::{Axis, COLOURS, Curve, Figure, GREY, Mark, Name, Panel, distinct};
-use super::terminal::shown_column;
+use crate::report::figure::{Axis, COLOURS, Curve, Figure, GREY, Mark, Name, Panel, distinct};
+use crate::report::terminal::shown_column;
 use crate::study::accuracy::Agreement;
 use crate::table::{ColumnKind, Table};
 
 /// Height of a plot, px.
-pub(super) const HEIGHT: u32 = 320;
+const HEIGHT: u32 = 320;
 
 /// Height of a row, px.
-pub(super) const LEVEL_HEIGHT: u32 = 30;
+const LEVEL_HEIGHT: u32 = 30;
 
 /// A quantity of errors, and the uncertainty of it.
-pub(super) type Uncertain = (&'static str, f64);
+type Uncertain = (&'static str, f64);
 
 /// What is plotted over what: errors of traces, or of their rms where they mean nothing.
-pub(super) fn plotted(agreement: &Agreement) -> [(&'static str, Uncertain); 4] {
+fn plotted(agreement: &Agreement) -> [(&'static str, Uncertain); 4] {
     let (scatter, uncertainty) = (&agreement.scatter, &agreement.uncertainty);
     let [displacement, force] = match agreement.irregular {
         true => [
@@ -58,18 +58,14 @@ pub(super) fn methods_figure(title: &str, agreement: &Agreement, table: &Table<'
 }
 
 /// Names of the methods, as the table numbers them.
-pub(super) fn methods<'a>(table: &'a Table<'_>) -> &'a [String] {
+fn methods<'a>(table: &'a Table<'_>) -> &'a [String] {
     match table.column("method").map(|(column, _)| &column.kind) {
         Some(ColumnKind::Word(methods)) => methods,
         _ => &[],
     }
 }
 
-pub(super) fn methods_panel(
-    table: &Table<'_>,
-    x: &str,
-    (y, uncertainty): Uncertain,
-) -> Option<Panel> {
+fn methods_panel(table: &Table<'_>, x: &str, (y, uncertainty): Uncertain) -> Option<Panel> {
     let (_, methods_of_rows) = table.column("method")?;
     let [(x, xs), (y, ys)] = [table.column(x)?, table.column(y)?];
     let [x_axis, y_axis] = [(x, xs), (y, ys)].map(|(column, values)| {
@@ -96,7 +92,7 @@ pub(super) fn methods_panel(
 }
 
 /// Curves beyond the colours that there are differ by their marks.
-pub(super) fn mark(index: usize) -> Mark {
+fn mark(index: usize) -> Mark {
     if index < COLOURS {
         Mark::Dot
     } else {
@@ -117,7 +113,7 @@ pub(super) fn ladder_figure(title: &str, agreement: &Agreement, table: &Table<'_
 }
 
 /// A disc a level over one logarithmic axis; a level whose value is zero has none.
-pub(super) fn levels_panel(table: &Table<'_>, quantity: &str, colour: usize) -> Option<Panel> {
+fn levels_panel(table: &Table<'_>, quantity: &str, colour: usize) -> Option<Panel> {
     let ((models, levels), (column, values)) = (table.column("model")?, table.column(quantity)?);
     let known = levels.iter().zip(values.iter().copied());
     let known: Vec<_> = known.filter(|(_, value)| value.is_finite()).collect();

@@ -3,10 +3,10 @@
 use std::io;
 use std::io::Write;
 
-use super::table::{CsvTable, TableFiles};
-use super::{ReportError, RunFolder};
 use crate::analysis::Channel;
 use crate::bearing::BallContact;
+use crate::report::table::{CsvTable, TableFiles};
+use crate::report::{ReportError, RunFolder};
 use crate::rotor::{BallContacts, Sample};
 use crate::simulate::{Event, EventKind, TraceSink};
 use crate::table::{Column, Named, Table};
@@ -53,7 +53,7 @@ fn sample_row(channels: impl Iterator<Item = Channel>, sample: &Sample) -> Vec<f
 }
 
 /// Channels of samples that are there, a row a sample.
-pub(super) fn sample_table(
+pub(in crate::report) fn sample_table(
     samples: &[Sample],
     channels: impl IntoIterator<Item = Channel>,
 ) -> Table<'static> {

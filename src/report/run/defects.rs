@@ -1,7 +1,7 @@
 //! The figure of defects: each drawn from the side.
 
-use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
 use crate::bearing::{Defect, Geometry, SideView, Surface};
+use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
 use crate::simulate::Model;
 
 /// Defects that are drawn, the first ones.
@@ -17,7 +17,7 @@ const ABOVE: f64 = 0.6;
 const POINTS: u32 = 600;
 
 /// The figure of the defects of a model; none where bearings have none.
-pub(super) fn figure(title: &str, model: &Model) -> Option<Figure> {
+pub(in crate::report) fn figure(title: &str, model: &Model) -> Option<Figure> {
     let bearings = model.rotor.bearings.iter().enumerate();
     let defects = bearings.flat_map(|(number, own)| {
         let defects = own.imperfections.defects.iter();

@@ -4,9 +4,9 @@ use std::f64::consts::TAU;
 
 use nalgebra::Complex;
 
-use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
-use super::linear_response::{Told, place};
-use super::terminal::{MICRO, PER_MINUTE, significant};
+use super::{Told, place};
+use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
+use crate::report::terminal::{MICRO, PER_MINUTE, significant};
 
 /// Height of a plot, px.
 const HEIGHT: u32 = 240;
