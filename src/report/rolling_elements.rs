@@ -26,30 +26,24 @@ pub(super) const SHOWN: [(&str, &str); 14] = [
 
 /// Columns of one contact, after `inner_` or `outer_`.
 pub(super) const CONTACT: [Named<RaceContact>; 13] = [
-    ("load", "N", |contact| contact.load),
-    ("angle", "rad", |contact| contact.angle),
-    ("approach", "m", |contact| contact.approach),
-    ("semi_major", "m", |contact| contact.semi_major),
-    ("semi_minor", "m", |contact| contact.semi_minor),
-    ("peak_pressure", "Pa", |contact| contact.peak_pressure),
-    ("contact_stiffness", "N/m", |contact| {
-        contact.contact_stiffness
+    ("load", "N", |own| own.load),
+    ("angle", "rad", |own| own.angle),
+    ("approach", "m", |own| own.approach),
+    ("semi_major", "m", |own| own.semi_major),
+    ("semi_minor", "m", |own| own.semi_minor),
+    ("peak_pressure", "Pa", |own| own.peak_pressure),
+    ("contact_stiffness", "N/m", |own| own.contact_stiffness),
+    ("film_central", "m", |own| film(own, |film| film.central)),
+    ("film_minimum", "m", |own| film(own, |film| film.minimum)),
+    ("film_stiffness", "N/m", |own| {
+        film(own, |film| film.stiffness)
     }),
-    ("film_central", "m", |contact| {
-        film(contact, |film| film.central)
+    ("film_lambda", "", |own| {
+        film(own, |film| film.lambda.unwrap_or(f64::NAN))
     }),
-    ("film_minimum", "m", |contact| {
-        film(contact, |film| film.minimum)
-    }),
-    ("film_stiffness", "N/m", |contact| {
-        film(contact, |film| film.stiffness)
-    }),
-    ("film_lambda", "", |contact| {
-        film(contact, |film| film.lambda.unwrap_or(f64::NAN))
-    }),
-    ("spin_to_roll", "", |contact| contact.spin_to_roll),
-    ("shoulder_margin", "rad", |contact| {
-        contact.shoulder_margin.unwrap_or(f64::NAN)
+    ("spin_to_roll", "", |own| own.spin_to_roll),
+    ("shoulder_margin", "rad", |own| {
+        own.shoulder_margin.unwrap_or(f64::NAN)
     }),
 ];
 

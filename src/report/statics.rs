@@ -189,15 +189,11 @@ const SHOWN_LAMINA: [(&str, &str); 5] = [
 
 /// Columns of a slice.
 const LAMINA: [Named<LaminaLine>; 5] = [
-    ("position", "m", |lamina| lamina.position),
-    ("approach", "m", |lamina| lamina.approach),
-    ("load", "N", |lamina| lamina.load),
-    ("inner_peak_pressure", "Pa", |lamina| {
-        lamina.peak_pressure[0]
-    }),
-    ("outer_peak_pressure", "Pa", |lamina| {
-        lamina.peak_pressure[1]
-    }),
+    ("position", "m", |own| own.position),
+    ("approach", "m", |own| own.approach),
+    ("load", "N", |own| own.load),
+    ("inner_peak_pressure", "Pa", |own| own.peak_pressure[0]),
+    ("outer_peak_pressure", "Pa", |own| own.peak_pressure[1]),
 ];
 
 /// Slices of rollers with the numbers of their bearings and their own.

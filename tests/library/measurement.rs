@@ -345,3 +345,39 @@ fn what_is_missing_is_asked_for() {
     assert_eq!(found.statistics[0].channel.name(), "acc_x");
     assert!((found.statistics[0].moments.mean() - 0.5 * 9.806_65).abs() < 1e-12);
 }
+
+/// The rollers of Koyo's NU206 roll as their published number and sizes say; what belongs to balls is refused.
+#[test]
+fn rollers_are_found_from_their_ratings() {
+    let analysed = |bearing: &str| {
+        let settings = [
+            "record.rate=\"1 kHz\"".to_owned(),
+            "record.unit=\"g\"".to_owned(),
+            "speed={ constant = \"1500 rpm\" }".to_owned(),
+            format!("bearing=[{{ {bearing} }}]"),
+        ];
+        let record = columns(vec![("acc x", vec![0.5; 200])]);
+        let file = describe_record(record, "made.csv", "{}", &settings);
+        file.map(|file| file.measurement.analyse())
+            .map_err(|error| error.render(false))
+    };
+    let ratings = |width: &str| {
+        format!(
+            "ratings = {{ kind = \"cylindrical\", bore = \"30 mm\", outside_diameter = \"62 mm\", {width} \
+             contact_angle = \"0 deg\", dynamic = \"29.3 kN\", static = \"28.7 kN\" }}"
+        )
+    };
+    let found = analysed(&ratings("width = \"16 mm\",")).expect("13 rollers of 7.5 mm on 46 mm");
+    let order = found.nominal[0].outer / 25.0;
+    assert!((order - 6.5 * (1.0 - 7.5 / 46.0)).abs() < 1e-9, "{order}");
+    for (bearing, told) in [
+        (ratings(""), "the ratings of rollers need `width`"),
+        (
+            "catalogue = \"NU206\", geometry = { balls = 9 }".to_owned(),
+            "this belongs to balls",
+        ),
+    ] {
+        let error = analysed(&bearing).expect_err(told);
+        assert!(error.contains(told), "{error}");
+    }
+}

@@ -30,33 +30,17 @@ pub fn accuracy_findings(scenario: &Scenario, accuracy: &Accuracy) -> Findings {
 }
 
 const ERRORS: [Named<Errors>; 11] = [
-    ("displacement", "m", |errors| errors.displacement),
-    ("displacement_relative", "", |errors| {
-        errors.displacement_relative
-    }),
-    ("force", "N", |errors| errors.force),
-    ("force_relative", "", |errors| errors.force_relative),
-    ("lines_relative", "", |errors| {
-        errors.lines.unwrap_or(f64::NAN)
-    }),
-    ("displacement_mean_relative", "", |errors| {
-        errors.statistics.mean
-    }),
-    ("displacement_rms_relative", "", |errors| {
-        errors.statistics.rms
-    }),
-    ("displacement_peak_relative", "", |errors| {
-        errors.statistics.peak
-    }),
-    ("force_mean_relative", "", |errors| {
-        errors.force_statistics.mean
-    }),
-    ("force_rms_relative", "", |errors| {
-        errors.force_statistics.rms
-    }),
-    ("force_peak_relative", "", |errors| {
-        errors.force_statistics.peak
-    }),
+    ("displacement", "m", |own| own.displacement),
+    ("displacement_relative", "", |own| own.displacement_relative),
+    ("force", "N", |own| own.force),
+    ("force_relative", "", |own| own.force_relative),
+    ("lines_relative", "", |own| own.lines.unwrap_or(f64::NAN)),
+    ("displacement_mean_relative", "", |own| own.statistics.mean),
+    ("displacement_rms_relative", "", |own| own.statistics.rms),
+    ("displacement_peak_relative", "", |own| own.statistics.peak),
+    ("force_mean_relative", "", |own| own.force_statistics.mean),
+    ("force_rms_relative", "", |own| own.force_statistics.rms),
+    ("force_peak_relative", "", |own| own.force_statistics.peak),
 ];
 
 /// Methods × tolerances.
