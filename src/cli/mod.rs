@@ -91,17 +91,6 @@ impl From<Outcome> for ExitCode {
     }
 }
 
-/// Every one once, where it comes first.
-fn without_repeats<T: PartialEq>(all: impl IntoIterator<Item = T>) -> Vec<T> {
-    let mut kept = Vec::new();
-    for one in all {
-        if !kept.contains(&one) {
-            kept.push(one);
-        }
-    }
-    kept
-}
-
 /// Runs the command line, the name of the program first.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let Arguments {

@@ -6,8 +6,8 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use serde::de::DeserializeOwned;
 use serde_json::json;
 
-use super::without_repeats;
 use crate::analysis::Channel;
+use crate::numerics::distinct::each_once;
 use crate::rotor::RotorDefinition;
 use crate::scenario::{Scenario, TableFormat};
 
@@ -61,7 +61,7 @@ impl Written {
     pub fn apply(&self, scenario: &mut Scenario) {
         let (output, echo) = (&mut scenario.output, &mut scenario.echo["output"]);
         if !self.formats.is_empty() {
-            output.formats = without_repeats(self.formats.iter().copied());
+            output.formats = each_once(self.formats.iter().copied());
             echo["formats"] = json!(output.formats);
         }
         if let Some(every) = self.every {
@@ -69,7 +69,7 @@ impl Written {
             echo["every"] = json!(every);
         }
         if !self.channels.is_empty() {
-            let channels = without_repeats(self.channels.iter().copied());
+            let channels = each_once(self.channels.iter().copied());
             echo["channels"] = json!(channels);
             output.channels = Some(channels);
         }

@@ -22,6 +22,7 @@ use super::statics::ball_pass_text;
 use super::terminal::{Lines, PER_MINUTE, digits, listed, of_bearing, shown_unit, significant};
 use crate::analysis::ChannelStatistics;
 use crate::measurement::{Measured, Slip, SpeedEstimate};
+use crate::numerics::distinct::each_once;
 use crate::physics::{Race, velocity_band};
 use crate::record::Record;
 use crate::scenario::RecordDescription;
@@ -143,13 +144,7 @@ fn tell(out: &mut Lines, found: &Measured) {
             .find(|level| level.channel == *channel);
         out.more(level.map_or_else(String::new, |of| rms_text(&of.level)));
     }
-    let mut units: Vec<&str> = Vec::new();
-    for peak in &found.peaks {
-        if !units.contains(&peak.channel.unit()) {
-            units.push(peak.channel.unit());
-        }
-    }
-    for unit in units {
+    for unit in each_once(found.peaks.iter().map(|peak| peak.channel.unit())) {
         add_peaks(out, &found.peaks, found.spectrum.as_ref(), unit);
     }
 }

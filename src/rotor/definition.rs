@@ -10,6 +10,7 @@ use super::{
     SpeedPoint,
 };
 use crate::bearing::{CageMotion, Housing, MountedBearing};
+use crate::numerics::distinct::each_once;
 use crate::physics::Race;
 
 /// Standard acceleration of gravity, m/s² (ISO 80000-3).
@@ -201,13 +202,7 @@ impl RotorDefinition {
 
     /// What the reader of an answer about it should know: its own warnings first, each once.
     pub(crate) fn warnings_with(&self, further: impl IntoIterator<Item = String>) -> Vec<String> {
-        let mut warnings = self.warnings.clone();
-        for warning in further {
-            if !warnings.contains(&warning) {
-                warnings.push(warning);
-            }
-        }
-        warnings
+        each_once(self.warnings.iter().cloned().chain(further))
     }
 
     /// Number of bearings and elements.

@@ -2,6 +2,7 @@
 
 use super::contact_choice::{Candidate, ContactQuestion, largest, lever};
 use crate::bearing::{BearingRotation, Geometry, Support, Vector5};
+use crate::numerics::distinct::rising;
 use crate::rotor::{Attachment, FREEDOMS, Rotor, RotorDefinition, RotorError};
 
 /// Largest motion that is considered, in groove centre distances: beyond it the estimate is a resonance
@@ -30,9 +31,7 @@ pub(super) fn speeds(rotor: &RotorDefinition, settle: Option<f64>) -> Result<Vec
             speeds.extend(rotor.speed_profile()?.steady_from(settle));
         }
     }
-    speeds.sort_by(f64::total_cmp);
-    speeds.dedup();
-    Ok(speeds)
+    Ok(rising(speeds))
 }
 
 impl Point {

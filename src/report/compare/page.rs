@@ -11,6 +11,7 @@ use super::overlay::{Overlay, overlay_figures};
 use super::table::Source;
 use super::{CompareError, Comparison, document, sealed};
 use crate::analysis::{Channel, Rate};
+use crate::numerics::distinct::each_once;
 use crate::report::envelope::Decimator;
 use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct, ends};
 use crate::report::page::Page;
@@ -84,6 +85,17 @@ impl Folder {
         })
     }
 
+    /// Names of the spectra that its scenario asks for.
+    fn asked(&self) -> impl Iterator<Item = &str> {
+        self.estimated.iter().map(|(name, _)| name.as_str())
+    }
+
+    /// One of them.
+    fn estimated(&self, name: &str) -> Option<&Source<'static>> {
+        let found = self.estimated.iter().find(|(known, _)| known == name);
+        found.map(|(_, table)| table)
+    }
+
     /// Its spectra, to be drawn over those of others.
     pub fn overlay(&self, name: &str) -> Overlay {
         let asked = self.summary["spectra"].as_array().into_iter().flatten();
@@ -141,16 +153,8 @@ fn show_runs(folders: &[PathBuf], lines: &mut Lines) -> Result<Vec<Figure>, Comp
     let traces = TRACES.map(Channel::column);
     let lines = runs.iter().filter_map(|run| run.spectrum.as_ref());
     let lines = lines.flat_map(Source::columns);
-    let mut lines: Vec<Column> = lines
-        .filter(|column| rate_of(column).is_some())
-        .cloned()
-        .collect();
-    let mut seen = Vec::new();
-    lines.retain(|column| {
-        let is_new = !seen.contains(column);
-        seen.push(column.clone());
-        is_new
-    });
+    let lines = lines.filter(|column| rate_of(column).is_some());
+    let mut lines = each_once(lines.cloned());
     // the housings, which machines are judged by, first
     lines.sort_by_key(|column| column.unit != "m/s^2");
     let mut measured = Vec::new();
@@ -169,17 +173,13 @@ fn show_runs(folders: &[PathBuf], lines: &mut Lines) -> Result<Vec<Figure>, Comp
         let overlays: Vec<Overlay> = overlays.map(|(run, name)| run.overlay(name)).collect();
         measured = overlay_figures(&overlays);
     }
-    let mut asked: Vec<&String> = Vec::new();
-    for (name, table) in runs.iter().flat_map(|run| &run.estimated) {
-        if asked.contains(&name) {
-            continue;
-        }
-        asked.push(name);
-        let columns = table.columns().filter(|column| column.has_lines());
+    for name in each_once(runs.iter().flat_map(Folder::asked)) {
+        let columns = runs.iter().find_map(|run| run.estimated(name));
+        let columns = columns.into_iter().flat_map(Source::columns);
+        let columns = columns.filter(|column| column.has_lines());
         let columns: Vec<_> = columns.cloned().collect();
         figures.push(figure(name, &runs, &columns, |_| None, &|run| {
-            let found = run.estimated.iter().find(|(known, _)| known == name);
-            found.map(|(_, table)| table)
+            run.estimated(name)
         }));
     }
     let names = || Name::each(names.iter().map(String::as_str));

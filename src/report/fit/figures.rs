@@ -3,6 +3,7 @@
 use super::Row;
 use crate::analysis::Channel;
 use crate::fit::{Fit, Profile, Wanted};
+use crate::numerics::distinct::each_once;
 use crate::report::compare::Overlay;
 use crate::report::figure::{Axis, Curve, Figure, GREY, Mark, Name, Panel, Point, distinct, ends};
 use crate::report::terminal::shown_unit;
@@ -26,12 +27,7 @@ fn height(rows: usize) -> u32 {
 
 /// What was measured, a standard deviation to either side, and what is computed: a panel a unit, an observation a line.
 pub(super) fn observations_figure(title: &str, rows: &[Row<'_>]) -> Figure {
-    let mut units: Vec<&str> = Vec::new();
-    for row in rows {
-        if !units.contains(&row.unit) {
-            units.push(row.unit);
-        }
-    }
+    let units = each_once(rows.iter().map(|row| row.unit));
     let panel = |unit: &str| {
         let own: Vec<_> = rows.iter().filter(|row| row.unit == unit).collect();
         let (unit, factor) = shown_unit(unit);

@@ -7,6 +7,7 @@ use std::f64::consts::TAU;
 use nalgebra::Complex;
 use serde_json::{Value, json};
 
+use crate::numerics::distinct::each_once;
 use crate::report::terminal::{Lines, MILLI, PER_MINUTE, to_digits};
 use crate::report::{FileSet, Findings};
 use crate::rotor::{FREEDOM_NAMES, Pickup};
@@ -119,15 +120,8 @@ impl Told<'_> {
     /// Name of a pickup in columns: its direction and the number of its position.
     fn name(&self, index: usize) -> String {
         let at = &self.question.at;
-        let mut positions: Vec<f64> = Vec::new();
-        for own in &at[..=index] {
-            if !positions.contains(&own.position) {
-                positions.push(own.position);
-            }
-        }
-        let own = positions
-            .iter()
-            .position(|known| *known == at[index].position);
+        let mut positions = each_once(at.iter().map(|own| own.position)).into_iter();
+        let own = positions.position(|known| known == at[index].position);
         format!("{}_{}", FREEDOM_NAMES[at[index].axis], own.unwrap_or(0) + 1)
     }
 
@@ -149,14 +143,8 @@ impl Told<'_> {
 
     /// Unit of all motions, behind a prefix; of displacements and tilts side by side both.
     fn unit(&self, prefix: &str) -> String {
-        let mut units: Vec<String> = Vec::new();
-        for own in &self.question.at {
-            let unit = format!("{prefix}{}{}", motion_unit(own), self.per_force());
-            if !units.contains(&unit) {
-                units.push(unit);
-            }
-        }
-        units.join(", ")
+        let unit = |own| format!("{prefix}{}{}", motion_unit(own), self.per_force());
+        each_once(self.question.at.iter().map(unit)).join(", ")
     }
 
     fn separation(&self, own: &Resonance) -> Option<(f64, Option<f64>)> {

@@ -2,6 +2,7 @@
 
 use super::digest::{Digest, is_down};
 use super::rows::Rows;
+use crate::numerics::distinct::rising;
 use crate::report::ReportError;
 use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
 use crate::report::terminal::{Lines, MICRO, to_digits};
@@ -95,13 +96,9 @@ impl Cells<'_> {
             }
         };
         let panels: Vec<_> = turning.iter().map(panel).collect();
-        let mut last: Vec<_> = turning.iter().map(|cell| cell.values[1]).collect();
-        last.sort_by(f64::total_cmp);
-        last.dedup();
-        let columns = if last.len() <= COLUMNS + 1 {
-            last.len()
-        } else {
-            COLUMNS
+        let columns = match rising(turning.iter().map(|cell| cell.values[1])).len() {
+            few if few <= COLUMNS + 1 => few,
+            _ => COLUMNS,
         };
         let names = Name::each(lengths.iter().map(|(_, channel)| channel.name()));
         let figure = Figure::new("spectra", &head.title, columns, panels).with_names(names);

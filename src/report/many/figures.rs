@@ -2,6 +2,7 @@
 
 use super::digest::{Digest, is_down};
 use super::shown::Shown;
+use crate::numerics::distinct::rising;
 use crate::report::figure::{
     Axis, Cell, Curve, Figure, GREY, Label, Mark, Name, Panel, Point, distinct, ends, graded,
     padded,
@@ -244,9 +245,7 @@ impl Digest {
 
 /// The values of an axis in order, and the edges halfway between them.
 fn edges(values: impl Iterator<Item = f64>) -> Option<Edges> {
-    let mut values: Vec<f64> = values.collect();
-    values.sort_by(f64::total_cmp);
-    values.dedup();
+    let values = rising(values);
     let [first, second, ..] = values[..] else {
         return None;
     };

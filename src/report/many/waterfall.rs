@@ -6,6 +6,7 @@ use super::digest::{Digest, is_down};
 use super::figures::MOST_MAPS;
 use super::rows::Rows;
 use crate::analysis::Channel;
+use crate::numerics::distinct::rising;
 use crate::report::ReportError;
 use crate::report::figure::Figure;
 use crate::report::raster::{MOST_CELLS, Raster, moving};
@@ -41,9 +42,7 @@ impl Digest {
             );
         } else {
             let other = 1 - over;
-            let mut values: Vec<f64> = self.rows.iter().map(|row| row.values[other]).collect();
-            values.sort_by(f64::total_cmp);
-            values.dedup();
+            let values = rising(self.rows.iter().map(|row| row.values[other]));
             let every = values.len().div_ceil(MOST_MAPS).max(1);
             for value in values.into_iter().step_by(every) {
                 let drawn = self.rasters(rows, over, ends, &|row| row.values[other] == value)?;

@@ -8,6 +8,7 @@ use super::recorded::Recorded;
 use crate::analysis::{
     Axis, Channel, Detrend, Scaling, Segment, SpectrumKind, SpectrumRequest, Window,
 };
+use crate::numerics::distinct::each_once;
 use crate::rotor::Freedoms;
 use crate::scenario::Issue;
 use crate::scenario::key_path::entry;
@@ -199,12 +200,9 @@ impl<C: AsRef<str>> SpectrumInput<C> {
                     named
                 }
             };
-            for channel in found {
-                if !channels.contains(&channel) {
-                    channels.push(channel);
-                }
-            }
+            channels.extend(found);
         }
+        let channels = each_once(channels);
         if self.kind == KindChoice::Whirl {
             refuse_single(&channels, problems);
         }
