@@ -3,7 +3,7 @@
 
 pub use crate::analysis::causes::{BearingFrequencies, Sources, causes};
 pub use crate::analysis::estimation::{
-    Axis, Detrend, Scaling, Segment, SpectrumKind, SpectrumRequest, estimate,
+    Axis, Detrend, EstimateError, Scaling, Segment, SpectrumKind, SpectrumRequest, estimate,
 };
 pub use crate::analysis::recording::{Recording, SampleGrid};
 pub use crate::bearing::definition::MountedBearing;
