@@ -125,7 +125,8 @@ impl RosenbrockStepper {
         let (scaling, by_time) = (&problem.scaling, self.by_time.as_mut_slice());
         scaling.write_state(self.from.as_slice(), &mut self.state);
         let system = problem.system;
-        system.linearisation(self.start, &self.state, &mut self.jacobian, by_time);
+        system.linearisation(self.start, &self.state, &mut self.jacobian);
+        system.rate_by_time(self.start, &self.state, by_time);
         scaling.scale_jacobian(&mut self.jacobian);
         for (rate, scale) in by_time.iter_mut().zip(&scaling.scale) {
             *rate /= scale;

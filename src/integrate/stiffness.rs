@@ -57,11 +57,10 @@ pub(super) fn stiffness(
     }: &Reached<'_>,
 ) -> Option<Stiffness> {
     let states = deviation.len();
-    let (mut jacobian, mut by_time) = (DMatrix::zeros(states, states), vec![0.0; states]);
-    let mut state = by_time.clone();
+    let (mut jacobian, mut state) = (DMatrix::zeros(states, states), vec![0.0; states]);
     problem.write_state(deviation, &mut state);
     let system = problem.system;
-    system.linearisation(time, &state, &mut jacobian, &mut by_time);
+    system.linearisation(time, &state, &mut jacobian);
     problem.scaling.scale_jacobian(&mut jacobian);
     let held = NEAR * limit / step;
     // no eigenvalue exceeds the norm, which costs nothing

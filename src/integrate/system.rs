@@ -15,16 +15,15 @@ pub trait System {
     /// Writes `d(state)/dt` at a time in s into `rate`.
     fn derivative(&self, time: f64, state: &[f64], rate: &mut [f64]);
 
-    /// Writes `∂f/∂y`, rows by component of f, and `∂f/∂t` at a fixed state: every entry. By default NaN, for a
-    /// system that does not know its slopes; explicit methods do not ask for them.
-    fn linearisation(
-        &self,
-        _time: f64,
-        _state: &[f64],
-        jacobian: &mut DMatrix<f64>,
-        by_time: &mut [f64],
-    ) {
+    /// Writes `∂f/∂y`, rows by component of f: every entry. By default NaN, for a system that does not know its slopes;
+    /// explicit methods do not ask for them.
+    fn linearisation(&self, _time: f64, _state: &[f64], jacobian: &mut DMatrix<f64>) {
         jacobian.fill(f64::NAN);
+    }
+
+    /// Writes `∂f/∂t` at a fixed state: every entry. By default NaN, for a system that does not know it; only `rodas` asks
+    /// for it.
+    fn rate_by_time(&self, _time: f64, _state: &[f64], by_time: &mut [f64]) {
         by_time.fill(f64::NAN);
     }
 
@@ -170,15 +169,14 @@ impl System for Shifted<'_> {
         self.system.derivative(self.start + time, state, rate);
     }
 
-    fn linearisation(
-        &self,
-        time: f64,
-        state: &[f64],
-        jacobian: &mut DMatrix<f64>,
-        by_time: &mut [f64],
-    ) {
+    fn linearisation(&self, time: f64, state: &[f64], jacobian: &mut DMatrix<f64>) {
         let system = self.system;
-        system.linearisation(self.start + time, state, jacobian, by_time);
+        system.linearisation(self.start + time, state, jacobian);
+    }
+
+    fn rate_by_time(&self, time: f64, state: &[f64], by_time: &mut [f64]) {
+        let system = self.system;
+        system.rate_by_time(self.start + time, state, by_time);
     }
 
     fn separated(&self, time: f64, state: &[f64]) -> Option<Separated> {

@@ -34,8 +34,8 @@ struct Augmented<'a> {
     scale: &'a [f64],
     /// Vector instructions of the processor.
     level: Level,
-    /// Room for `∂f/∂y`, also in panels, and `∂f/∂t`.
-    slopes: RefCell<(DMatrix<f64>, Panels, Vec<f64>)>,
+    /// Room for `∂f/∂y`, also in panels.
+    slopes: RefCell<(DMatrix<f64>, Panels)>,
 }
 
 impl System for Augmented<'_> {
@@ -49,8 +49,8 @@ impl System for Augmented<'_> {
         let (state, columns) = all.split_at(states);
         let (own, rates) = rate.split_at_mut(states);
         self.system.derivative(time, state, own);
-        let (jacobian, panels, by_time) = &mut *self.slopes.borrow_mut();
-        self.system.linearisation(time, state, jacobian, by_time);
+        let (jacobian, panels) = &mut *self.slopes.borrow_mut();
+        self.system.linearisation(time, state, jacobian);
         panels.set(jacobian, states);
         rates.fill(0.0);
         in_wide_registers!(self.level, {
@@ -130,11 +130,7 @@ pub fn variation(
         system,
         scale: &scaling.scale,
         level: Level::new(),
-        slopes: RefCell::new((
-            DMatrix::zeros(states, states),
-            Panels::default(),
-            vec![0.0; states],
-        )),
+        slopes: RefCell::new((DMatrix::zeros(states, states), Panels::default())),
     };
     let grid = Grid {
         interval: duration,
@@ -223,7 +219,7 @@ fn in_units(mut slopes: DMatrix<f64>, scale: &[f64]) -> DMatrix<f64> {
 pub fn linear_variation(system: &dyn System, scaling: &Scaling, duration: f64) -> DMatrix<f64> {
     let states = system.states();
     let mut slopes = DMatrix::zeros(states, states);
-    system.linearisation(0.0, &scaling.origin, &mut slopes, &mut vec![0.0; states]);
+    system.linearisation(0.0, &scaling.origin, &mut slopes);
     scaling.scale_jacobian(&mut slopes);
     in_units((slopes * duration).exp(), &scaling.scale)
 }

@@ -27,16 +27,21 @@ impl Panels {
         self.panels.clear();
         self.entries.clear();
         for first_row in (0..size).step_by(PANEL) {
-            let at = |column: usize| {
-                std::array::from_fn(|row| match first_row + row {
-                    row if row < size => matrix[(row, column)],
-                    _ => 0.0,
-                })
-            };
-            let filled = |column: &usize| at(*column) != [0.0; PANEL];
-            let first = (0..size).find(filled).unwrap_or(0);
-            let end = (0..size).rfind(filled).map_or(first, |last| last + 1);
-            self.entries.extend((first..end).map(at));
+            let rows = first_row..size.min(first_row + PANEL);
+            let begin = self.entries.len();
+            let mut first = 0;
+            for column in matrix.column_iter().take(size) {
+                let mut entries = [0.0; PANEL];
+                entries[..rows.len()].copy_from_slice(&column.as_slice()[rows.clone()]);
+                let is_empty = self.entries.len() == begin;
+                match is_empty && entries == [0.0; PANEL] {
+                    true => first += 1,
+                    false => self.entries.push(entries),
+                }
+            }
+            while self.entries.len() > begin && self.entries.last() == Some(&[0.0; PANEL]) {
+                self.entries.pop();
+            }
             self.panels.push((first, self.entries.len()));
         }
     }

@@ -9,6 +9,7 @@ use crate::numerics::panels::Panels;
 pub(super) struct Coefficients {
     /// All entries, of degrees of freedom and of held coordinates.
     pub entries: DMatrix<f64>,
+    is_zero: bool,
     form: Form,
 }
 
@@ -41,7 +42,20 @@ impl Coefficients {
         } else {
             Form::Full(Panels::new(&entries, dofs))
         };
-        Self { entries, form }
+        Self {
+            is_zero: entries.iter().all(|entry| *entry == 0.0),
+            entries,
+            form,
+        }
+    }
+
+    /// All entries, and `factor` times those of another.
+    pub fn plus(&self, factor: f64, other: &Self) -> DMatrix<f64> {
+        let mut sum = self.entries.clone();
+        if !other.is_zero {
+            sum.zip_apply(&other.entries, |own, other| *own += factor * other);
+        }
+        sum
     }
 
     /// Adds `factor` times the product with a vector of the degrees of freedom.

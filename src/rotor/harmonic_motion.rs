@@ -38,9 +38,8 @@ impl Rotor {
         let (dofs, states) = (self.dofs(), self.states());
         let mut mean = vec![0.0; states];
         mean[..dofs].copy_from_slice(&self.start.rest[..dofs]);
-        let [mut rate, mut by_time] = [(); 2].map(|()| vec![0.0; states]);
-        let mut free = DMatrix::zeros(states, states);
-        self.linearisation(0.0, &mean, &mut free, &mut by_time);
+        let (mut rate, mut free) = (vec![0.0; states], DMatrix::zeros(states, states));
+        self.linearisation(0.0, &mean, &mut free);
         self.derivative(0.0, &mean, &mut rate);
         let mut parts = Vec::new();
         for (omega, force) in self.excitation.harmonics(speed, dofs)? {

@@ -62,12 +62,12 @@ impl LinearPart {
 
     /// K − ω H, of all coordinates.
     pub fn by_place(&self, speed: f64) -> DMatrix<f64> {
-        &self.stiffness.entries - &self.circulatory.entries * speed
+        self.stiffness.plus(-speed, &self.circulatory)
     }
 
     /// C + ω G, of all coordinates: what resists, and the gyroscopic coupling of the tilts.
     pub fn by_rate(&self, speed: f64) -> DMatrix<f64> {
-        &self.damping.entries + &self.gyroscopic.entries * speed
+        self.damping.plus(speed, &self.gyroscopic)
     }
 
     /// Writes the slopes of `(q̇, −M⁻¹ (A q + B q̇))` by (q, q̇), where the first rows and columns of A and B are those of the
@@ -77,17 +77,21 @@ impl LinearPart {
         [by_place, by_rate]: &[DMatrix<f64>; 2],
         matrix: &mut DMatrix<f64>,
     ) {
-        let dofs = self.dofs();
-        matrix.fill(0.0);
-        for column in 0..dofs {
-            matrix[(column, dofs + column)] = 1.0;
-            for row in 0..dofs {
-                matrix[(dofs + row, column)] = -by_place[(row, column)];
-                matrix[(dofs + row, dofs + column)] = -by_rate[(row, column)];
+        let (dofs, states) = (self.dofs(), matrix.nrows());
+        let (of_places, of_rates) = matrix.as_mut_slice().split_at_mut(states * dofs);
+        for (half, slopes) in [(of_places, by_place), (of_rates, by_rate)] {
+            let forces = slopes.as_slice().chunks_exact(slopes.nrows());
+            for (column, forces) in half.chunks_exact_mut(states).zip(forces) {
+                let (rates, accelerations) = column.split_at_mut(dofs);
+                rates.fill(0.0);
+                for (own, force) in accelerations.iter_mut().zip(forces) {
+                    *own = -force;
+                }
+                self.mass.accelerate(accelerations);
             }
         }
-        for mut column in matrix.column_iter_mut() {
-            self.mass.accelerate(&mut column.as_mut_slice()[dofs..]);
+        for dof in 0..dofs {
+            matrix[(dof, dofs + dof)] = 1.0;
         }
     }
 

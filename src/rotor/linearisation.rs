@@ -21,36 +21,37 @@ const APPROACH: f64 = 1e-5;
 const RATE: f64 = 1e3;
 
 impl Rotor {
-    /// Writes the slopes of the derivative by the state and by the time.
-    pub(super) fn linearise(
-        &self,
-        time: f64,
-        state: &[f64],
-        jacobian: &mut DMatrix<f64>,
-        by_time: &mut [f64],
-    ) {
-        let dofs = self.dofs();
+    /// Writes the slopes of the derivative by the state.
+    pub(super) fn linearise(&self, time: f64, state: &[f64], jacobian: &mut DMatrix<f64>) {
         let rotation = self.excitation.speed.at(time);
         let at = self.instant(state, &rotation);
-        // of what holds the structure: K, the bearings, and the damping of their contacts; what a change of speed does to
-        // the inertia of the balls is left out, as it is slow beside the passing of a ball
+        // of what holds the structure: K, the bearings, and the damping of their contacts
         let linear = &self.linear;
         let mut slopes = [
             linear.by_place(rotation.speed),
             linear.by_rate(rotation.speed),
         ];
-        by_time.fill(0.0);
-        let by_time = &mut by_time[dofs..];
         for (bearing, motion) in self.elements.bearings_at(&at) {
-            let by_cage_angle = self.add_bearing_slopes(&bearing, &motion, &mut slopes);
-            let held = self.bearing_force_rate(time, &bearing, &motion, &by_cage_angle);
-            bearing.attachment.add_force(-1.0, &held, by_time);
+            self.add_bearing_slopes(&bearing, &motion, &mut slopes);
         }
         self.add_law_slopes(&at, &mut slopes);
+        linear.write_state_matrix(&slopes, jacobian);
+    }
+
+    /// Writes the slopes of the derivative by the time. What a change of speed does to the inertia of the balls is left out,
+    /// as it is slow beside the passing of a ball.
+    pub(super) fn find_rate_by_time(&self, time: f64, state: &[f64], by_time: &mut [f64]) {
+        let rotation = self.excitation.speed.at(time);
+        let (at, linear) = (self.instant(state, &rotation), &self.linear);
+        by_time.fill(0.0);
+        let by_time = &mut by_time[self.dofs()..];
+        for (bearing, motion) in self.elements.bearings_at(&at) {
+            let held = self.bearing_force_rate(time, &bearing, &motion);
+            bearing.attachment.add_force(-1.0, &held, by_time);
+        }
         if rotation.acceleration != 0.0 {
             self.add_law_force_rates(time, &at, by_time);
         }
-        linear.write_state_matrix(&slopes, jacobian);
         self.excitation.add_force_rates(time, &rotation, by_time);
         let change = rotation.acceleration;
         linear.gyroscopic.add_product(-change, at.velocity, by_time);
@@ -86,13 +87,13 @@ impl Rotor {
     }
 
     /// Adds the slopes of the force onto a bearing in a motion, of contacts and their damping, by place and by rate of all
-    /// coordinates; its slope by the angle of the cage.
+    /// coordinates.
     pub(super) fn add_bearing_slopes(
         &self,
         bearing: &AttachedBearing<'_>,
         motion: &ElementMotion,
         [by_place, by_rate]: &mut [DMatrix<f64>; 2],
-    ) -> Vector5 {
+    ) {
         let (support, attachment, seen) = (bearing.support, bearing.attachment, &motion.rotation);
         let tangent = support.tangent(&motion.displacement, seen);
         attachment.add_stiffness(&tangent.stiffness, by_place);
@@ -103,7 +104,6 @@ impl Rotor {
             attachment.add_stiffness(&damped_place, by_place);
             attachment.add_stiffness(&damped_rate, by_rate);
         }
-        tangent.by_cage_angle
     }
 
     /// Rate of change of the force onto a bearing in a motion that stays, of contacts and their damping.
@@ -112,7 +112,6 @@ impl Rotor {
         time: f64,
         bearing: &AttachedBearing<'_>,
         motion: &ElementMotion,
-        by_cage_angle: &Vector5,
     ) -> Vector5 {
         let (support, seen) = (bearing.support, &motion.rotation);
         let (place, rate) = (&motion.displacement, &motion.rate);
@@ -122,7 +121,10 @@ impl Rotor {
         };
         let elastic = match support.is_imperfect() {
             true => forward_rate(|step| support.force(place, &later(step))),
-            false => by_cage_angle.map(|slope| seen.cage_speed * slope),
+            false => {
+                let by_cage_angle = support.tangent(place, seen).by_cage_angle;
+                by_cage_angle.map(|slope| seen.cage_speed * slope)
+            }
         };
         if !support.is_damped() {
             return elastic;
@@ -155,19 +157,13 @@ impl Rotor {
         })
     }
 
-    /// Slopes of all states by central differences: exact slopes of powers are not worth their code.
+    /// Slopes by all states by central differences: exact slopes of powers are not worth their code.
     pub(super) fn linearise_by_differences(
         &self,
         time: f64,
         state: &[f64],
         jacobian: &mut DMatrix<f64>,
-        by_time: &mut [f64],
     ) {
-        let rate_at = |time: f64, state: &[f64]| {
-            let mut rate = vec![0.0; state.len()];
-            self.derivative(time, state, &mut rate);
-            rate
-        };
         jacobian.fill(0.0);
         // no rate depends on the works
         for column in 0..self.first_work() {
@@ -175,18 +171,34 @@ impl Rotor {
             let moved = |step: f64| {
                 let mut moved = state.to_vec();
                 moved[column] += step;
-                rate_at(time, &moved)
+                self.rate_at(time, &moved)
             };
             let (up, down) = (moved(step), moved(-step));
             for row in 0..state.len() {
                 jacobian[(row, column)] = (up[row] - down[row]) / (2.0 * step);
             }
         }
-        let later = |part: f64| rate_at(time + part * TIME_STEP, state);
+    }
+
+    /// Slopes by the time, of powers too, by forward differences.
+    pub(super) fn find_rate_by_time_differences(
+        &self,
+        time: f64,
+        state: &[f64],
+        by_time: &mut [f64],
+    ) {
+        let later = |part: f64| self.rate_at(time + part * TIME_STEP, state);
         let (now, half, full) = (later(0.0), later(0.5), later(1.0));
         for (row, by_time) in by_time.iter_mut().enumerate() {
             *by_time = (4.0 * half[row] - 3.0 * now[row] - full[row]) / TIME_STEP;
         }
+    }
+
+    /// The derivative at a time in a state.
+    fn rate_at(&self, time: f64, state: &[f64]) -> Vec<f64> {
+        let mut rate = vec![0.0; state.len()];
+        self.derivative(time, state, &mut rate);
+        rate
     }
 
     /// Step of the difference by a state that moves: short against what the contacts yield.

@@ -31,17 +31,19 @@ impl System for Rotor {
         }
     }
 
-    fn linearisation(
-        &self,
-        time: f64,
-        state: &[f64],
-        jacobian: &mut DMatrix<f64>,
-        by_time: &mut [f64],
-    ) {
+    fn linearisation(&self, time: f64, state: &[f64], jacobian: &mut DMatrix<f64>) {
         if self.is_augmented() {
-            self.linearise_by_differences(time, state, jacobian, by_time);
+            self.linearise_by_differences(time, state, jacobian);
         } else {
-            self.linearise(time, state, jacobian, by_time);
+            self.linearise(time, state, jacobian);
+        }
+    }
+
+    fn rate_by_time(&self, time: f64, state: &[f64], by_time: &mut [f64]) {
+        if self.is_augmented() {
+            self.find_rate_by_time_differences(time, state, by_time);
+        } else {
+            self.find_rate_by_time(time, state, by_time);
         }
     }
 

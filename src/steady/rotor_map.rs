@@ -223,7 +223,7 @@ impl<'a> RotorMap<'a> {
         let mut jacobian = DMatrix::zeros(states, states);
         let scaling = &self.scaling;
         self.rotor
-            .linearisation(0.0, &scaling.origin, &mut jacobian, &mut vec![0.0; states]);
+            .linearisation(0.0, &scaling.origin, &mut jacobian);
         scaling.scale_jacobian(&mut jacobian);
         let rates = jacobian.complex_eigenvalues();
         let fastest = rates.iter().map(|rate| rate.norm()).fold(0.0, f64::max);

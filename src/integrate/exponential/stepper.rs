@@ -56,10 +56,9 @@ pub(in crate::integrate) struct ExponentialStepper {
     slopes: Option<StepSlopes>,
     /// The latest sample within the step.
     cursor: Cursor,
-    /// Room for a state, for `∂f/∂y` and for `∂f/∂t`.
+    /// Room for a state and for `∂f/∂y`.
     state: Padded,
     jacobian: DMatrix<f64>,
-    by_time: Vec<f64>,
 }
 
 impl ExponentialStepper {
@@ -96,7 +95,6 @@ impl ExponentialStepper {
             cursor: Cursor::new(states),
             state: Padded::zeros(states),
             jacobian: DMatrix::zeros(states, states),
-            by_time: vec![0.0; states],
         }
     }
 
@@ -138,7 +136,7 @@ impl ExponentialStepper {
 
     /// Whether a new linear part might save what it costs.
     fn is_renewal_due(&self) -> bool {
-        self.excess >= renewal_cost(self.by_time.len())
+        self.excess >= renewal_cost(self.jacobian.nrows())
     }
 
     /// Takes the linear part anew.
@@ -148,9 +146,8 @@ impl ExponentialStepper {
         self.linear = match system.separated(time, &self.state) {
             Some(separated) => LinearPart::from_separated(&separated, &problem.scaling.origin),
             None => {
-                let (jacobian, by_time) = (&mut self.jacobian, &mut self.by_time);
-                system.linearisation(time, &self.state, jacobian, by_time);
-                LinearPart::near(jacobian)
+                system.linearisation(time, &self.state, &mut self.jacobian);
+                LinearPart::near(&self.jacobian)
             }
         };
         self.linear.to_coordinates(&mut self.from);

@@ -264,7 +264,7 @@ fn both_parts_of_the_derivative_make_it() {
         let mut rate = vec![0.0; states];
         rotor.derivative(0.01, &state, &mut rate);
         let mut slopes = DMatrix::zeros(states, states);
-        rotor.linearisation(0.01, &state, &mut slopes, &mut vec![0.0; states]);
+        rotor.linearisation(0.01, &state, &mut slopes);
         let jacobian = separated.jacobian();
         let largest = DVector::from_column_slice(&rate).amax();
         for row in 0..states {
@@ -317,9 +317,11 @@ fn slopes_are_those_of_the_derivative() {
     let rotor = Rotor::assemble(&definition).expect("a rotor");
     let (state, states) = (somewhere(&rotor), rotor.states());
     let (mut slopes, mut by_time) = (DMatrix::zeros(states, states), vec![0.0; states]);
-    rotor.linearisation(0.01, &state, &mut slopes, &mut by_time);
+    rotor.linearisation(0.01, &state, &mut slopes);
+    rotor.rate_by_time(0.01, &state, &mut by_time);
     let (mut expected, mut expected_by_time) = (slopes.clone(), by_time.clone());
-    rotor.linearise_by_differences(0.01, &state, &mut expected, &mut expected_by_time);
+    rotor.linearise_by_differences(0.01, &state, &mut expected);
+    rotor.find_rate_by_time_differences(0.01, &state, &mut expected_by_time);
     let near = |found: f64, expected: f64, scale: f64, what: &str| {
         let apart = (found - expected).abs();
         assert!(apart < 1e-5 * scale, "{what}: {found:e}, not {expected:e}");

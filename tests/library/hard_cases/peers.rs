@@ -47,15 +47,12 @@ impl System for Jeffcott {
         slope.copy_from_slice(&rate(time, [state[0], state[1]]));
     }
 
-    fn linearisation(
-        &self,
-        time: f64,
-        _state: &[f64],
-        jacobian: &mut DMatrix<f64>,
-        by_time: &mut [f64],
-    ) {
-        let change = -SPEED * SPEED * SPEED * (SPEED * time).sin();
+    fn linearisation(&self, _time: f64, _state: &[f64], jacobian: &mut DMatrix<f64>) {
         jacobian.copy_from_slice(&[0.0, -1.0, 1.0, -2.0 * RATIO]);
+    }
+
+    fn rate_by_time(&self, time: f64, _state: &[f64], by_time: &mut [f64]) {
+        let change = -SPEED * SPEED * SPEED * (SPEED * time).sin();
         by_time.copy_from_slice(&[0.0, change]);
     }
 }

@@ -29,17 +29,15 @@ impl System for Oscillator {
         rate[1] = square * (push - state[0]) - brake;
     }
 
-    fn linearisation(
-        &self,
-        time: f64,
-        _state: &[f64],
-        jacobian: &mut DMatrix<f64>,
-        by_time: &mut [f64],
-    ) {
+    fn linearisation(&self, _time: f64, _state: &[f64], jacobian: &mut DMatrix<f64>) {
         let square = self.natural * self.natural;
-        let change = square * self.drive * (self.drive * time).cos();
         let brake = -2.0 * self.damping_ratio * self.natural;
         jacobian.copy_from_slice(&[0.0, -square, 1.0, brake]);
+    }
+
+    fn rate_by_time(&self, time: f64, _state: &[f64], by_time: &mut [f64]) {
+        let square = self.natural * self.natural;
+        let change = square * self.drive * (self.drive * time).cos();
         by_time.copy_from_slice(&[0.0, change]);
     }
 }

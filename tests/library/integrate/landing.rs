@@ -54,16 +54,13 @@ impl System for Bouncing {
         rate[1] = self.load(-state[0]) - 1.0;
     }
 
-    fn linearisation(
-        &self,
-        _time: f64,
-        state: &[f64],
-        jacobian: &mut DMatrix<f64>,
-        by_time: &mut [f64],
-    ) {
+    fn linearisation(&self, _time: f64, state: &[f64], jacobian: &mut DMatrix<f64>) {
         let depth = (-state[0]).max(f64::MIN_POSITIVE);
         let stiffness = -self.exponent * self.load(depth) / depth;
         jacobian.copy_from_slice(&[0.0, stiffness, 1.0, 0.0]);
+    }
+
+    fn rate_by_time(&self, _time: f64, _state: &[f64], by_time: &mut [f64]) {
         by_time.fill(0.0);
     }
 

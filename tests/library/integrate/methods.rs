@@ -19,14 +19,11 @@ impl System for Swelling {
         rate[0] = time.cos() * state[0];
     }
 
-    fn linearisation(
-        &self,
-        time: f64,
-        state: &[f64],
-        jacobian: &mut DMatrix<f64>,
-        by_time: &mut [f64],
-    ) {
+    fn linearisation(&self, time: f64, _state: &[f64], jacobian: &mut DMatrix<f64>) {
         jacobian.fill(time.cos());
+    }
+
+    fn rate_by_time(&self, time: f64, state: &[f64], by_time: &mut [f64]) {
         by_time.fill(-time.sin() * state[0]);
     }
 }
@@ -128,15 +125,12 @@ impl System for Kaps {
         rate[1] = y - z - z * z;
     }
 
-    fn linearisation(
-        &self,
-        _time: f64,
-        state: &[f64],
-        jacobian: &mut DMatrix<f64>,
-        by_time: &mut [f64],
-    ) {
+    fn linearisation(&self, _time: f64, state: &[f64], jacobian: &mut DMatrix<f64>) {
         let z = state[1];
         jacobian.copy_from_slice(&[-(STEEP + 2.0), 1.0, 2.0 * STEEP * z, -1.0 - 2.0 * z]);
+    }
+
+    fn rate_by_time(&self, _time: f64, _state: &[f64], by_time: &mut [f64]) {
         by_time.fill(0.0);
     }
 }
@@ -256,14 +250,11 @@ impl System for Swing {
         }
     }
 
-    fn linearisation(
-        &self,
-        _time: f64,
-        _state: &[f64],
-        jacobian: &mut DMatrix<f64>,
-        by_time: &mut [f64],
-    ) {
+    fn linearisation(&self, _time: f64, _state: &[f64], jacobian: &mut DMatrix<f64>) {
         jacobian.copy_from_slice(&[0.0, -1.0, 1.0, 0.0]);
+    }
+
+    fn rate_by_time(&self, _time: f64, _state: &[f64], by_time: &mut [f64]) {
         by_time.fill(0.0);
     }
 }
@@ -395,14 +386,11 @@ impl System for Exploding {
         rate[0] = state[0] * state[0];
     }
 
-    fn linearisation(
-        &self,
-        _time: f64,
-        state: &[f64],
-        jacobian: &mut DMatrix<f64>,
-        by_time: &mut [f64],
-    ) {
+    fn linearisation(&self, _time: f64, state: &[f64], jacobian: &mut DMatrix<f64>) {
         jacobian.fill(2.0 * state[0]);
+    }
+
+    fn rate_by_time(&self, _time: f64, _state: &[f64], by_time: &mut [f64]) {
         by_time.fill(0.0);
     }
 }
@@ -494,14 +482,11 @@ impl System for Pushed {
         rate[1] = f64::from(u8::from(pushed)) - state[0];
     }
 
-    fn linearisation(
-        &self,
-        _time: f64,
-        _state: &[f64],
-        jacobian: &mut DMatrix<f64>,
-        by_time: &mut [f64],
-    ) {
+    fn linearisation(&self, _time: f64, _state: &[f64], jacobian: &mut DMatrix<f64>) {
         jacobian.copy_from_slice(&[0.0, -1.0, 1.0, 0.0]);
+    }
+
+    fn rate_by_time(&self, _time: f64, _state: &[f64], by_time: &mut [f64]) {
         by_time.fill(0.0);
     }
 

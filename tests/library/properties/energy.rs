@@ -74,16 +74,13 @@ impl System for OneBall {
         rate[1] = (self.load - force) / MASS;
     }
 
-    fn linearisation(
-        &self,
-        _time: f64,
-        state: &[f64],
-        jacobian: &mut DMatrix<f64>,
-        by_time: &mut [f64],
-    ) {
+    fn linearisation(&self, _time: f64, state: &[f64], jacobian: &mut DMatrix<f64>) {
         let place = self.law.distance + state[0];
         let (_, tangent) = self.law.force_and_tangent(0.0, place, 0.0);
         jacobian.copy_from_slice(&[0.0, -tangent[1][1] / MASS, 1.0, 0.0]);
+    }
+
+    fn rate_by_time(&self, _time: f64, _state: &[f64], by_time: &mut [f64]) {
         by_time.fill(0.0);
     }
 }

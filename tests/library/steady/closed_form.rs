@@ -135,7 +135,7 @@ fn a_bending_shaft_on_linear_bearings_is_found_at_once() {
     let (states, frequency) = (rotor.states(), 50.0 * std::f64::consts::PI);
     let origin = rotor.scaling(&rotor.motion_scale(1e-10)).origin;
     let mut slopes = DMatrix::zeros(states, states);
-    rotor.linearisation(0.0, &origin, &mut slopes, &mut vec![0.0; states]);
+    rotor.linearisation(0.0, &origin, &mut slopes);
     let rate_at = |time: f64| {
         let mut rate = vec![0.0; states];
         rotor.derivative(time, &origin, &mut rate);

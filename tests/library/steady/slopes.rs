@@ -20,14 +20,12 @@ impl System for Whole<'_> {
         self.0.derivative(time, state, rate);
     }
 
-    fn linearisation(
-        &self,
-        time: f64,
-        state: &[f64],
-        jacobian: &mut DMatrix<f64>,
-        by_time: &mut [f64],
-    ) {
-        self.0.linearisation(time, state, jacobian, by_time);
+    fn linearisation(&self, time: f64, state: &[f64], jacobian: &mut DMatrix<f64>) {
+        self.0.linearisation(time, state, jacobian);
+    }
+
+    fn rate_by_time(&self, time: f64, state: &[f64], by_time: &mut [f64]) {
+        self.0.rate_by_time(time, state, by_time);
     }
 
     fn event_count(&self) -> usize {

@@ -352,6 +352,7 @@ pub fn half_last_digit(printed: &str) -> f64 {
 pub fn linearisation(system: &dyn System, time: f64, state: &[f64]) -> (DMatrix<f64>, Vec<f64>) {
     let mut jacobian = DMatrix::zeros(state.len(), state.len());
     let mut by_time = vec![0.0; state.len()];
-    system.linearisation(time, state, &mut jacobian, &mut by_time);
+    system.linearisation(time, state, &mut jacobian);
+    system.rate_by_time(time, state, &mut by_time);
     (jacobian, by_time)
 }
