@@ -8,8 +8,8 @@ use super::SteadyError;
 use super::periods::Periods;
 use super::search::Found;
 use crate::integrate::{
-    Counters, Grid, IntegrateError, Integration, Scaling, Settings, Shifted, States, System,
-    linear_variation, variation,
+    Counters, Grid, IntegrateError, Integration, Method, Scaling, Settings, Shifted, States,
+    System, linear_variation, variation,
 };
 use crate::rotor::{HarmonicMotion, MotionScale, Rotor, RotorDefinition};
 use crate::shooting::{Circle, Image, MapError, ReturnMap, Slopes, Stability};
@@ -22,6 +22,10 @@ const ROUGH_TOLERANCE: f64 = 1e-4;
 
 /// Multipliers that are not measured are taken for as exact as so many tolerances of their slopes.
 const MULTIPLIER_FACTOR: f64 = 100.0;
+
+/// Periods that begin with the explicit pair after one in which it went on from the exponential method; then that one has
+/// its chance again.
+const EXPLICIT: u32 = 8;
 
 /// Makes the rotor of a value of the parameter; what is wrong with it in words.
 pub(super) type Source<'a> = &'a dyn Fn(f64) -> Result<RotorDefinition, String>;
@@ -75,6 +79,8 @@ pub(super) struct RotorMap<'a> {
     scaling: Scaling,
     /// The motion in closed form, where there is one.
     closed: Option<HarmonicMotion>,
+    /// Periods to come that begin with the explicit pair, where the method is left open.
+    explicit: u32,
     pub counters: Counters,
     /// Where the rotor of another parameter comes from, and that of the present one.
     pub source: Option<(Source<'a>, f64)>,
@@ -92,6 +98,7 @@ impl<'a> RotorMap<'a> {
             periods,
             solver,
             scale,
+            explicit: 0,
             counters: Counters::default(),
             source: None,
         }
@@ -131,12 +138,20 @@ impl<'a> RotorMap<'a> {
             start,
         };
         let (scaling, solver) = (self.scaling.clone(), &self.solver);
+        let mut settings = solver.settings;
+        if settings.method == Method::Auto && self.explicit > 0 {
+            settings.method = Method::Verner76;
+            self.explicit -= 1;
+        }
         let mut integration =
-            Integration::new(&system, scaling, grid, solver.settings, solver.stop, state);
+            Integration::new(&system, scaling, grid, settings, solver.stop, state);
         let mut states = States::with_capacity(state.len(), grid.count as usize);
         let result = integration.advance(grid.count as usize, &mut states);
         self.counters.add(&integration.counters());
         self.solver.integrated.fetch_add(1, Ordering::Relaxed);
+        if (integration.method_use()).is_some_and(|used| used.change.is_some()) {
+            self.explicit = EXPLICIT;
+        }
         result.map(|()| states)
     }
 
