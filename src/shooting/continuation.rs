@@ -30,7 +30,7 @@ impl Continuer<'_> {
         let found = solve(self.family, guess, None, self.plan.tolerance)?;
         let unknowns = found.states.push(0.0);
         let towards = parameter_direction(unknowns.len());
-        self.node(unknowns, &towards, 0)
+        self.node(unknowns, None, &towards, 0)
     }
 
     /// The first point of a branch, a distance from a motion along a direction of its states.

@@ -100,7 +100,9 @@ impl Continuer<'_> {
             let is_noise = is_slow && renewals > 0 && size <= NOISE * self.plan.tolerance;
             let is_last = leaves(size, before) <= LEFT * self.plan.tolerance;
             if size <= self.plan.tolerance || is_noise || is_last {
-                return self.node(unknowns, direction, corrections);
+                // what corrections leave of G is of their noise, or next to nothing
+                let here = (!is_noise).then(|| DVector::zeros(unknowns.len() - 1));
+                return self.node(unknowns, here, direction, corrections);
             }
             if !size.is_finite() || (is_slow && renewals == MOST_RENEWALS) {
                 break;
@@ -165,10 +167,12 @@ impl Continuer<'_> {
         Ok(all)
     }
 
-    /// Everything about a point of the branch that was found; its tangent has the sense of `direction`.
+    /// Everything about a point of the branch that was found, with G there if it is known; its tangent has the sense of
+    /// `direction`.
     pub fn node(
         &mut self,
         unknowns: DVector<f64>,
+        here: Option<DVector<f64>>,
         direction: &DVector<f64>,
         corrections: usize,
     ) -> Result<Node, ShootingError> {
@@ -176,7 +180,10 @@ impl Continuer<'_> {
         let half = self.family.half_return(&states)?;
         let multipliers = multipliers(self.family.circle(), &image.slopes);
         // that of the image is of the integration with slopes, and has another error
-        let here = self.residual(&unknowns)?;
+        let here = match here {
+            Some(here) => here,
+            None => self.residual(&unknowns)?,
+        };
         let slopes = self.slopes_from(&unknowns, &image.slopes, &here)?;
         // the tangent t leaves G at zero, and ⟨d, t⟩ = 1: the last row of the system
         let (last_row, unit) = (parameter_direction(unknowns.len()), unit(&unknowns));
