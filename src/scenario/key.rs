@@ -122,6 +122,19 @@ impl Key {
         values.all(|value| value == Some(first)).then_some(first)
     }
 
+    /// Whether a scenario says its value, or each of several ones.
+    pub fn is_given(&self, scenario: &Value) -> bool {
+        let mut paths = self.paths.iter();
+        paths.all(|path| value_at(scenario, path).is_some())
+    }
+
+    /// Checks its value in the file that is read.
+    pub fn check_in(&self, problems: &mut Problems<'_>) {
+        for path in &self.paths {
+            self.read(path, problems);
+        }
+    }
+
     /// Sets its value in a scenario.
     pub fn set(&self, scenario: &mut Value, value: &Value) {
         for path in &self.paths {

@@ -206,15 +206,23 @@ pub fn parse(text: &str, name: &str, format: Format) -> Result<Scenario, Scenari
 fn check(document: &Document) -> Result<Scenario, ScenarioError> {
     document.check_kind(FileKind::Scenario)?;
     let mut problems = document.problems();
-    let built = build(&mut problems);
+    let built = build(read_input(&mut problems), &mut problems);
     let ((input, questions), warnings) = document.finish(built, problems)?;
     let name = || document.stem();
     Ok(Scenario::new(input, questions, warnings, name))
 }
 
+/// The tables of a scenario, each key checked by itself.
+fn read_input(problems: &mut Problems<'_>) -> Option<ScenarioInput> {
+    read_titled(schema(), problems)
+}
+
 /// The tables of a scenario and what they ask.
-fn build(problems: &mut Problems<'_>) -> Option<(ScenarioInput, Questions)> {
-    let mut input: ScenarioInput = read_titled(schema(), problems)?;
+fn build(
+    input: Option<ScenarioInput>,
+    problems: &mut Problems<'_>,
+) -> Option<(ScenarioInput, Questions)> {
+    let mut input = input?;
     input.shaft.choose_freedoms(problems);
     let questions = input.build(problems)?;
     Some((input, questions))
@@ -234,7 +242,7 @@ fn read_titled<T: DeserializeOwned>(schema: &Value, problems: &mut Problems<'_>)
 
 /// What a scenario asks; the files that it names are in `folder`.
 fn questions(scenario: &Value, folder: &Path) -> Result<Questions, Issue> {
-    let (_, questions, warnings) = built(scenario, folder)?;
+    let (_, questions, warnings) = built(scenario, folder, read_input)?;
     Ok(questions.with_warnings(&warnings))
 }
 
@@ -242,10 +250,11 @@ fn questions(scenario: &Value, folder: &Path) -> Result<Questions, Issue> {
 fn built(
     scenario: &Value,
     folder: &Path,
+    read: impl FnOnce(&mut Problems<'_>) -> Option<ScenarioInput>,
 ) -> Result<(ScenarioInput, Questions, Vec<String>), Issue> {
     let root = Node::from(scenario);
     let mut problems = Problems::new(&root, folder);
-    let built = build(&mut problems);
+    let built = build(read(&mut problems), &mut problems);
     if let Some(issue) = problems.issues.into_iter().next() {
         return Err(issue);
     }

@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use super::input::Questions;
+use super::input::{Questions, ScenarioInput};
 use super::key::{Key, find, number_keys};
-use super::{Issue, Scenario, questions, without};
+use super::problems::Problems;
+use super::{Issue, Scenario, built, read_input, reader, without};
 use crate::quasi_static::StaticQuestion;
 use crate::rotor::RotorDefinition;
 use crate::simulate::Model;
@@ -21,6 +22,8 @@ pub struct OpenScenario {
     base: Value,
     folder: PathBuf,
     keys: Vec<Key>,
+    /// Whether all of them have values in the scenario: then other values are all that there is to check.
+    are_given: bool,
 }
 
 impl OpenScenario {
@@ -44,10 +47,13 @@ impl OpenScenario {
             check(scenario, &key, path)?;
             Ok(key)
         };
+        let base = without(&scenario.echo, &["output"]);
+        let keys: Vec<_> = paths.into_iter().map(key).collect::<Result<_, Issue>>()?;
         Ok(Self {
-            base: without(&scenario.echo, &["output"]),
+            are_given: keys.iter().all(|key| key.is_given(&base)),
+            base,
             folder: folder.to_owned(),
-            keys: paths.into_iter().map(key).collect::<Result<_, Issue>>()?,
+            keys,
         })
     }
 
@@ -110,10 +116,25 @@ impl OpenScenario {
             key.set(&mut scenario, &value);
             told.push(format!("{} = {value}", key.path));
         }
-        questions(&scenario, &self.folder).map_err(|issue| Issue {
-            message: format!("with {}: {}", told.join(", "), issue.message),
-            ..issue
-        })
+        let read = |problems: &mut Problems<'_>| match self.are_given {
+            true => self.read_again(&scenario, problems),
+            false => read_input(problems),
+        };
+        let (_, questions, warnings) =
+            built(&scenario, &self.folder, read).map_err(|issue| Issue {
+                message: format!("with {}: {}", told.join(", "), issue.message),
+                ..issue
+            })?;
+        Ok(questions.with_warnings(&warnings))
+    }
+
+    /// The tables of a scenario that was checked but for the numbers left open.
+    fn read_again(&self, scenario: &Value, problems: &mut Problems<'_>) -> Option<ScenarioInput> {
+        for key in &self.keys {
+            key.check_in(problems);
+        }
+        let is_right = problems.issues.is_empty();
+        is_right.then(|| reader::typed(scenario.clone(), problems))?
     }
 }
 

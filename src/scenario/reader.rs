@@ -24,6 +24,11 @@ use crate::analysis::Channel;
 /// [`Problems`] holds an issue about them.
 pub(super) fn read<T: DeserializeOwned>(schema: &Value, problems: &mut Problems<'_>) -> Option<T> {
     let value = value(problems.root, schema, "", problems)?;
+    typed(value, problems)
+}
+
+/// A tree that was checked as a struct.
+pub(super) fn typed<T: DeserializeOwned>(value: Value, problems: &mut Problems<'_>) -> Option<T> {
     serde_json::from_value(value)
         .map_err(|error| problems.add(Issue::new("", error.to_string())))
         .ok()

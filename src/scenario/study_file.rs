@@ -12,7 +12,7 @@ use super::key::Key;
 use super::key_path::set_value;
 use super::schema::schema_of;
 use super::study_input::StudyFileInput;
-use super::{Format, Issue, Scenario, ScenarioError, built, questions, read_titled};
+use super::{Format, Issue, Scenario, ScenarioError, built, questions, read_input, read_titled};
 use crate::quasi_static::StaticQuestion;
 use crate::simulate::Model;
 use crate::study::Variable;
@@ -159,7 +159,7 @@ impl StudyFile {
     }
 
     fn questions(&self, values: &[f64]) -> Result<Questions, Issue> {
-        let (_, questions, warnings) = built(&self.scenario(values)?, &self.folder)?;
+        let (_, questions, warnings) = built(&self.scenario(values)?, &self.folder, read_input)?;
         Ok(questions.with_warnings(&self.all_warnings(warnings)))
     }
 
@@ -170,7 +170,7 @@ impl StudyFile {
     pub(crate) fn alone(&self, values: &[f64], title: String) -> Result<Scenario, Issue> {
         let mut scenario = self.scenario(values)?;
         scenario["title"] = title.into();
-        let (input, questions, warnings) = built(&scenario, &self.folder)?;
+        let (input, questions, warnings) = built(&scenario, &self.folder, read_input)?;
         let warnings = self.all_warnings(warnings);
         Ok(Scenario::new(input, questions, warnings, String::new))
     }
