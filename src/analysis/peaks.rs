@@ -39,19 +39,23 @@ pub struct Peak {
 
 /// Peaks of one channel, strongest first, each with its nearest cause.
 ///
-/// `resolution` is the width of a bin in Hz; amplitudes below `floor` are round-off.
+/// `centred` is the transform of the channel less its mean, `resolution` the width of a bin in Hz; amplitudes below `floor`
+/// are round-off.
 pub(super) fn peaks(
     channel: Channel,
-    transform: &Transform,
+    centred: &Transform,
     resolution: f64,
     causes: &[Line],
     floor: f64,
 ) -> Vec<Peak> {
-    let hann = HannSpectrum::new(transform);
-    let mut found: Vec<_> = hann.maxima().filter_map(|k| hann.refine(k)).collect();
-    // of equal ones the lower in frequency stays first
-    found.sort_by(|a, b| b.amplitude.total_cmp(&a.amplitude));
-    found.truncate(MOST_PEAKS);
+    let hann = HannSpectrum::new(centred);
+    let mut found: Vec<Refined> = Vec::with_capacity(MOST_PEAKS + 1);
+    for peak in hann.maxima().filter_map(|k| hann.refine(k)) {
+        // of equal ones the lower in frequency stays first
+        let is_before = |other: &Refined| other.amplitude.total_cmp(&peak.amplitude).is_ge();
+        found.insert(found.partition_point(is_before), peak);
+        found.truncate(MOST_PEAKS);
+    }
     let strongest = found.first().map_or(0.0, |peak| peak.amplitude);
     let threshold = floor.max(RELATIVE_THRESHOLD * strongest);
     let causes = &seen_in(channel, causes);
@@ -82,15 +86,14 @@ struct Refined {
 }
 
 /// Hann-weighted amplitudes of a signal less its mean.
-struct HannSpectrum {
-    centred: Transform,
+struct HannSpectrum<'a> {
+    centred: &'a Transform,
     amplitude: Vec<f64>,
     length: f64,
 }
 
-impl HannSpectrum {
-    fn new(transform: &Transform) -> Self {
-        let centred = transform.clone().without_mean();
+impl<'a> HannSpectrum<'a> {
+    fn new(centred: &'a Transform) -> Self {
         let bins = 0..centred.bins();
         Self {
             amplitude: bins.map(|k| centred.amplitude(k, Window::Hann)).collect(),

@@ -26,11 +26,10 @@ pub struct ChannelSpectrum {
 }
 
 impl ChannelSpectrum {
-    /// Amplitudes and phases of a transformed channel under a window. The mean alone is at frequency zero: it is
-    /// taken away before the window, whose skirt around it would hide the lowest lines.
-    pub(crate) fn new(channel: Channel, transform: Transform, window: Window) -> Self {
-        let (mean, transform) = transform.split_mean();
-        let lines = (1..transform.bins()).map(|k| transform.line(k, window).to_polar());
+    /// Amplitudes and phases under a window of a channel with a mean, transformed without it. The mean alone is at frequency
+    /// zero: it is taken away before the window, whose skirt around it would hide the lowest lines.
+    fn new(channel: Channel, mean: Option<f64>, centred: &Transform, window: Window) -> Self {
+        let lines = (1..centred.bins()).map(|k| centred.line(k, window).to_polar());
         let mean = mean.map(|mean| (mean.abs(), if mean < 0.0 { PI } else { 0.0 }));
         let (amplitude, phase) = mean.into_iter().chain(lines).unzip();
         Self {
@@ -146,15 +145,10 @@ impl Recording {
         let mut found = Vec::new();
         let floor = self.noise_floor();
         let spectrum = self.transformed(channels, window, |spectrum, channel, transform| {
+            let (mean, centred) = transform.split_mean();
             let least = floor.below(channel);
-            found.extend(peaks(
-                channel,
-                &transform,
-                spectrum.resolution,
-                causes,
-                least,
-            ));
-            ChannelSpectrum::new(channel, transform, window).above(&floor)
+            found.extend(peaks(channel, &centred, spectrum.resolution, causes, least));
+            ChannelSpectrum::new(channel, mean, &centred, window).above(&floor)
         })?;
         Some(Analysis {
             spectrum,
@@ -171,7 +165,8 @@ impl Recording {
     ) -> Option<Spectrum> {
         let floor = self.noise_floor();
         self.transformed(channels, window, |spectrum, channel, transform| {
-            let mut entry = ChannelSpectrum::new(channel, transform, window);
+            let (mean, centred) = transform.split_mean();
+            let mut entry = ChannelSpectrum::new(channel, mean, &centred, window);
             if spectrum.shaft_frequency > 0.0 {
                 let highest = highest_order * spectrum.shaft_frequency / spectrum.resolution;
                 entry.amplitude.truncate(1 + highest as usize);
@@ -223,7 +218,8 @@ mod tests {
         let value = |n: u32| -3.0 + 1e-6 * (0.5 * TAU * f64::from(n)).cos();
         for window in [Window::Rectangular, Window::Hann, Window::FlatTop] {
             let transform = Transform::new((0..64).map(value).collect());
-            let spectrum = ChannelSpectrum::new(Channel::Displacement(0), transform, window);
+            let (mean, centred) = transform.split_mean();
+            let spectrum = ChannelSpectrum::new(Channel::Displacement(0), mean, &centred, window);
             assert!((spectrum.amplitude[0] - 3.0).abs() < 1e-14);
             assert_eq!(spectrum.phase[0], PI);
             let skirt = spectrum.amplitude[1..8]
