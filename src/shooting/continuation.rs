@@ -70,6 +70,8 @@ impl Continuer<'_> {
     ) -> Result<BranchEnd, ShootingError> {
         let mut node = first;
         let (mut step, mut widest) = (self.plan.step, 0.0_f64);
+        // how the tangent has changed over the latest step, by its length
+        let mut bend = DVector::zeros(node.tangent.len());
         loop {
             let width = node.half.as_ref().map(DVector::amax);
             widest = widest.max(width.unwrap_or(0.0));
@@ -79,7 +81,7 @@ impl Continuer<'_> {
                 return Ok(BranchEnd::Points);
             }
             let vanishes = width.is_some_and(|width| width < VANISHING * widest);
-            let (next, length) = match self.next(&node, &mut step) {
+            let (next, length) = match self.next(&node, &bend, &mut step) {
                 Err(error) if vanishes && !error.is_interrupted() => return Ok(BranchEnd::Closed),
                 result => result?,
             };
@@ -98,14 +100,21 @@ impl Continuer<'_> {
                 branch.points.push(next.point);
                 return Ok(BranchEnd::CameBack);
             }
+            bend = (&next.tangent - &node.tangent) / length;
             node = next;
         }
     }
 
-    /// The next point, and the length of the step to it.
-    fn next(&mut self, node: &Node, step: &mut f64) -> Result<(Node, f64), ShootingError> {
+    /// The next point, near the parabola along the tangent of a point that bends as it did last; and the length of the step
+    /// to it.
+    fn next(
+        &mut self,
+        node: &Node,
+        bend: &DVector<f64>,
+        step: &mut f64,
+    ) -> Result<(Node, f64), ShootingError> {
         loop {
-            let guess = &node.unknowns + &node.tangent * *step;
+            let guess = &node.unknowns + &node.tangent * *step + bend * (0.5 * *step * *step);
             let found = self.corrected(guess, &node.tangent, &node.slopes);
             let length = *step;
             let smallest = length <= self.plan.least_step;
