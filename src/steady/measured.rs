@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
 use super::SteadyError;
-use super::rotor_map::{RotorMap, Solver};
+use super::rotor_map::RotorMap;
 use super::samples::sampled;
 use super::search::{Found, returned_from};
 use crate::rotor::{MotionScale, Sample};
@@ -36,7 +36,8 @@ pub(super) fn measured(
     let asked = map.solver;
     map.solver = asked.reference();
     let tolerance = map.solver.settings.tolerance;
-    let (states, multipliers) = found_again(map, &found.states, &found.slopes, asked)?;
+    let (states, multipliers) =
+        found_again(map, &found.states, &found.slopes, asked.settings.tolerance)?;
     let reference = sampled(map, &states, model, false)?;
     map.solver = asked;
     let round_off = map.multiplier_round_off(&found.slopes);
@@ -50,15 +51,14 @@ pub(super) fn measured(
     })
 }
 
-/// The states and multipliers of a motion that is found again with the present settings, from one that `before` found with
-/// its slopes: a correction within the tolerance of that leaves about its square.
+/// The states and multipliers of a motion that is found again with the present settings, from one that was found to a
+/// tolerance, with its slopes: a correction within that leaves about its square.
 pub(super) fn found_again(
     map: &mut RotorMap<'_>,
     states: &DVector<f64>,
     slopes: &[DMatrix<f64>],
-    before: Solver<'_>,
+    tolerance: f64,
 ) -> Result<(DVector<f64>, Multipliers), ShootingError> {
-    let tolerance = before.settings.tolerance;
     let again = solve(map, states.clone(), Some(slopes), tolerance)?;
     // of a closed curve what the first slopes change by is taken for all
     let first = map.image(&again.states, Slopes::FirstExact)?.slopes;

@@ -60,6 +60,11 @@ impl ResponseQuestion<'_> {
         from + (to - from) * part
     }
 
+    /// Tolerance that motions are found to.
+    fn tolerance(&self) -> f64 {
+        self.model.integrator.tolerance.max(10.0 * TIGHTEST)
+    }
+
     /// The rotor at a value of the parameter, its cages as asked for or rolling at the free contact angle.
     fn rotor(&self, value: f64, rolling: bool) -> Result<RotorDefinition, String> {
         let rotor = (self.family)(value)?;
@@ -175,7 +180,7 @@ pub fn response(
     let guess = locate(&mut map)?.returned.states;
     map.source = Some((&source, 0.0));
     let plan = Continuation {
-        tolerance: question.model.integrator.tolerance.max(10.0 * TIGHTEST),
+        tolerance: question.tolerance(),
         step: 1.0 / STEPS,
         least_step: LEAST_PART / STEPS,
         points: question.points,
@@ -313,7 +318,7 @@ fn response_point(
         ranges: ranges(&channels, &map.periods.circle, &sampled),
         multipliers: point.multipliers.values(),
         multiplier_errors: match question.model.verify {
-            true => multiplier_errors(map, point).unwrap_or_default(),
+            true => multiplier_errors(map, point, question.tolerance()).unwrap_or_default(),
             false => Vec::new(),
         },
         stable: point.multipliers.is_stable(),
@@ -322,10 +327,14 @@ fn response_point(
 
 /// Distances of the multipliers of a motion from those of the same one found again at a tenth of the tolerance; none
 /// where it is not found again, as where two motions meet.
-fn multiplier_errors(map: &mut RotorMap<'_>, point: &BranchPoint) -> Option<Vec<f64>> {
+fn multiplier_errors(
+    map: &mut RotorMap<'_>,
+    point: &BranchPoint,
+    tolerance: f64,
+) -> Option<Vec<f64>> {
     let asked = map.solver;
     map.solver = asked.reference();
-    let again = found_again(map, &point.states, &point.slopes, asked);
+    let again = found_again(map, &point.states, &point.slopes, tolerance);
     map.solver = asked;
     let (_, multipliers) = again.ok()?;
     let round_off = map.multiplier_round_off(&point.slopes);
