@@ -93,13 +93,18 @@ impl<'a> Source<'a> {
         let alone = |own: &Self, other: &Self| {
             let columns = own.columns().filter(|column| counts(column));
             let columns = columns.filter(|column| other.values(column).is_none());
-            let path = own.path.display();
-            let only = |column: &Column| {
-                Difference::partial(format!("only {path} has the column {}", column.name()))
+            let names: Vec<_> = columns.map(Column::name).collect();
+            let noun = if names.len() == 1 {
+                "column"
+            } else {
+                "columns"
             };
-            columns.map(only).collect::<Vec<_>>()
+            let (path, listed) = (own.path.display(), names.join(", "));
+            (!names.is_empty())
+                .then(|| Difference::partial(format!("only {path} has the {noun} {listed}")))
         };
-        [alone(first, second), alone(second, first)].concat()
+        let both = [alone(first, second), alone(second, first)];
+        both.into_iter().flatten().collect()
     }
 
     /// The columns of both tables, in the order of the first.
