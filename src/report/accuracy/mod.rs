@@ -144,9 +144,16 @@ fn add_methods(out: &mut Lines, accuracy: &Accuracy, table: &Table<'_>) {
     ];
     let within = [("within\nuncertainty", "within_uncertainty")];
     out.show(table, &[&costs[..], &errors, &within].concat(), 2);
-    for row in &accuracy.rows {
-        if let Err(reason) = &row.result {
-            let what = format!("{} at {:e}", row.method, row.tolerance);
+    let alike = |a: &Row, b: &Row| {
+        a.method == b.method && a.result.as_ref().err() == b.result.as_ref().err()
+    };
+    for rows in accuracy.rows.chunk_by(alike) {
+        if let Err(reason) = &rows[0].result {
+            let tolerances: Vec<_> = rows
+                .iter()
+                .map(|row| format!("{:e}", row.tolerance))
+                .collect();
+            let what = format!("{} at {}", rows[0].method, tolerances.join(", "));
             add_note(out, what, reason);
         }
     }
