@@ -32,6 +32,18 @@ pub(super) enum FileKind {
     Record,
 }
 
+impl FileKind {
+    /// What messages call a file of this kind.
+    fn name(self) -> &'static str {
+        match self {
+            Self::Scenario => "a scenario",
+            Self::Study => "a study file",
+            Self::Fit => "a fit file",
+            Self::Record => "a description of a record of sensors",
+        }
+    }
+}
+
 /// A text that is TOML or JSON.
 #[derive(Debug)]
 pub(super) struct Document {
@@ -137,31 +149,29 @@ impl Document {
 
     /// Refuses a file of another kind than that which is due.
     pub fn check_kind(&self, due: FileKind) -> Result<(), ScenarioError> {
-        let (key, what, help) = match self.kind() {
-            None => return Ok(()),
-            Some(kind) if kind == due => return Ok(()),
-            Some(FileKind::Scenario) => (
+        let Some(kind) = self.kind().filter(|kind| *kind != due) else {
+            return Ok(());
+        };
+        let (key, names, help) = match kind {
+            FileKind::Scenario => (
                 "shaft",
-                "a scenario",
+                "",
                 "use `jeffcott run`, `bearing`, `steady`, `campbell` or `accuracy`",
             ),
-            Some(FileKind::Study) => (
+            FileKind::Study => (
                 "base",
-                "a study file: it names the scenario that its runs start from",
+                ": it names the scenario that its runs start from",
                 "use `jeffcott study`, or give that scenario",
             ),
-            Some(FileKind::Fit) => (
+            FileKind::Fit => (
                 "unknown",
-                "a fit file: it names the scenario whose quantities are sought",
+                ": it names the scenario whose quantities are sought",
                 "use `jeffcott fit`, or give that scenario",
             ),
-            Some(FileKind::Record) => (
-                "record",
-                "the description of a record of sensors",
-                "use `jeffcott analyze`",
-            ),
+            FileKind::Record => ("record", "", "use `jeffcott analyze`"),
         };
-        Err(self.refused(Issue::new(key, format!("this is {what}")).help(help)))
+        let message = format!("this is {}, not {}{names}", kind.name(), due.name());
+        Err(self.refused(Issue::new(key, message).help(help)))
     }
 
     /// The scenario that it names by its `base`, and the folder of that; `None` where nothing is there.
