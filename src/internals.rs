@@ -1,7 +1,7 @@
 //! What the benches of this crate measure from inside, and what its Python package calls: for them alone, without any
 //! promise.
 
-pub use crate::analysis::causes::{BearingFrequencies, Sources, causes};
+pub use crate::analysis::causes::{BearingFrequencies, Sources, causes, nearest_cause};
 pub use crate::analysis::estimation::{
     Axis, Detrend, EstimateError, Scaling, Segment, SpectrumKind, SpectrumRequest, estimate,
 };
