@@ -11,7 +11,7 @@ use super::input::Questions;
 use super::key::Key;
 use super::schema::schema_of;
 use super::typed::number;
-use super::{Format, Issue, Scenario, ScenarioError, questions, read_titled};
+use super::{Format, Issue, Scenario, ScenarioError, questions, read_input, read_titled};
 use crate::fit::{Effort, Kind, Observation, Question, Unknown, Wanted};
 use crate::study::Variable;
 use crate::study::campbell::CampbellQuestion;
@@ -199,7 +199,11 @@ impl FitFile {
             question: statics,
             mut model,
             ..
-        } = questions(&self.with_values(scenario, values), &self.folder)?;
+        } = questions(
+            &self.with_values(scenario, values),
+            &self.folder,
+            read_input,
+        )?;
         if let Some(model) = &mut model {
             model.verify &= effort == Effort::Verified;
             if effort == Effort::Coarse {

@@ -240,9 +240,13 @@ fn read_titled<T: DeserializeOwned>(schema: &Value, problems: &mut Problems<'_>)
     Some(input)
 }
 
-/// What a scenario asks; the files that it names are in `folder`.
-fn questions(scenario: &Value, folder: &Path) -> Result<Questions, Issue> {
-    let (_, questions, warnings) = built(scenario, folder, read_input)?;
+/// What a scenario asks, as `read` finds its tables; the files that it names are in `folder`.
+fn questions(
+    scenario: &Value,
+    folder: &Path,
+    read: impl FnOnce(&mut Problems<'_>) -> Option<ScenarioInput>,
+) -> Result<Questions, Issue> {
+    let (_, questions, warnings) = built(scenario, folder, read)?;
     Ok(questions.with_warnings(&warnings))
 }
 

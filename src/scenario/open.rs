@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::input::{Questions, ScenarioInput};
 use super::key::{Key, find, number_keys};
 use super::problems::Problems;
-use super::{Issue, Scenario, built, read_input, reader, without};
+use super::{Issue, Scenario, questions, read_input, reader, without};
 use crate::quasi_static::StaticQuestion;
 use crate::rotor::RotorDefinition;
 use crate::simulate::Model;
@@ -120,12 +120,10 @@ impl OpenScenario {
             true => self.read_again(&scenario, problems),
             false => read_input(problems),
         };
-        let (_, questions, warnings) =
-            built(&scenario, &self.folder, read).map_err(|issue| Issue {
-                message: format!("with {}: {}", told.join(", "), issue.message),
-                ..issue
-            })?;
-        Ok(questions.with_warnings(&warnings))
+        questions(&scenario, &self.folder, read).map_err(|issue| Issue {
+            message: format!("with {}: {}", told.join(", "), issue.message),
+            ..issue
+        })
     }
 
     /// The tables of a scenario that was checked but for the numbers left open.
@@ -152,4 +150,42 @@ pub(super) fn check(scenario: &Scenario, key: &Key, place: &str) -> Result<(), I
         return Err(Issue::new(place, message));
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::{Format, parse};
+
+    const SCENE: &str = r#"
+        shaft.mass = "5 kg"
+        shaft.freedoms = "radial"
+        speed.constant = "100 rad/s"
+        time = { duration = "1 s" }
+        damping.coefficients = { x = "1 N s/m", y = "1 N s/m" }
+        bearing = [{ catalogue = "6205" }]
+    "#;
+
+    /// A number that the scenario gives is checked by its own range alone, one that it does not give with all that it brings.
+    #[test]
+    fn what_is_wrong_with_an_open_number_is_told_with_its_value() {
+        let scenario = parse(SCENE, "scene", Format::Toml).expect("a scenario");
+        let open = |path: &str| OpenScenario::new(&scenario, [path], Path::new("")).expect(path);
+        let mass = open("shaft.mass");
+        assert!(mass.are_given);
+        assert_eq!(mass.rotor(7.0).expect("a rotor").shaft.mass, 7.0);
+        let wrong = mass.rotor(-1.0).expect_err("no mass").message;
+        assert!(
+            wrong.starts_with("with shaft.mass = \"-1 kg\": `mass` must be "),
+            "{wrong}"
+        );
+        let preload = open("bearing[1].preload");
+        assert!(!preload.are_given);
+        assert!(preload.rotor(1.0).is_ok());
+        let wrong = preload.rotor(-1.0).expect_err("no preload").message;
+        assert!(
+            wrong.starts_with("with bearing[1].preload = \"-1 N\": "),
+            "{wrong}"
+        );
+    }
 }

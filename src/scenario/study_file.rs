@@ -113,7 +113,9 @@ impl StudyFile {
             key.set(&mut scenario, &word.unwrap_or_else(|| key.written(*value)));
         }
         if let Some(cycles) = &self.cycles {
-            let rotor = questions(&scenario, &self.folder)?.motion()?.rotor;
+            let rotor = questions(&scenario, &self.folder, read_input)?
+                .motion()?
+                .rotor;
             let times = cycles.times(&rotor);
             let times = times.map_err(|error| Issue::new("cycles", error.to_string()))?;
             for (key, time) in TIMES.iter().zip(times) {

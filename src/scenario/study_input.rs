@@ -14,7 +14,7 @@ use super::key_path::entry;
 use super::problems::Problems;
 use super::set_input::SetInput;
 use super::study_file::{StudyFile, TIMES};
-use super::{Issue, Scenario, ScenarioError, echo, key, questions, reader, without};
+use super::{Issue, Scenario, ScenarioError, echo, key, questions, read_input, reader, without};
 use crate::study::many::{Ask, Cycles, Keep, NumberColumn, Sweep, number_columns, static_columns};
 use crate::study::plan::{Axis, MOST_RUNS, MOST_SOBOL_AXES, Plan, Sampling};
 
@@ -206,7 +206,7 @@ impl StudyFileInput {
         };
         let known = all_keys(&base, left_out(self.ask));
         SetInput::put(&self.set, &known, &mut base, problems)?;
-        let found = questions(&base, folder).map_err(|issue| {
+        let found = questions(&base, folder, read_input).map_err(|issue| {
             let message = format!("the base with `set`: {}", issue.message);
             Issue::new("set", message)
         });
