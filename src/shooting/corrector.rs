@@ -100,7 +100,7 @@ impl Continuer<'_> {
             let is_noise = is_slow && renewals > 0 && size <= NOISE * self.plan.tolerance;
             let is_last = leaves(size, before) <= LEFT * self.plan.tolerance;
             if size <= self.plan.tolerance || is_noise || is_last {
-                // what corrections leave of G is of their noise, or next to nothing
+                // the corrections leave next to nothing of G, unless the noise of the integration ended them
                 let here = (!is_noise).then(|| DVector::zeros(unknowns.len() - 1));
                 return self.node(unknowns, here, direction, corrections);
             }

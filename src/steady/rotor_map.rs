@@ -25,7 +25,7 @@ const MULTIPLIER_FACTOR: f64 = 100.0;
 
 /// Periods that begin with the explicit pair after one in which it went on from the exponential method; then that one has
 /// its chance again.
-const EXPLICIT: u32 = 8;
+const EXPLICIT_PERIODS: u32 = 8;
 
 /// Makes the rotor of a value of the parameter; what is wrong with it in words.
 pub(super) type Source<'a> = &'a dyn Fn(f64) -> Result<RotorDefinition, String>;
@@ -80,7 +80,7 @@ pub(super) struct RotorMap<'a> {
     /// The motion in closed form, where there is one.
     closed: Option<HarmonicMotion>,
     /// Periods to come that begin with the explicit pair, where the method is left open.
-    explicit: u32,
+    explicit_periods: u32,
     pub counters: Counters,
     /// Where the rotor of another parameter comes from, and that of the present one.
     pub source: Option<(Source<'a>, f64)>,
@@ -98,7 +98,7 @@ impl<'a> RotorMap<'a> {
             periods,
             solver,
             scale,
-            explicit: 0,
+            explicit_periods: 0,
             counters: Counters::default(),
             source: None,
         }
@@ -139,9 +139,9 @@ impl<'a> RotorMap<'a> {
         };
         let (scaling, solver) = (self.scaling.clone(), &self.solver);
         let mut settings = solver.settings;
-        if settings.method == Method::Auto && self.explicit > 0 {
+        if settings.method == Method::Auto && self.explicit_periods > 0 {
             settings.method = Method::Verner76;
-            self.explicit -= 1;
+            self.explicit_periods -= 1;
         }
         let mut integration =
             Integration::new(&system, scaling, grid, settings, solver.stop, state);
@@ -149,8 +149,11 @@ impl<'a> RotorMap<'a> {
         let result = integration.advance(grid.count as usize, &mut states);
         self.counters.add(&integration.counters());
         self.solver.integrated.fetch_add(1, Ordering::Relaxed);
-        if (integration.method_use()).is_some_and(|used| used.change.is_some()) {
-            self.explicit = EXPLICIT;
+        if integration
+            .method_use()
+            .is_some_and(|used| used.change.is_some())
+        {
+            self.explicit_periods = EXPLICIT_PERIODS;
         }
         result.map(|()| states)
     }
