@@ -1,6 +1,6 @@
 //! Where steps end: steps longer than the interval of the samples last a round number of intervals,
-//! shorter ones a round part of one, so that few sizes occur and every sample is a step's end or lies
-//! whole intervals after its start.
+//! shorter ones an interval over a product of round numbers, so that few sizes occur and every sample is a step's end or
+//! lies whole intervals after its start.
 
 use crate::integrate::problem::SLACK;
 
@@ -12,6 +12,9 @@ pub(super) struct Span {
     /// Steps that are left to it, and their size, s.
     pub left: f64,
     pub size: f64,
+    /// The length from grid time or break to the next, s, and the parts of this size that it has.
+    length: f64,
+    parts: f64,
     /// Intervals of samples that its only step lasts; zero where it lasts no whole number.
     pub intervals: f64,
 }
@@ -24,17 +27,15 @@ impl Span {
             let free = ((limit - time) / interval + SLACK).floor();
             let intervals = round_below((requested / interval * (1.0 + SLACK)).min(free));
             if intervals >= 1.0 {
-                return Self {
-                    end: (index + intervals) * interval,
-                    left: 1.0,
-                    size: intervals * interval,
-                    intervals,
-                };
+                let whole =
+                    Self::divided((index + intervals) * interval, intervals * interval, 1.0);
+                return Self { intervals, ..whole };
             }
             if free >= 1.0 {
-                return Self::divided((index + 1.0) * interval, interval, requested);
+                let parts = parts(interval / requested);
+                return Self::divided((index + 1.0) * interval, interval, parts);
             }
-            return Self::divided(limit, limit - time, requested);
+            return Self::divided(limit, limit - time, parts((limit - time) / requested));
         }
         let next = ((time / interval).floor() + 1.0) * interval;
         let end = if next < limit + SLACK * interval {
@@ -42,31 +43,50 @@ impl Span {
         } else {
             limit
         };
-        Self::divided(end, end - time, requested)
+        Self::divided(end, end - time, parts((end - time) / requested))
     }
 
-    /// A length in as few parts as a requested size allows, of the numbers 1, 2, 3, 4, 6, 8, 12, ….
-    fn divided(end: f64, length: f64, requested: f64) -> Self {
-        let left = round_above(length / requested * (1.0 - SLACK));
+    /// A length in so many parts.
+    fn divided(end: f64, length: f64, parts: f64) -> Self {
         Self {
             end,
-            left,
-            size: length / left,
+            left: parts,
+            size: length / parts,
+            length,
+            parts,
             intervals: 0.0,
         }
     }
 
-    /// The rest in steps no longer than a requested size: as before, or in fewer.
+    /// The rest in steps no longer than a requested size. Their number in the whole length is a round multiple of the fewest
+    /// parts of it that the way behind them is a whole number of.
     pub fn adapted(self, requested: f64) -> Self {
-        let anew = Self::divided(self.end, self.left * self.size, requested);
-        if self.size > requested * (1.0 + SLACK) || anew.left < self.left {
-            return anew;
+        let common = common_divisor(self.parts, self.left);
+        let fewest = self.parts / common;
+        let multiple = parts(self.length / (fewest * requested));
+        let anew = Self::divided(self.end, self.length, fewest * multiple);
+        if self.size <= requested * (1.0 + SLACK) && anew.size < self.size {
+            return self;
         }
         Self {
-            intervals: 0.0,
-            ..self
+            left: self.left / common * multiple,
+            ..anew
         }
     }
+}
+
+/// The greatest common divisor of whole numbers.
+fn common_divisor(one: f64, other: f64) -> f64 {
+    if other == 0.0 {
+        one
+    } else {
+        common_divisor(other, one % other)
+    }
+}
+
+/// The fewest round parts of which each is not above one in size, of so much.
+fn parts(length: f64) -> f64 {
+    round_above(length * (1.0 - SLACK))
 }
 
 /// The largest of 1, 2, 3, 4, 6, 8, 12, … that is not above a number; zero below one.
@@ -99,9 +119,9 @@ fn round_above(number: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// From a thousandth of an interval on in steps that may grow eightfold: as many of them as that takes.
+    /// From a thousandth of an interval on in steps that may grow eightfold: each as long as the way behind it.
     #[test]
-    fn steps_on_the_way_to_a_sample_grow_as_fast_as_they_may() {
+    fn steps_on_the_way_to_a_sample_grow_with_the_way_behind_them() {
         let (mut requested, mut time, mut steps) = (1e-3, 0.0, 0);
         let mut span = Span::new(time, requested, 1.0, f64::INFINITY);
         while span.left > 0.0 {
@@ -112,6 +132,35 @@ mod tests {
                 span = span.adapted(requested);
             }
         }
-        assert!((time - 1.0).abs() < 1e-12 && steps <= 6, "{time}, {steps}");
+        assert!((time - 1.0).abs() < 1e-12 && steps <= 11, "{time}, {steps}");
+    }
+
+    /// However requested sizes change, an interval ends where it should, no step is longer than requested, and the sizes
+    /// that occur are few.
+    #[test]
+    fn sizes_on_the_way_to_samples_are_few() {
+        let (mut sizes, mut number) = (Vec::new(), 0_u32);
+        for sample in 0..2000 {
+            let mut time = f64::from(sample);
+            let mut request = || {
+                number += 1;
+                (0.45 + 0.4 * (0.7 * f64::from(number)).sin()) * f64::from(1 + number % 3)
+            };
+            let mut span = Span::new(time, request().min(0.99), 1.0, f64::INFINITY);
+            while span.left > 0.0 {
+                time += span.size;
+                if !sizes.contains(&span.size) {
+                    sizes.push(span.size);
+                }
+                span.left -= 1.0;
+                let requested = request();
+                if span.left > 0.0 {
+                    span = span.adapted(requested);
+                    assert!(span.size <= requested * (1.0 + SLACK));
+                }
+            }
+            assert!((time - f64::from(sample + 1)).abs() < 1e-9, "{time}");
+        }
+        assert!(sizes.len() < 12, "{sizes:?}");
     }
 }
