@@ -145,6 +145,12 @@ impl LinearPart {
         part
     }
 
+    /// Numbers of the remainder at a point: of the few forces that make it, else of its modal coordinates.
+    pub fn remainders(&self) -> usize {
+        let few = self.few_forces.as_ref();
+        few.map_or(self.eigenvalues.len(), |few| few.acting.len())
+    }
+
     /// Finds the coordinates of a deviation.
     pub fn to_coordinates(&self, state: &mut ModalState) {
         let ModalState {

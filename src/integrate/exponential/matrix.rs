@@ -1,5 +1,7 @@
 //! Products of matrices with vectors, in chunks.
 
+use std::ops::Range;
+
 use nalgebra::DMatrix;
 
 use crate::integrate::chunks::{Chunk, Padded, add_scaled, chunks_of};
@@ -23,12 +25,35 @@ impl ChunkMatrix {
         }
     }
 
-    /// This matrix, which has so many rows.
-    pub fn to_matrix(&self, rows: usize) -> DMatrix<f64> {
-        let columns = self.columns.chunks_exact(self.width);
-        let columns = columns.flat_map(|column| &column.as_flattened()[..rows]);
-        let count = self.columns.len() / self.width;
-        DMatrix::from_iterator(rows, count, columns.copied())
+    /// A matrix of zeros.
+    pub fn zeros(rows: usize, columns: usize) -> Self {
+        let width = chunks_of(rows);
+        Self {
+            width,
+            columns: vec![[0.0; 4]; width * columns],
+        }
+    }
+
+    /// A column.
+    #[inline(always)]
+    pub fn column(&self, index: usize) -> &[Chunk] {
+        &self.columns[self.width * index..self.width * (index + 1)]
+    }
+
+    /// Some neighbouring columns.
+    #[inline(always)]
+    pub fn columns_mut(&mut self, columns: Range<usize>) -> &mut [Chunk] {
+        &mut self.columns[self.width * columns.start..self.width * columns.end]
+    }
+
+    /// This matrix, which has so many rows and columns.
+    pub fn to_matrix(&self, rows: usize, columns: usize) -> DMatrix<f64> {
+        let columns = (0..columns).map(|index| self.column(index).as_flattened());
+        let entries: Vec<_> = columns
+            .flat_map(|column| &column[..rows])
+            .copied()
+            .collect();
+        DMatrix::from_vec(rows, entries.len() / rows.max(1), entries)
     }
 
     /// Finds the product with the first numbers of a vector, or adds it, within code for wide registers.

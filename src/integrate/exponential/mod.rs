@@ -28,6 +28,8 @@
 
 mod basis;
 mod dense;
+mod force_operator;
+mod force_sweeps;
 mod linear;
 mod matrix;
 mod nodes;

@@ -2,13 +2,14 @@
 
 use nalgebra::{Complex, ComplexField};
 
+use super::force_operator::ForceOperator;
 use super::linear::{Diagonal, LinearPart, add, joined};
 use super::nodes::{NODES, POINTS, Points};
 use crate::integrate::chunks::{Padded, add_scaled, chunks_of};
 use crate::numerics::registers::in_wide_registers;
 
-/// Step sizes whose operators are kept.
-const KEPT: usize = 12;
+/// Step sizes whose operators are kept: those from an interval of samples down to a thousandth of it.
+pub(super) const KEPT: usize = 48;
 
 /// φ_0 … φ_7, up to the number of points, of a chunk of modes.
 pub(super) type Functions = [Diagonal; POINTS + 1];
@@ -112,6 +113,8 @@ pub(super) struct Propagator {
     /// Size of the step, s; zero where none is known yet.
     size: f64,
     chunks: Vec<ChunkPropagator>,
+    /// What few forces do over the step, where they make the remainder.
+    pub forces: Option<ForceOperator>,
 }
 
 impl Propagator {
@@ -131,6 +134,34 @@ impl Propagator {
             for (forced, remainder) in chunk.forced[point - 1].iter().zip(remainder) {
                 add(forced, remainder, &mut sums);
             }
+            *to = joined(&sums);
+        }
+    }
+
+    /// Finds the numbers of A_ij: the real and the imaginary part for each of the pairs, the first coordinates, and the real
+    /// one for each of the others.
+    #[inline(always)]
+    pub fn find_function(&self, point: usize, source: usize, pairs: usize, numbers: &mut Padded) {
+        let mut first = 0;
+        for (numbers, chunk) in numbers.chunks_mut().iter_mut().zip(&self.chunks) {
+            let [own, given] = &chunk.forced[point - 1][source];
+            *numbers = *own;
+            for partner in [1, 3] {
+                if first + partner < 2 * pairs {
+                    numbers[partner] = given[partner];
+                }
+            }
+            first += 4;
+        }
+    }
+
+    /// Finds what the coordinates at the start come to by themselves, within code for wide registers.
+    #[inline(always)]
+    pub fn find_free(&self, point: usize, from: &Padded, to: &mut Padded) {
+        let chunks = self.chunks.iter().zip(from.chunks());
+        for (to, (chunk, from)) in to.chunks_mut().iter_mut().zip(chunks) {
+            let mut sums = [[0.0; 4]; 2];
+            add(&chunk.free[point - 1], from, &mut sums);
             *to = joined(&sums);
         }
     }
@@ -192,12 +223,8 @@ impl Propagators {
     /// Room for those of so many states.
     pub fn new(states: usize) -> Self {
         let chunks = chunks_of(states);
-        let none = Propagator {
-            size: 0.0,
-            chunks: vec![ChunkPropagator::default(); chunks],
-        };
         Self {
-            kept: vec![none; KEPT],
+            kept: Vec::new(),
             samples: vec![Functions::default(); chunks],
             are_samples_known: false,
             functions: vec![Functions::default(); chunks],
@@ -215,15 +242,31 @@ impl Propagators {
     /// The operator over a step of a size, s.
     pub fn over_step(&mut self, linear: &LinearPart, size: f64) -> &Propagator {
         let known = self.kept.iter().position(|kept| kept.size == size);
-        // the one that was not asked for longest gives its place
-        let position = known.unwrap_or(KEPT - 1);
+        let position = known.unwrap_or_else(|| self.place_of_another());
         self.kept[..=position].rotate_right(1);
         let found = &mut self.kept[0];
         if known.is_none() {
             found.size = size;
             find_propagator(linear, size, &mut self.functions, &mut found.chunks);
+            let few = linear.few_forces.as_ref();
+            let level = linear.level;
+            found.forces = few.map(|few| in_wide_registers!(level, ForceOperator::new(few, found)));
         }
         found
+    }
+
+    /// Where an operator over a step of another size goes: to a free place, or to that of the one that was not asked for
+    /// longest.
+    fn place_of_another(&mut self) -> usize {
+        let free = self.kept.iter().position(|kept| kept.size == 0.0);
+        if free.is_none() && self.kept.len() < KEPT {
+            self.kept.push(Propagator {
+                size: 0.0,
+                chunks: vec![ChunkPropagator::default(); self.functions.len()],
+                forces: None,
+            });
+        }
+        free.unwrap_or(self.kept.len() - 1)
     }
 
     /// The functions over an interval of samples.

@@ -1,30 +1,29 @@
-//! The nonlinear remainder at a state, in modal coordinates.
+//! The nonlinear remainder at a state.
 //!
-//! Of a system by its whole derivative:
+//! Of a system by its whole derivative it is found in modal coordinates:
 //!
 //! ```text
 //! y = V z,   V⁻¹ g = V⁻¹ f(t, y₀ + y) − Λ z
 //! ```
 //!
-//! and of one whose derivative is separated, f = c + A y + D w(t, y) with J = A + D K, by the few states x that w depends on
-//! and its few forces, whatever the number of modes:
+//! and of one whose derivative is separated, f = c + A y + D w(t, y) with J = A + D K, by its few forces u at the few states
+//! x that w depends on, whatever the number of modes:
 //!
 //! ```text
-//! x = V_x z,   V⁻¹ g = V⁻¹ (c + A y₀) + V⁻¹ D (w(t, x₀ + x) − K x)
+//! x = V_x z,   u = w(t, x₀ + x) − K x,   V⁻¹ g = V⁻¹ (c + A y₀) + V⁻¹ D u
 //! ```
 //!
-//! with V_x the rows of V for x. A change δz of a motion so changes the remainder by `V⁻¹ D (∂w/∂x − K) V_x δz`.
+//! with V_x the rows of V for x.
 
-use fearless_simd::Level;
 use nalgebra::{DMatrix, DVector};
 
 use super::basis::Basis;
 use super::linear::LinearPart;
 use super::matrix::ChunkMatrix;
-use crate::integrate::chunks::Padded;
+use super::nodes::{POINTS, Points};
+use crate::integrate::chunks::{Padded, add_scaled, chunks_of};
 use crate::integrate::problem::Problem;
 use crate::integrate::{Separated, System};
-use crate::numerics::registers::in_wide_registers;
 
 /// The remainder of a separated derivative, by its forces.
 #[derive(Debug, Clone)]
@@ -38,10 +37,18 @@ pub(super) struct FewForces {
     pub shapes: ChunkMatrix,
     /// −K.
     against: ChunkMatrix,
-    /// V⁻¹ D.
+    /// D and V⁻¹ D.
+    pub inputs: ChunkMatrix,
     pub parts: ChunkMatrix,
+    /// V_x F V⁻¹ D, column after column in chunks, of a function F of the linear part by the numbers of it that
+    /// [`Propagator::find_function`] finds.
+    ///
+    /// [`Propagator::find_function`]: super::propagator::Propagator::find_function
+    pub passage: ChunkMatrix,
+    /// Pairs of conjugate modes.
+    pub pairs: usize,
     /// V⁻¹ (c + A y₀).
-    constant: Padded,
+    pub constant: Padded,
 }
 
 impl FewForces {
@@ -49,15 +56,35 @@ impl FewForces {
     pub fn new(separated: &Separated, basis: &Basis, origin: &[f64]) -> Self {
         let from = DVector::from_column_slice(origin);
         let rate = &separated.matrix * from + DVector::from_column_slice(&separated.constant);
-        let product = |matrix: &DMatrix<f64>| ChunkMatrix::from_matrix(&(&basis.parts * matrix));
+        let shapes = basis.shapes.select_rows(&separated.seen);
+        let parts = &basis.parts * &separated.inputs;
         Self {
-            shapes: ChunkMatrix::from_matrix(&basis.shapes.select_rows(&separated.seen)),
+            passage: passage(basis, &shapes, &parts),
+            pairs: basis.eigenvalues.iter().filter(|of| of.im > 0.0).count(),
+            shapes: ChunkMatrix::from_matrix(&shapes),
             against: ChunkMatrix::from_matrix(&-&separated.slopes),
-            parts: product(&separated.inputs),
+            inputs: ChunkMatrix::from_matrix(&separated.inputs),
+            parts: ChunkMatrix::from_matrix(&parts),
             constant: Padded::from_slice((&basis.parts * rate).as_slice()),
             seen: separated.seen.clone(),
             acting: separated.acting.clone(),
             slopes: separated.slopes.clone(),
+        }
+    }
+
+    /// Finds the modal coordinates of the remainder that the forces at the points of a step make.
+    #[inline(always)]
+    pub fn find_modal(&self, forces: &Points, modal: &mut Points) {
+        for (modal, constant) in modal.iter_mut().zip(self.constant.chunks()) {
+            *modal = [*constant; POINTS];
+        }
+        for (force, own) in (0..self.acting.len()).map(|force| (force, &forces[force / 4])) {
+            let parts = self.parts.column(force);
+            for (modal, part) in modal.iter_mut().zip(parts) {
+                for (modal, own) in modal.iter_mut().zip(own) {
+                    add_scaled(modal, own[force % 4], part);
+                }
+            }
         }
     }
 
@@ -69,6 +96,31 @@ impl FewForces {
     }
 }
 
+/// [`FewForces::passage`]: of a pair of coordinates x and x', which a function a + i b makes a x + b x' and a x' − b x, the
+/// columns for a and b; of a coordinate by itself that for a.
+fn passage(basis: &Basis, shapes: &DMatrix<f64>, parts: &DMatrix<f64>) -> ChunkMatrix {
+    let (states, forces, rows) = (basis.eigenvalues.len(), parts.ncols(), shapes.nrows());
+    let padded = 4 * chunks_of(rows);
+    let mut passage = DMatrix::zeros(padded * forces, states);
+    for (coordinate, eigenvalue) in basis.eigenvalues.iter().enumerate() {
+        let product = |own: usize, other: usize| shapes.column(own) * parts.row(other);
+        let through = if eigenvalue.im > 0.0 {
+            let partner = coordinate + 1;
+            product(coordinate, coordinate) + product(partner, partner)
+        } else if eigenvalue.im < 0.0 {
+            let partner = coordinate - 1;
+            product(partner, coordinate) - product(coordinate, partner)
+        } else {
+            product(coordinate, coordinate)
+        };
+        for (force, column) in through.column_iter().enumerate() {
+            let mut entries = passage.view_mut((padded * force, coordinate), (rows, 1));
+            entries.copy_from(&column);
+        }
+    }
+    ChunkMatrix::from_matrix(&passage)
+}
+
 /// An evaluation of the remainder.
 #[derive(Debug, Clone)]
 pub(super) struct Evaluation {
@@ -77,9 +129,7 @@ pub(super) struct Evaluation {
     /// y₀ + y, or of it what the forces depend on, and f or w there.
     pub state: Padded,
     rate: Padded,
-    /// w − K x.
-    forces: Padded,
-    /// The modal coordinates of g that were found.
+    /// What was found: the modal coordinates of g, or u.
     pub remainder: Padded,
 }
 
@@ -91,13 +141,12 @@ impl Evaluation {
             origin: Padded::from_slice(&problem.scaling.origin),
             state: zeros.clone(),
             rate: zeros.clone(),
-            forces: zeros.clone(),
             remainder: zeros,
         }
     }
 
-    /// Finds the remainder at modal coordinates, and the deviation there: all of y, or x alone. What J would do to y₀ itself
-    /// stays in g.
+    /// Finds the modal coordinates of the remainder at those of a state, and its deviation, within code for wide registers.
+    /// What J would do to y₀ itself stays in g.
     #[inline(always)]
     pub fn evaluate(
         &mut self,
@@ -107,10 +156,6 @@ impl Evaluation {
         coordinates: &Padded,
         deviation: &mut Padded,
     ) {
-        if let Some(few) = &linear.few_forces {
-            let level = linear.level;
-            return self.evaluate_few(level, few, system, time, coordinates, deviation);
-        }
         // V⁻¹ f(t, y₀ + V z) − Λ z
         linear.find_deviation(coordinates, deviation);
         let parts = self.origin.chunks().iter().zip(deviation.chunks());
@@ -123,37 +168,23 @@ impl Evaluation {
         linear.find_remainder(&self.rate, coordinates, &mut self.remainder);
     }
 
-    /// Evaluates few forces. Out of line, so that the loop over the points stays short where there are none.
-    #[inline(never)]
-    fn evaluate_few(
+    /// Finds the forces of the remainder, u, at the few states x that they depend on, within code for wide registers.
+    #[inline(always)]
+    pub fn evaluate_forces(
         &mut self,
-        level: Level,
         few: &FewForces,
         system: &dyn System,
         time: f64,
-        coordinates: &Padded,
-        deviation: &mut Padded,
+        seen: &Padded,
     ) {
-        // x = V_x z
-        let shapes = &few.shapes;
-        in_wide_registers!(
-            level,
-            shapes.multiply::<false>(coordinates, deviation.chunks_mut())
-        );
-        few.find_state(&self.origin, deviation, &mut self.state);
+        few.find_state(&self.origin, seen, &mut self.state);
         system.forces(time, &self.state, &mut self.rate);
-        for (force, acting) in self.forces.iter_mut().zip(&few.acting) {
+        for (force, acting) in self.remainder.iter_mut().zip(&few.acting) {
             *force = self.rate[*acting];
         }
-        in_wide_registers!(level, {
-            // w − K x
-            few.against
-                .multiply::<true>(deviation, self.forces.chunks_mut());
-            // V⁻¹ (c + A y₀) + V⁻¹ D (w − K x)
-            self.remainder.copy_from(&few.constant);
-            few.parts
-                .multiply::<true>(&self.forces, self.remainder.chunks_mut());
-        });
+        // w − K x
+        few.against
+            .multiply::<true>(seen, self.remainder.chunks_mut());
     }
 
     /// Finds the state at a deviation that [`Evaluation::evaluate`] found, as far as forces and event functions depend on it.

@@ -13,15 +13,12 @@
 
 use nalgebra::DMatrix;
 
-use super::nodes::{NODES, POINTS, SPARE, no_points};
+use super::force_operator::{ForceOperator, LATER};
+use super::nodes::{NODES, POINTS, SPARE};
+use super::propagator::KEPT;
 use super::remainder::FewForces;
 use super::sweeps::{LOCAL_PART, Sweeps, Trial, error_factor};
 use crate::integrate::chunks::Padded;
-
-/// Sizes of steps whose operators are kept.
-const KEPT: usize = 12;
-/// Points after the first.
-const LATER: usize = POINTS - 1;
 
 /// The slopes Φ of the state by that at the start of the motion, in units of the states.
 pub(super) struct StepSlopes {
@@ -50,13 +47,13 @@ impl StepSlopes {
     /// Takes Φ over a step whose sweeps have converged; the error over what is allowed, none where there are no few
     /// forces.
     pub fn step(&mut self, trial: &Trial<'_>, sweeps: &mut Sweeps) -> f64 {
-        let Some(few) = &trial.linear.few_forces else {
+        let Some((few, forces)) = trial.few_forces() else {
             return 0.0;
         };
         let known = self.kept.iter().position(|kept| kept.size == trial.size);
         let position = known.unwrap_or_else(|| {
             self.kept.truncate(KEPT - 1);
-            self.kept.insert(0, StepOperator::new(trial, few));
+            self.kept.insert(0, StepOperator::new(trial, few, forces));
             0
         });
         let operator = &self.kept[position];
@@ -80,17 +77,20 @@ impl StepSlopes {
         let acting = (sources.nrows() - states) / POINTS;
         let row = |point: usize| states + acting * point;
         let effect = |weights: &[f64; POINTS]| {
-            let mut sum = DMatrix::zeros(acting, states);
-            for (point, weight) in weights.iter().enumerate() {
-                sum += sources.rows(row(point), acting) * *weight;
-            }
+            let sum = DMatrix::from_fn(acting, states, |own, column| {
+                let points = weights.iter().enumerate();
+                let parts =
+                    points.map(|(point, weight)| weight * sources[(row(point) + own, column)]);
+                parts.sum::<f64>()
+            });
             operator.end.columns(row(SPARE), acting) * sum
         };
         let allowed = LOCAL_PART * trial.problem.settings.tolerance;
+        let part = |from: f64, to: f64| 1.0 / (1.0 + from.abs().max(to.abs()));
+        let inverse = self.from.zip_map(&self.to, part);
         let size = |effect: &DMatrix<f64>| {
-            let ends = effect.iter().zip(self.from.iter().zip(&self.to));
-            let parts = ends.map(|(effect, (from, to))| effect / (1.0 + from.abs().max(to.abs())));
-            (parts.map(|part| part * part).sum::<f64>() / effect.len() as f64).sqrt()
+            let squares = effect.component_mul(&inverse).norm_squared();
+            (squares / effect.len() as f64).sqrt()
         };
         let factor = match crossed {
             true => 1.0,
@@ -124,46 +124,45 @@ struct StepOperator {
 }
 
 impl StepOperator {
-    fn new(trial: &Trial<'_>, few: &FewForces) -> Self {
+    fn new(trial: &Trial<'_>, few: &FewForces, forces: &ForceOperator) -> Self {
         let scale = &trial.problem.scaling.scale;
-        let (states, seen, acting) = (scale.len(), few.seen.len(), few.acting.len());
-        let mut shapes = trial.linear.shapes.to_matrix(states);
+        let (states, seen, sources) = (scale.len(), few.seen.len(), POINTS * few.acting.len());
+        let mut shapes = trial.linear.shapes.to_matrix(states, states);
         for (mut row, scale) in shapes.row_iter_mut().zip(scale) {
             row /= *scale;
         }
         let shapes_seen = shapes.select_rows(&few.seen);
-        // V⁻¹ and V⁻¹ D
-        let mut starts = trial.linear.parts.to_matrix(states);
+        let mut starts = trial.linear.parts.to_matrix(states, states);
         for (mut column, scale) in starts.column_iter_mut().zip(scale) {
             column *= *scale;
         }
-        let [starts, forces] = [starts, few.parts.to_matrix(states)].map(|matrix| padded(&matrix));
-        let width = states + POINTS * acting;
-        let (mut all_seen, mut end) = (DMatrix::zeros(LATER * seen, width), shapes.clone());
-        let (mut to, none) = (Padded::zeros(states), no_points(states));
+        let width = states + sources;
+        let mut all_seen = DMatrix::zeros(LATER * seen, width);
+        let (mut free, mut to) = (starts.clone(), Padded::zeros(states));
         for point in 1..POINTS {
-            let mut modal = DMatrix::zeros(states, width);
-            for (column, from) in starts.iter().enumerate() {
-                trial.operator.find_coordinates(point, from, &none, &mut to);
-                modal.column_mut(column).copy_from_slice(&to);
-            }
-            for (own, force) in forces.iter().enumerate() {
-                for source in 0..POINTS {
-                    trial.operator.find_effect(point, source, force, &mut to);
-                    let column = states + acting * source + own;
-                    modal.column_mut(column).copy_from_slice(&to);
-                }
+            for (mut free, start) in free.column_iter_mut().zip(starts.column_iter()) {
+                let start = Padded::from_slice(start.as_slice());
+                trial.operator.find_free(point, &start, &mut to);
+                free.copy_from_slice(&to);
             }
             let mut rows = all_seen.rows_mut(seen * (point - 1), seen);
-            rows.copy_from(&(&shapes_seen * &modal));
-            if point == LATER {
-                end = &shapes * modal;
+            rows.columns_mut(0, states)
+                .copy_from(&(&shapes_seen * &free));
+            let mut by_forces = forces.seen[point - 1].to_matrix(seen, sources);
+            for (mut row, position) in by_forces.row_iter_mut().zip(&few.seen) {
+                row /= scale[*position];
             }
+            rows.columns_mut(states, sources).copy_from(&by_forces);
         }
+        // of the last point, the end
+        let mut modal = free.resize_horizontally(width, 0.0);
+        modal
+            .columns_mut(states, sources)
+            .copy_from(&forces.end.to_matrix(states, sources));
         Self {
             size: trial.size,
             seen: all_seen,
-            end,
+            end: &shapes * modal,
         }
     }
 
@@ -194,10 +193,4 @@ impl StepOperator {
         }
         Some(sources)
     }
-}
-
-/// The columns of a matrix.
-fn padded(matrix: &DMatrix<f64>) -> Vec<Padded> {
-    let columns = matrix.as_slice().chunks_exact(matrix.nrows());
-    columns.map(Padded::from_slice).collect()
 }

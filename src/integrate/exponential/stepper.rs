@@ -13,6 +13,7 @@ use crate::integrate::chunks::Padded;
 use crate::integrate::problem::{Control, GROW, Problem};
 use crate::integrate::stepper::{MethodStepper, Reached, Start};
 use crate::integrate::{Counters, IntegrateError};
+use crate::numerics::registers::in_wide_registers;
 
 /// Sweeps that cost as much as a new linear part, by their operations: some 25 n³ for its modes and 7 · 2n² and more for
 /// each point of a sweep.
@@ -34,8 +35,8 @@ pub(in crate::integrate) struct ExponentialStepper {
     /// The start and the end of the latest step.
     from: ModalState,
     to: ModalState,
-    /// Coordinates of the nonlinear remainder at the points of the latest step, and that step's size; with a size of
-    /// zero only its value at the end is known.
+    /// The nonlinear remainder at the points of the latest step, its coordinates or the few forces that make it, and that
+    /// step's size; with a size of zero only its value at the end is known.
     remainder: Points,
     remainder_size: f64,
     linear: LinearPart,
@@ -56,7 +57,8 @@ pub(in crate::integrate) struct ExponentialStepper {
     slopes: Option<StepSlopes>,
     /// The latest sample within the step.
     cursor: Cursor,
-    /// Room for a state and for `∂f/∂y`.
+    /// Room for the coordinates of a remainder by few forces, for a state, and for `∂f/∂y`.
+    modal: Points,
     state: Padded,
     jacobian: DMatrix<f64>,
 }
@@ -93,6 +95,7 @@ impl ExponentialStepper {
             sweeps: Sweeps::new(problem),
             slopes: None,
             cursor: Cursor::new(states),
+            modal: no_points(states),
             state: Padded::zeros(states),
             jacobian: DMatrix::zeros(states, states),
         }
@@ -151,6 +154,8 @@ impl ExponentialStepper {
             }
         };
         self.linear.to_coordinates(&mut self.from);
+        self.remainder = no_points(self.linear.remainders());
+        self.sweeps.remainder.clone_from(&self.remainder);
         (self.fresh, self.excess) = (true, 0);
         self.propagators.clear();
         if let Some(slopes) = &mut self.slopes {
@@ -163,8 +168,15 @@ impl ExponentialStepper {
     fn forget(&mut self, problem: &Problem<'_>) {
         self.remainder_size = 0.0;
         let (evaluation, from) = (&mut self.sweeps.evaluation, &self.from.coordinates);
-        let (system, time) = (problem.system, self.start);
-        evaluation.evaluate(&self.linear, system, time, from, &mut self.state);
+        let (linear, time, room) = (&self.linear, self.start, &mut self.state);
+        in_wide_registers!(linear.level, {
+            if let Some(few) = &linear.few_forces {
+                few.shapes.multiply::<false>(from, room.chunks_mut());
+                evaluation.evaluate_forces(few, problem.system, time, room);
+            } else {
+                evaluation.evaluate(linear, problem.system, time, from, room);
+            }
+        });
         for (points, now) in self.remainder.iter_mut().zip(evaluation.remainder.chunks()) {
             points[POINTS - 1] = *now;
         }
@@ -313,7 +325,15 @@ impl MethodStepper for ExponentialStepper {
         let (cursor, linear) = (&mut self.cursor, &self.linear);
         if cursor.index > index {
             let (from, intervals) = (&self.from.coordinates, [interval, self.span.intervals]);
-            cursor.begin(from, &self.remainder, intervals, phi, linear);
+            let remainder = match &linear.few_forces {
+                Some(few) => {
+                    let modal = &mut self.modal;
+                    in_wide_registers!(linear.level, few.find_modal(&self.remainder, modal));
+                    &self.modal
+                }
+                None => &self.remainder,
+            };
+            cursor.begin(from, remainder, intervals, phi, linear);
         }
         cursor.go_to(index, phi, linear, &mut self.state);
         problem.write_state(&self.state, state);

@@ -6,12 +6,14 @@
 //!
 //! A sweep goes through the points once, in their order, each with the latest g of all (Gauss–Seidel). z and g are modal
 //! coordinates, of the deviation y = V z from the scaling's origin and of the remainder; point 0 is the start of the step and
-//! the last one its end.
+//! the last one its end. Where few forces make the remainder, the sweeps are those of `force_sweeps.rs`.
 
+use super::force_operator::ForceOperator;
+use super::force_sweeps::ForceSweeps;
 use super::linear::{LinearPart, ModalState};
 use super::nodes::{NODES, POINTS, Points, SPARE, combined, no_points};
 use super::propagator::Propagator;
-use super::remainder::Evaluation;
+use super::remainder::{Evaluation, FewForces};
 use crate::integrate::chunks::{Padded, add_scaled};
 use crate::integrate::problem::Problem;
 use crate::numerics::registers::in_wide_registers;
@@ -46,12 +48,13 @@ pub(super) struct Trial<'a> {
 /// The sweeps over a trial step.
 #[derive(Debug, Clone)]
 pub(super) struct Sweeps {
-    /// g_j, coordinates of the remainder at the points: known at the first, guessed at the others before the first sweep.
+    /// The remainder at the points, coordinates g_j or forces u_j: known at the first, guessed at the others before the first
+    /// sweep.
     pub remainder: Points,
     /// The state at the end of the step.
     pub to: ModalState,
-    /// Deviations at the points after the first, as by [`Evaluation::evaluate`] of the latest sweep.
-    deviations: Vec<Padded>,
+    /// Deviations at the points after the first in the latest sweep: all of y, or the few x that the forces depend on.
+    pub(super) deviations: Vec<Padded>,
     /// Δg_j of the latest sweep.
     change: Points,
     /// One over the error allowed of each component.
@@ -62,9 +65,21 @@ pub(super) struct Sweeps {
     pub crossed: bool,
     pub evaluation: Evaluation,
     /// By how much the latest sweep moved the end; after the sweeps room for the parts of the error estimate.
-    shift: ModalState,
+    pub(super) shift: ModalState,
+    /// For sweeps over few forces.
+    pub(super) room: ForceSweeps,
     /// The event functions at the start of a step, and those at a point.
     events: [Vec<f64>; 2],
+}
+
+/// What a sweep moved.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Moved {
+    /// A measure that falls from sweep to sweep as all changes do.
+    pub change: f64,
+    /// How far the end of the step moved, over what is allowed: from the guess, or from the start where forces are swept
+    /// over first.
+    pub end: f64,
 }
 
 /// How the sweeps ended.
@@ -91,30 +106,53 @@ impl Sweeps {
             crossed: false,
             evaluation: Evaluation::new(problem),
             shift: ModalState::zeros(states),
+            room: ForceSweeps::default(),
             events: [vec![0.0; events], vec![0.0; events]],
         }
     }
 
-    /// Begins a trial with the guess in `remainder`: finds the end of the step that it leads to, and what error of each
-    /// component is allowed.
+    /// Begins a trial with the guess in `remainder`.
     pub fn begin(&mut self, trial: &Trial<'_>) {
         self.count = 0;
-        let (linear, from) = (trial.linear, trial.from);
-        let (to, remainder) = (&mut self.to, &self.remainder);
-        in_wide_registers!(linear.level, {
-            // y₁ = V (E z + Σ_j A_j g_j)
-            let (point, start) = (POINTS - 1, &from.coordinates);
-            trial
-                .operator
-                .find_coordinates(point, start, remainder, &mut to.coordinates);
-            linear.find_deviation(&to.coordinates, &mut to.deviation);
-        });
+        let level = trial.linear.level;
+        match trial.few_forces() {
+            Some((few, forces)) => {
+                in_wide_registers!(level, self.begin_forces(trial, few, forces));
+            }
+            None => in_wide_registers!(level, self.begin_points(trial)),
+        }
+    }
+
+    /// Finds the end of the step that the guess leads to, and what error of each component is allowed.
+    #[inline(always)]
+    fn begin_points(&mut self, trial: &Trial<'_>) {
+        // y₁ = V (E z + Σ_j A_j g_j)
+        let (to, start) = (&mut self.to, &trial.from.coordinates);
+        let (operator, remainder) = (trial.operator, &self.remainder);
+        operator.find_coordinates(POINTS - 1, start, remainder, &mut to.coordinates);
+        trial
+            .linear
+            .find_deviation(&to.coordinates, &mut to.deviation);
+        self.allow(trial);
+    }
+
+    /// Finds what error of each component is allowed.
+    #[inline(always)]
+    pub(super) fn allow(&mut self, trial: &Trial<'_>) {
         let problem = trial.problem;
         let allowed = LOCAL_PART * problem.settings.tolerance;
-        for (i, inverse) in self.inverse.iter_mut().enumerate() {
-            let most = from.deviation[i].abs().max(self.to.deviation[i].abs());
-            *inverse = (allowed * (problem.scaling.scale[i] + most)).recip();
+        let ends = trial.from.deviation.iter().zip(self.to.deviation.iter());
+        let parts = ends.zip(&problem.scaling.scale);
+        for (inverse, ((from, to), scale)) in self.inverse.iter_mut().zip(parts) {
+            let most = from.abs().max(to.abs());
+            *inverse = (allowed * (scale + most)).recip();
         }
+    }
+
+    /// How far the latest sweep moved the end, over what is allowed.
+    #[inline(always)]
+    pub(super) fn end_shift(&self) -> f64 {
+        norm(&self.shift.deviation, &self.inverse)
     }
 
     /// Sweeps until what further ones would change is small.
@@ -127,8 +165,8 @@ impl Sweeps {
     pub fn run(&mut self, trial: &Trial<'_>) -> Outcome {
         let (mut before, mut theta) = (f64::NAN, f64::NAN);
         while self.count < MOST {
-            let change = self.sweep(trial);
-            if !change.is_finite() {
+            let Moved { change, end } = self.sweep(trial);
+            if !(change.is_finite() && end.is_finite()) {
                 return Outcome::NotFinite;
             }
             if self.count >= FEWEST {
@@ -141,7 +179,7 @@ impl Sweeps {
                 if theta >= 1.0 {
                     return Outcome::Slow;
                 }
-                let left = change * theta / (1.0 - theta);
+                let left = end * theta / (1.0 - theta);
                 if left <= ITERATION_PART {
                     return Outcome::Converged(left + self.error(trial));
                 }
@@ -151,12 +189,20 @@ impl Sweeps {
         Outcome::Slow
     }
 
-    /// Evaluates the remainder point by point, each with the latest values at all others; how far that moves the end of the
-    /// step, over what is allowed.
-    pub fn sweep(&mut self, trial: &Trial<'_>) -> f64 {
+    /// Evaluates the remainder point by point, each with the latest values at all others; what that moves.
+    pub fn sweep(&mut self, trial: &Trial<'_>) -> Moved {
         self.count += 1;
-        in_wide_registers!(trial.linear.level, self.sweep_points(trial));
-        norm(&self.shift.deviation, &self.inverse)
+        let level = trial.linear.level;
+        match trial.few_forces() {
+            Some((few, forces)) => {
+                in_wide_registers!(level, self.sweep_forces(trial, few, forces))
+            }
+            None => {
+                in_wide_registers!(level, self.sweep_points(trial));
+                let end = self.end_shift();
+                Moved { change: end, end }
+            }
+        }
     }
 
     #[inline(always)]
@@ -202,15 +248,21 @@ impl Sweeps {
 
     #[inline(always)]
     fn estimate_error(&mut self, trial: &Trial<'_>) -> f64 {
+        if let Some((few, _)) = trial.few_forces() {
+            self.take_forces(few);
+        }
         let factor = self.error_factor(trial);
         // the remainder at the spare point less the polynomial through all others, which has one power less
         self.combine(&NODES.spare);
-        let spare = &mut self.evaluation.remainder;
-        spare.copy_from(&self.shift.coordinates);
         let ModalState {
             coordinates,
             deviation,
         } = &mut self.shift;
+        let spare = &mut self.evaluation.remainder;
+        match &trial.linear.few_forces {
+            Some(few) => few.parts.multiply::<false>(coordinates, spare.chunks_mut()),
+            None => spare.copy_from(coordinates),
+        }
         // what that difference, acting at the spare point alone, does at the end and at the first point past the middle
         let mut sizes = [0.0; 2];
         for (size, point) in sizes.iter_mut().zip([POINTS - 1, SPARE + 1]) {
@@ -221,7 +273,7 @@ impl Sweeps {
         factor * sizes[0].max(sizes[1])
     }
 
-    /// Finds a weighted sum of the remainders at the points, into the coordinates of `shift`.
+    /// Finds a weighted sum of the remainders at the points, into the first coordinates of `shift`.
     #[inline(always)]
     fn combine(&mut self, weights: &[f64; POINTS]) {
         let to = self.shift.coordinates.chunks_mut();
@@ -243,11 +295,17 @@ impl Sweeps {
         let mut sizes = [0.0; 3];
         for (size, mode) in sizes.iter_mut().zip(&NODES.modes) {
             self.combine(mode);
-            let shift = &mut self.shift;
-            trial
-                .linear
-                .find_deviation(&shift.coordinates, &mut shift.deviation);
-            *size = norm(&shift.deviation, &self.inverse);
+            let ModalState {
+                coordinates,
+                deviation,
+            } = &mut self.shift;
+            match trial.few_forces() {
+                Some((few, _)) => few
+                    .inputs
+                    .multiply::<false>(coordinates, deviation.chunks_mut()),
+                None => trial.linear.find_deviation(coordinates, deviation),
+            }
+            *size = norm(deviation, &self.inverse);
         }
         self.crossed = self.crosses(trial);
         if self.crossed {
@@ -302,7 +360,14 @@ pub(super) fn error_factor([before, middle, highest]: [f64; 3]) -> f64 {
     if factor < 1.0 { factor } else { 1.0 }
 }
 
-impl Trial<'_> {
+impl<'a> Trial<'a> {
+    /// The few forces that make the remainder, and what they do over the step.
+    #[inline(always)]
+    pub fn few_forces(&self) -> Option<(&'a FewForces, &'a ForceOperator)> {
+        let few = self.linear.few_forces.as_ref();
+        few.zip(self.operator.forces.as_ref())
+    }
+
     /// Time of a point, s.
     pub fn time_of(&self, point: usize) -> f64 {
         (self.start + NODES.part[point] * self.size).min(self.limit)
@@ -376,9 +441,8 @@ mod tests {
         let mut sweeps = Sweeps::new(&problem);
         for step in 0..steps {
             let start = f64::from(step) * size;
-            sweeps
-                .evaluation
-                .evaluate(&linear, &Hardening, start, &from.coordinates, &mut seen);
+            let evaluation = &mut sweeps.evaluation;
+            evaluation.evaluate(&linear, &Hardening, start, &from.coordinates, &mut seen);
             for (points, guess) in sweeps
                 .remainder
                 .iter_mut()
