@@ -145,6 +145,8 @@ pub(super) struct Stepper {
     /// Which method carried the run, where the choice is left open.
     pub method_use: Option<MethodUse>,
     latest: LatestSteps,
+    /// Whether the explicit pair goes on from here: before the next step, for samples may lie within the latest one.
+    is_change_due: bool,
 }
 
 impl Stepper {
@@ -155,6 +157,7 @@ impl Stepper {
             method: method_stepper(method, problem, start),
             method_use,
             latest: LatestSteps::new(start),
+            is_change_due: false,
         }
     }
 
@@ -177,32 +180,36 @@ impl Stepper {
 
     /// Takes a step; where the exponential method had the choice and can or should not go on, the explicit pair does.
     fn step(&mut self, problem: &Problem<'_>) -> Result<(), IntegrateError> {
+        if self.is_change_due {
+            self.change(ChangeReason::Crossings, problem);
+        }
         let ending = self.method.step(problem);
-        let is_open = |used: &&mut MethodUse| used.latest() == Method::Exponential;
-        let Some(method_use) = self.method_use.as_mut().filter(is_open) else {
+        let is_open = |used: &MethodUse| used.latest() == Method::Exponential;
+        if !self.method_use.as_ref().is_some_and(is_open) {
             return ending;
-        };
-        let reason = match ending {
+        }
+        match ending {
             Err(IntegrateError::StepUnderflow { .. } | IntegrateError::NotFinite { .. }) => {
-                ChangeReason::NoStep
+                self.change(ChangeReason::NoStep, problem);
             }
             Err(error) => return Err(error),
-            Ok(()) => {
-                if !self.latest.are_short(&*self.method) {
-                    return Ok(());
-                }
-                ChangeReason::Crossings
-            }
-        };
+            Ok(()) => self.is_change_due = self.latest.are_short(&*self.method),
+        }
+        Ok(())
+    }
+
+    /// Lets the explicit pair go on from the end of the latest step.
+    fn change(&mut self, reason: ChangeReason, problem: &Problem<'_>) {
         let reached = self.method.reached();
         let start = Start {
             time: reached.time,
             deviation: reached.deviation.to_vec(),
             counters: reached.counters,
         };
-        method_use.change = Some((reason, start.time));
-        self.method = method_stepper(method_use.latest(), problem, &start);
-        Ok(())
+        let change = Some((reason, start.time));
+        self.method_use = Some(MethodUse { change });
+        self.method = method_stepper(Method::Verner76, problem, &start);
+        self.is_change_due = false;
     }
 
     /// What the latest step has come to.

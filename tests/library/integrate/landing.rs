@@ -158,3 +158,18 @@ fn blocks_leave_no_trace_about_a_landing() {
         assert_eq!(same_work, work, "{method:?}");
     }
 }
+
+/// Every sample is the state at its own time, those within the last step before another method goes on among them.
+#[test]
+fn a_change_of_the_method_leaves_no_sample_behind() {
+    let (exact, _) = run(&SPHERE, Method::Verner76, 1e-12, 5000);
+    for tolerance in [1e-5, 1e-6, 1e-7, 1e-8, 1e-9] {
+        let (states, _) = run(&SPHERE, Method::Auto, tolerance, 5000);
+        let pairs = states.as_slice().iter().zip(exact.as_slice());
+        let error = pairs.map(|(own, exact)| (own - exact).abs());
+        // over the first bounces, which errors of the energy have not moved in time yet
+        let error = error.take(2 * 400).fold(0.0, f64::max);
+        println!("{tolerance:e}: {error:e}");
+        assert!(error < 1e3 * tolerance, "{tolerance:e}: {error:e}");
+    }
+}
