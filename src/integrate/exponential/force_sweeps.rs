@@ -6,7 +6,7 @@
 //!
 //! with the matrices of `force_operator.rs`. The modes take part at the end of each sweep alone.
 
-use super::force_operator::ForceOperator;
+use super::force_operator::{ForceOperator, LATER};
 use super::nodes::POINTS;
 use super::remainder::FewForces;
 use super::sweeps::{Moved, Sweeps, Trial};
@@ -28,8 +28,8 @@ pub(super) struct ForceSweeps {
 impl ForceSweeps {
     /// Makes room for so many states x and forces.
     fn resize(&mut self, seen: usize, forces: usize) {
-        if self.free.len() != POINTS - 1 || self.shift.len() != seen {
-            self.free = vec![Padded::zeros(seen); POINTS - 1];
+        if self.free.len() != LATER || self.shift.len() != seen {
+            self.free = vec![Padded::zeros(seen); LATER];
             self.shift = Padded::zeros(seen);
         }
         self.forces.resize(POINTS * forces, 0.0);
@@ -93,29 +93,41 @@ impl Sweeps {
                 *known = *found;
             }
         }
-        // x at the end moves by Σ_j B_j Δu_j
-        let shift = room.shift.chunks_mut();
-        operator.seen[POINTS - 2].multiply::<false>(&room.change, shift);
-        let parts = room.shift.iter().zip(&few.seen);
-        let parts = parts.map(|(shift, position)| shift / trial.problem.scaling.scale[*position]);
-        let change = parts.map(|part| part * part).sum::<f64>().sqrt();
-        // z₁ = E z + c + Σ_j A_j V⁻¹ D u_j, y₁ = V z₁
-        let (to, before) = (&mut self.to, &mut self.shift.deviation);
-        before.copy_from(&to.deviation);
-        to.coordinates.copy_from(&room.free_end);
-        let sum = to.coordinates.chunks_mut();
-        operator.end.multiply::<true>(&room.forces, sum);
-        trial
-            .linear
-            .find_deviation(&to.coordinates, &mut to.deviation);
-        for (before, now) in before.iter_mut().zip(to.deviation.iter()) {
-            *before = now - *before;
-        }
-        self.allow(trial);
+        let change = self.seen_shift(trial, few, operator);
+        self.find_end(trial, operator);
         Moved {
             change,
             end: self.end_shift(),
         }
+    }
+
+    /// How far the latest sweep moves x at the end, Σ_j B_j Δu_j, in its units.
+    #[inline(always)]
+    fn seen_shift(&mut self, trial: &Trial<'_>, few: &FewForces, operator: &ForceOperator) -> f64 {
+        let room = &mut self.room;
+        let shift = room.shift.chunks_mut();
+        operator.seen[LATER - 1].multiply::<false>(&room.change, shift);
+        let units = few.seen.iter().map(|own| trial.problem.scaling.scale[*own]);
+        let parts = room.shift.iter().zip(units);
+        let parts = parts.map(|(shift, unit)| shift / unit);
+        parts.map(|part| part * part).sum::<f64>().sqrt()
+    }
+
+    /// Finds the end of the step, how far it is from where it was, and what error of it is allowed.
+    #[inline(always)]
+    fn find_end(&mut self, trial: &Trial<'_>, operator: &ForceOperator) {
+        let (to, shift) = (&mut self.to, &mut self.shift.deviation);
+        shift.copy_from(&to.deviation);
+        // z₁ = E z + c + Σ_j A_j V⁻¹ D u_j, y₁ = V z₁
+        to.coordinates.copy_from(&self.room.free_end);
+        let sum = to.coordinates.chunks_mut();
+        operator.end.multiply::<true>(&self.room.forces, sum);
+        let linear = trial.linear;
+        linear.find_deviation(&to.coordinates, &mut to.deviation);
+        for (shift, now) in shift.iter_mut().zip(to.deviation.iter()) {
+            *shift = now - *shift;
+        }
+        self.allow(trial);
     }
 
     /// Takes the forces that the sweeps found as the remainder.

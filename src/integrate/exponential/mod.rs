@@ -16,9 +16,10 @@
 //! z_i = E_i z + Σ_j A_ij g_j,   g_j = V⁻¹ g(t + c_j h, V z_j)        E_i = exp(c_i h Λ)
 //! ```
 //!
-//! with the E_i and A_ij of `propagator.rs`, the g_j of `remainder.rs`, in which few states and forces do where the system
-//! knows that its remainder depends on few, and the solution for the z_i by the sweeps of `sweeps.rs`. Changes of its start
-//! go through the same step, in `slopes.rs`.
+//! with the E_i and A_ij of `propagator.rs`, the g_j of `remainder.rs`, and the solution for the z_i by the sweeps of
+//! `sweeps.rs`. Where the system knows that its remainder depends on few states and is made of few forces, the sweeps go over
+//! these alone, whatever the number of modes: `force_operator.rs` and `force_sweeps.rs`. Changes of a start go through the
+//! same step, in `slopes.rs`.
 //!
 //! Any J will do, the remainder takes what it lacks: where the modes are no sound basis, as at critical damping, J is a
 //! matrix next to the slopes whose modes are.
