@@ -302,7 +302,7 @@ fn a_study_tells_of_an_error_far_beyond_the_tolerance() {
     let output = done(answer("study", "two-6205-clearances", &[]));
     assert_says(
         &output,
-        &["run 0: the measured error is", "× the tolerance 1e-8"],
+        &["run 0", ": the measured error is", "× the tolerance 1e-8"],
     );
 }
 
