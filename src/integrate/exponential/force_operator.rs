@@ -40,7 +40,7 @@ impl ForceOperator {
             let own = forces * source..forces * (source + 1);
             for (seen, point) in seen.iter_mut().zip(1..) {
                 propagator.find_function(point, source, few.pairs, &mut moved);
-                few.passage
+                few.transfer
                     .multiply::<false>(&moved, seen.columns_mut(own.clone()));
             }
             for (force, column) in own.enumerate() {

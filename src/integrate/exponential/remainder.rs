@@ -44,7 +44,7 @@ pub(super) struct FewForces {
     /// [`Propagator::find_function`] finds.
     ///
     /// [`Propagator::find_function`]: super::propagator::Propagator::find_function
-    pub passage: ChunkMatrix,
+    pub transfer: ChunkMatrix,
     /// Pairs of conjugate modes.
     pub pairs: usize,
     /// V⁻¹ (c + A y₀).
@@ -59,7 +59,7 @@ impl FewForces {
         let shapes = basis.shapes.select_rows(&separated.seen);
         let parts = &basis.parts * &separated.inputs;
         Self {
-            passage: passage(basis, &shapes, &parts),
+            transfer: transfer(basis, &shapes, &parts),
             pairs: basis.eigenvalues.iter().filter(|of| of.im > 0.0).count(),
             shapes: ChunkMatrix::from_matrix(&shapes),
             against: ChunkMatrix::from_matrix(&-&separated.slopes),
@@ -96,12 +96,12 @@ impl FewForces {
     }
 }
 
-/// [`FewForces::passage`]: of a pair of coordinates x and x', which a function a + i b makes a x + b x' and a x' − b x, the
+/// [`FewForces::transfer`]: of a pair of coordinates x and x', which a function a + i b makes a x + b x' and a x' − b x, the
 /// columns for a and b; of a coordinate by itself that for a.
-fn passage(basis: &Basis, shapes: &DMatrix<f64>, parts: &DMatrix<f64>) -> ChunkMatrix {
+fn transfer(basis: &Basis, shapes: &DMatrix<f64>, parts: &DMatrix<f64>) -> ChunkMatrix {
     let (states, forces, rows) = (basis.eigenvalues.len(), parts.ncols(), shapes.nrows());
     let padded = 4 * chunks_of(rows);
-    let mut passage = DMatrix::zeros(padded * forces, states);
+    let mut transfer = DMatrix::zeros(padded * forces, states);
     for (coordinate, eigenvalue) in basis.eigenvalues.iter().enumerate() {
         let product = |own: usize, other: usize| shapes.column(own) * parts.row(other);
         let through = if eigenvalue.im > 0.0 {
@@ -114,11 +114,11 @@ fn passage(basis: &Basis, shapes: &DMatrix<f64>, parts: &DMatrix<f64>) -> ChunkM
             product(coordinate, coordinate)
         };
         for (force, column) in through.column_iter().enumerate() {
-            let mut entries = passage.view_mut((padded * force, coordinate), (rows, 1));
+            let mut entries = transfer.view_mut((padded * force, coordinate), (rows, 1));
             entries.copy_from(&column);
         }
     }
-    ChunkMatrix::from_matrix(&passage)
+    ChunkMatrix::from_matrix(&transfer)
 }
 
 /// An evaluation of the remainder.

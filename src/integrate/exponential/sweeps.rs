@@ -75,7 +75,7 @@ pub(super) struct Sweeps {
 /// What a sweep moved.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Moved {
-    /// A measure that falls from sweep to sweep as all changes do.
+    /// Size of the change, to compare with that of the sweep before.
     pub change: f64,
     /// How far the end of the step moved, over what is allowed: from the guess, or from the start where forces are swept
     /// over first.
