@@ -58,8 +58,8 @@ impl Span {
         }
     }
 
-    /// The rest in steps no longer than a requested size. Their number in the whole length is a round multiple of the fewest
-    /// parts of it that the way behind them is a whole number of.
+    /// The rest in steps no longer than a requested size: the whole length in a round multiple of the fewest equal parts
+    /// between two of which the latest step ended.
     pub fn adapted(self, requested: f64) -> Self {
         let common = common_divisor(self.parts, self.left);
         let fewest = self.parts / common;
@@ -75,16 +75,16 @@ impl Span {
     }
 }
 
-/// The greatest common divisor of whole numbers.
+/// The greatest common divisor of whole numbers; any number of what is not finite.
 fn common_divisor(one: f64, other: f64) -> f64 {
-    if other == 0.0 {
-        one
-    } else {
+    if other > 0.0 {
         common_divisor(other, one % other)
+    } else {
+        one
     }
 }
 
-/// The fewest round parts of which each is not above one in size, of so much.
+/// The smallest round number of parts of a length that are at most one long each.
 fn parts(length: f64) -> f64 {
     round_above(length * (1.0 - SLACK))
 }
@@ -162,5 +162,19 @@ mod tests {
             assert!((time - f64::from(sample + 1)).abs() < 1e-9, "{time}");
         }
         assert!(sizes.len() < 12, "{sizes:?}");
+    }
+
+    /// A requested size of next to nothing ends in a size of next to nothing, which the stepper refuses.
+    #[test]
+    fn a_vanishing_size_is_no_endless_search() {
+        let span = Span::new(0.0, 0.5, 1.0, f64::INFINITY);
+        for requested in [1e-300, f64::MIN_POSITIVE] {
+            let tiny = span.adapted(requested);
+            assert!(tiny.size <= 1e-300 && tiny.adapted(requested).size <= 1e-300);
+        }
+        // where the number of parts is not finite
+        let none = span.adapted(0.0);
+        assert_eq!(none.size, 0.0);
+        assert_ne!(none.adapted(0.0).left, 0.0);
     }
 }
