@@ -93,7 +93,11 @@ impl LinearPart {
         let basis = Basis::new(&jacobian, &units);
         let exact =
             |basis: &Basis| norm_in(&units, &(basis.restored() - &jacobian)) <= EXACT * norm;
-        let Some(basis) = basis.filter(exact) else {
+        let refined = |basis: Basis| match exact(&basis) {
+            true => basis,
+            false => basis.refined(&jacobian),
+        };
+        let Some(basis) = basis.map(refined).filter(exact) else {
             return Self::near(&jacobian);
         };
         Self {
