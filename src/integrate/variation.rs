@@ -184,15 +184,15 @@ fn few_forces_variation(
     let mut stepper = ExponentialStepper::with_slopes(&problem, &from);
     while stepper.reached().time < duration {
         stepper.step(&problem)?;
-        if stepper.slopes().is_none() {
+        if !stepper.has_slopes() {
             return Ok(None);
         }
     }
     let mut end = start.to_vec();
     problem.write_state(stepper.reached().deviation, &mut end);
-    Ok(stepper.slopes().map(|slopes| Variation {
+    Ok(stepper.slopes(&problem).map(|slopes| Variation {
         end,
-        slopes: in_units(slopes.clone(), &scaling.scale),
+        slopes: in_units(slopes, &scaling.scale),
         counters: stepper.reached().counters,
     }))
 }

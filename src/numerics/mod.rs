@@ -3,6 +3,7 @@
 pub(crate) mod cube_root;
 pub(crate) mod distinct;
 pub(crate) mod eigenvectors;
+pub(crate) mod elimination;
 pub(crate) mod panels;
 pub(crate) mod registers;
 pub(crate) mod root;

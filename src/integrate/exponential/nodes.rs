@@ -55,6 +55,9 @@ pub(super) struct Nodes {
     pub spare: [f64; POINTS],
     /// Coefficients of the three highest Legendre polynomials in the polynomial through the values.
     pub modes: [[f64; POINTS]; 3],
+    /// Values of what Lobatto points one fewer would leave out of the highest of these, P_n − P_{n−2}: it moves an integral
+    /// over the step only where the rest of the integrand is far from a polynomial.
+    pub left_out: [f64; POINTS],
 }
 
 /// The points.
@@ -72,8 +75,12 @@ impl Nodes {
             part,
             power,
             local,
-            spare: left_out(&part, &power),
+            spare: spare(&part, &power),
             modes: std::array::from_fn(|index| mode(&part, POINTS - 3 + index)),
+            left_out: part.map(|part| {
+                let value = |degree| legendre(degree, 2.0 * part - 1.0).0;
+                value(POINTS - 1) - value(POINTS - 3)
+            }),
         }
     }
 }
@@ -159,7 +166,7 @@ fn derivatives(power: &[f64; POINTS], origin: f64, unit: f64) -> [f64; POINTS] {
 
 /// Factors of the values in: value at the spare point less that of the polynomial through the others, which is the
 /// highest coefficient times a product of distances.
-fn left_out(part: &[f64; POINTS], power: &[[f64; POINTS]; POINTS]) -> [f64; POINTS] {
+fn spare(part: &[f64; POINTS], power: &[[f64; POINTS]; POINTS]) -> [f64; POINTS] {
     let others = (0..POINTS).filter(|&point| point != SPARE);
     let product: f64 = others.map(|point| part[SPARE] - part[point]).product();
     power.map(|row| row[POINTS - 1] * product)

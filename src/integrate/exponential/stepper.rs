@@ -105,16 +105,20 @@ impl ExponentialStepper {
     /// tolerance.
     pub fn with_slopes(problem: &Problem<'_>, start: &Start) -> Self {
         Self {
-            slopes: Some(StepSlopes::new(start.deviation.len())),
+            slopes: Some(StepSlopes::new(&problem.scaling.scale)),
             ..Self::new(problem, start)
         }
     }
 
-    /// These slopes at the end of the latest step, in units of the states; none where they were not asked for, or where the
-    /// remainder is not one of few forces.
-    pub fn slopes(&self) -> Option<&DMatrix<f64>> {
+    /// Whether the latest step has taken slopes on: few forces make the remainder.
+    pub fn has_slopes(&self) -> bool {
+        self.slopes.is_some() && self.linear.few_forces.is_some()
+    }
+
+    /// These slopes at the end of the latest step, in units of the states; none where they were not asked for.
+    pub fn slopes(&self, problem: &Problem<'_>) -> Option<DMatrix<f64>> {
         let slopes = self.slopes.as_ref()?;
-        self.linear.few_forces.as_ref().map(|_| &slopes.from)
+        Some(slopes.in_units(&self.linear, &problem.scaling.scale))
     }
 
     /// Makes the end of the latest step the start of the next.
@@ -146,21 +150,22 @@ impl ExponentialStepper {
     fn linearise(&mut self, problem: &Problem<'_>) {
         problem.write_state(&self.from.deviation, &mut self.state);
         let (system, time) = (problem.system, self.start);
-        self.linear = match system.separated(time, &self.state) {
+        let linear = match system.separated(time, &self.state) {
             Some(separated) => LinearPart::from_separated(&separated, &problem.scaling.origin),
             None => {
                 system.linearisation(time, &self.state, &mut self.jacobian);
                 LinearPart::near(&self.jacobian)
             }
         };
+        if let Some(slopes) = &mut self.slopes {
+            slopes.change(&self.linear, &linear, &problem.scaling.scale);
+        }
+        self.linear = linear;
         self.linear.to_coordinates(&mut self.from);
         self.remainder = no_points(self.linear.remainders());
         self.sweeps.remainder.clone_from(&self.remainder);
         (self.fresh, self.excess) = (true, 0);
         self.propagators.clear();
-        if let Some(slopes) = &mut self.slopes {
-            slopes.clear();
-        }
         self.forget(problem);
     }
 
