@@ -192,7 +192,7 @@ fn few_forces_variation(
     problem.write_state(stepper.reached().deviation, &mut end);
     Ok(stepper.slopes(&problem).map(|slopes| Variation {
         end,
-        slopes: in_units(slopes, &scaling.scale),
+        slopes,
         counters: stepper.reached().counters,
     }))
 }

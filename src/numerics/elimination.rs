@@ -5,19 +5,17 @@ use nalgebra::DMatrix;
 
 use super::registers::in_wide_registers;
 
-/// Solves linear equations by elimination with row pivoting, for many right-hand sides at once: a column of `equations` holds
-/// the coefficients of one of them and, below these, its right-hand sides, in whose place its unknown stands afterwards.
-/// Whether there is a solution.
+/// Solves A X = B by Gaussian elimination with partial pivoting. Returns whether there is a solution.
+///
+/// `equations` has a column for each equation: its row of A and, below it, its row of B. The solution takes the place of B.
 ///
 /// Source: Golub & Van Loan, *Matrix Computations*, 4th ed. (2013), sec. 3.4.
 pub(crate) fn solve_equations(level: Level, equations: &mut DMatrix<f64>) -> bool {
     let count = equations.ncols();
     for pivot in 0..count {
         let coefficient = |equation: &usize| equations[(pivot, *equation)].abs();
-        let Some(largest) = (pivot..count).max_by(|a, b| coefficient(a).total_cmp(&coefficient(b)))
-        else {
-            return false;
-        };
+        let largest = (pivot..count).max_by(|a, b| coefficient(a).total_cmp(&coefficient(b)));
+        let largest = largest.unwrap_or(pivot);
         let divisor = equations[(pivot, largest)];
         if divisor == 0.0 || !divisor.is_finite() {
             return false;

@@ -66,22 +66,25 @@ impl Basis {
         moved
     }
 
-    /// This basis after a step of Newton's method on J V = V Λ, which removes what round-off in the search for modes has
-    /// left: V (1 + X) and λ_j + S_jj, with S = V⁻¹ (J V − V Λ) and X_ij = S_ij/(λ_j − λ_i) where the eigenvalues differ.
+    /// This basis after a step of Newton's method on J V = V Λ, which corrects the round-off of the modes: V (1 + X) and
+    /// λ_j + S_jj, with S = V⁻¹ (J V − V Λ) and X_ij = S_ij/(λ_j − λ_i) where the eigenvalues differ.
+    ///
+    /// Source: Dongarra, Moler & Wilkinson, *SIAM J. Numer. Anal.* 20 (1983) 23–45.
     pub fn refined(mut self, jacobian: &DMatrix<f64>) -> Self {
-        let left = &self.parts * (jacobian * &self.shapes - self.moved());
+        let residual = &self.parts * (jacobian * &self.shapes - self.moved());
         let [to_pairs, from_pairs] = conjugate_vectors(&self.eigenvalues);
-        let left = &from_pairs * left.map(Complex::from) * &to_pairs;
-        let change = DMatrix::from_fn(left.nrows(), left.ncols(), |row, column| {
+        let residual = &from_pairs * residual.map(Complex::from) * &to_pairs;
+        let (rows, columns) = residual.shape();
+        let change = DMatrix::from_fn(rows, columns, |row, column| {
             let difference = self.eigenvalues[column] - self.eigenvalues[row];
             match difference == Complex::ZERO {
                 true => Complex::ZERO,
-                false => left[(row, column)] / difference,
+                false => residual[(row, column)] / difference,
             }
         });
         let change = (to_pairs * change * from_pairs).map(|entry| entry.re);
         for (own, eigenvalue) in self.eigenvalues.iter_mut().enumerate() {
-            *eigenvalue += left[(own, own)];
+            *eigenvalue += residual[(own, own)];
         }
         self.shapes += &self.shapes * &change;
         self.parts -= change * &self.parts;

@@ -93,11 +93,11 @@ impl LinearPart {
         let basis = Basis::new(&jacobian, &units);
         let exact =
             |basis: &Basis| norm_in(&units, &(basis.restored() - &jacobian)) <= EXACT * norm;
-        let refined = |basis: Basis| match exact(&basis) {
-            true => basis,
-            false => basis.refined(&jacobian),
+        let basis = match basis {
+            Some(basis) if !exact(&basis) => Some(basis.refined(&jacobian)).filter(exact),
+            exact_or_none => exact_or_none,
         };
-        let Some(basis) = basis.map(refined).filter(exact) else {
+        let Some(basis) = basis else {
             return Self::near(&jacobian);
         };
         Self {

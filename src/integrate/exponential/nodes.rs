@@ -55,8 +55,7 @@ pub(super) struct Nodes {
     pub spare: [f64; POINTS],
     /// Coefficients of the three highest Legendre polynomials in the polynomial through the values.
     pub modes: [[f64; POINTS]; 3],
-    /// Values of what Lobatto points one fewer would leave out of the highest of these, P_n − P_{n−2}: it moves an integral
-    /// over the step only where the rest of the integrand is far from a polynomial.
+    /// Values of P_n − P_{n−2}, which the polynomial through Lobatto points one fewer lacks of the highest of these, P_n.
     pub left_out: [f64; POINTS],
 }
 
@@ -183,6 +182,17 @@ mod tests {
         for (found, expected) in NODES.part.iter().zip(expected) {
             assert!((2.0 * found - 1.0 - expected).abs() < 1e-15, "{found}");
         }
+    }
+
+    /// P₆ − P₄ vanishes at both ends, and its Legendre coefficients are −1, 0 and 1.
+    #[test]
+    fn what_one_point_fewer_leaves_out_is_a_difference_of_legendre_polynomials() {
+        let values = NODES.left_out.map(|value| [value; 4]);
+        let coefficients = NODES.modes.map(|mode| combined(&mode, &values)[0]);
+        for (found, expected) in coefficients.iter().zip([-1.0, 0.0, 1.0]) {
+            assert!((found - expected).abs() < 1e-14, "{coefficients:?}");
+        }
+        assert!(NODES.left_out[0].abs() < 1e-14 && NODES.left_out[POINTS - 1].abs() < 1e-14);
     }
 
     /// A polynomial of the points' degree is met everywhere, and its next lower one is not.

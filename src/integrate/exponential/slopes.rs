@@ -62,11 +62,11 @@ impl StepSlopes {
         self.units = (0..states).map(size).collect();
     }
 
-    /// Φ in units of the states.
-    pub fn in_units(&self, linear: &LinearPart, units: &[f64]) -> DMatrix<f64> {
+    /// Φ, by the states at the start as they are.
+    pub fn by_states(&self, linear: &LinearPart, units: &[f64]) -> DMatrix<f64> {
         let mut slopes = linear.shapes.to_matrix(units.len(), units.len()) * self.from.transpose();
-        for (mut row, unit) in slopes.row_iter_mut().zip(units) {
-            row /= *unit;
+        for (mut column, unit) in slopes.column_iter_mut().zip(units) {
+            column /= *unit;
         }
         slopes
     }
@@ -97,10 +97,11 @@ impl StepSlopes {
 
     /// Error of the polynomial at the end of the step, over what is allowed.
     ///
-    /// What the polynomial leaves out is smaller than its highest Legendre coefficient by the factor by which these fall, and
-    /// hardly moves the end where the modes are slow: as what Lobatto points one fewer would leave out of that coefficient.
-    /// How the forces themselves depend on X, and coefficients that do not fall, let a part act that is not of this shape:
-    /// that of the motion's own estimate, less for every power between it and what a quadrature by these points leaves out.
+    /// With the Legendre coefficients of the forces falling by the factor θ from each degree to the next, as in the estimate for
+    /// the motion, the polynomial of degree n lacks about θ of what Lobatto points one fewer would lack, c_n (P_n − P_{n−2}),
+    /// which moves slow modes little. Beside it the quadrature by these points misses the degree 2n, smaller by θ^n than
+    /// the highest: for n = 6 that is the third power of what the estimate for the motion has for θ². Where an event surface is
+    /// crossed, both factors are 1.
     fn error(
         &self,
         trial: &Trial<'_>,

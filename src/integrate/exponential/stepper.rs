@@ -115,10 +115,10 @@ impl ExponentialStepper {
         self.slopes.is_some() && self.linear.few_forces.is_some()
     }
 
-    /// These slopes at the end of the latest step, in units of the states; none where they were not asked for.
+    /// These slopes at the end of the latest step; none where they were not asked for.
     pub fn slopes(&self, problem: &Problem<'_>) -> Option<DMatrix<f64>> {
         let slopes = self.slopes.as_ref()?;
-        Some(slopes.in_units(&self.linear, &problem.scaling.scale))
+        Some(slopes.by_states(&self.linear, &problem.scaling.scale))
     }
 
     /// Makes the end of the latest step the start of the next.
