@@ -2,9 +2,8 @@
 //!
 //! The choice is one rule. A run begins with the exponential method, whose steps are longer than the vibrations of the
 //! shaft as long as its forces are smooth. Where balls part from a race again and again, each time takes a row of short
-//! steps. Once its steps are on average no longer than those that an explicit method takes, the
-//! explicit pair `verner76` goes on, whose steps end on such surfaces and cost less. It goes on, too, where the
-//! exponential method can take no step.
+//! steps. Once these are far more than an explicit method takes meanwhile, the explicit pair `verner76` goes on, whose
+//! steps end on such surfaces and cost less. It goes on, too, where the exponential method can take no step.
 
 use super::explicit::ExplicitStepper;
 use super::exponential::ExponentialStepper;
@@ -88,49 +87,49 @@ fn method_stepper(method: Method, problem: &Problem<'_>, start: &Start) -> Box<d
     }
 }
 
-/// Crossings of surfaces in the latest steps of the exponential method from which on these are looked at.
+/// Crossings of surfaces in the latest 64 steps of the exponential method from which on steps are short for them.
 const CROSSINGS: u32 = 2;
-/// Steps from which on they are looked at: the first ones are short in any case.
-const EARLIEST: u64 = 16;
 /// Largest angle, rad, by which the fastest vibration turns in a step of an explicit method.
 const EXPLICIT_ANGLE: f64 = 2.0;
-/// Number of the latest steps.
-const LATEST: usize = u64::BITS as usize;
+/// Steps that the exponential method may take for crossings beyond those of an explicit method.
+const MOST_EXCESS: f64 = 64.0;
 
-/// The latest steps of the exponential method.
-struct LatestSteps {
-    /// A bit for each, set where it crossed a surface.
+/// The steps of the exponential method against those of an explicit one.
+struct Balance {
+    /// A bit for each of the latest steps, set where it crossed a surface.
     crossings: u64,
-    /// Time, s, and number of trials at the starts of these steps, in turn.
-    starts: [(f64, u64); LATEST],
-    /// Steps since the method began.
-    count: u64,
+    /// Time, s, and number of trials at the end of the latest step.
+    latest: (f64, u64),
+    /// Steps taken for crossings, beyond those that an explicit method would have taken meanwhile; never less than zero,
+    /// so that it shows at once where a stretch with short steps begins, and single ones are soon made good.
+    ///
+    /// Source: the cumulative sum of E. S. Page, *Continuous inspection schemes*, Biometrika 41 (1954), 100–115.
+    excess: f64,
 }
 
-impl LatestSteps {
+impl Balance {
     /// Before the first step.
     fn new(start: &Start) -> Self {
         Self {
             crossings: 0,
-            starts: [(start.time, trials(&start.counters)); LATEST],
-            count: 0,
+            latest: (start.time, trials(&start.counters)),
+            excess: 0.0,
         }
     }
 
-    /// Takes a step; whether surfaces are crossed again and again, and an explicit method takes steps as long as these are
-    /// on average, those included that were tried in vain.
-    fn are_short(&mut self, method: &dyn MethodStepper) -> bool {
+    /// Takes a step, with the trials before it that failed; whether surfaces are crossed again and again, and an explicit
+    /// method takes far fewer steps.
+    fn tips(&mut self, method: &dyn MethodStepper) -> bool {
         let reached = method.reached();
         let now = (reached.time, trials(&reached.counters));
+        let before = std::mem::replace(&mut self.latest, now);
         self.crossings = self.crossings << 1 | u64::from(method.crossed());
-        self.count += 1;
-        // where the latest 64 steps, or all of them, started
-        let oldest = &mut self.starts[self.count as usize % LATEST];
-        let (time, trials) = std::mem::replace(oldest, now);
-        let size = (now.0 - time) / (now.1 - trials) as f64;
-        self.count >= EARLIEST
-            && self.crossings.count_ones() >= CROSSINGS
-            && size * method.largest_eigenvalue() < EXPLICIT_ANGLE
+        if self.crossings.count_ones() >= CROSSINGS {
+            self.excess += (now.1 - before.1) as f64;
+        }
+        let explicit = (now.0 - before.0) * method.largest_eigenvalue() / EXPLICIT_ANGLE;
+        self.excess = (self.excess - explicit).max(0.0);
+        self.excess > MOST_EXCESS
     }
 }
 
@@ -144,7 +143,7 @@ pub(super) struct Stepper {
     method: Box<dyn MethodStepper>,
     /// Which method carried the run, where the choice is left open.
     pub method_use: Option<MethodUse>,
-    latest: LatestSteps,
+    balance: Balance,
     /// Whether the explicit pair goes on from here: before the next step, for samples may lie within the latest one.
     is_change_due: bool,
 }
@@ -156,7 +155,7 @@ impl Stepper {
         Self {
             method: method_stepper(method, problem, start),
             method_use,
-            latest: LatestSteps::new(start),
+            balance: Balance::new(start),
             is_change_due: false,
         }
     }
@@ -193,7 +192,7 @@ impl Stepper {
                 self.change(ChangeReason::NoStep, problem);
             }
             Err(error) => return Err(error),
-            Ok(()) => self.is_change_due = self.latest.are_short(&*self.method),
+            Ok(()) => self.is_change_due = self.balance.tips(&*self.method),
         }
         Ok(())
     }
