@@ -6,8 +6,8 @@ use super::problem::Problem;
 use super::stepper::{Start, Stepper};
 use super::stiffness::{is_check_due, stiffness};
 use super::{
-    Counters, Grid, IntegrateError, Method, MethodUse, Progress, Scaling, Settings, States,
-    Stiffness, System,
+    Counters, Grid, IntegrateError, Method, MethodUse, Prepared, Progress, Scaling, Settings,
+    States, Stiffness, System,
 };
 
 /// Steps between two checks for stiffness.
@@ -66,6 +66,20 @@ impl<'a> Integration<'a> {
     pub fn watched(mut self, progress: Option<&'a Progress>) -> Self {
         self.problem.progress = progress;
         self
+    }
+
+    /// Before its first step, with what another integration of the same system has found out.
+    #[must_use]
+    pub fn prepared_by(mut self, prepared: Option<Prepared>) -> Self {
+        if let Some(prepared) = prepared {
+            self.stepper.prepare(prepared, &self.problem);
+        }
+        self
+    }
+
+    /// What another integration of the same system may take over.
+    pub fn into_prepared(self) -> Option<Prepared> {
+        self.stepper.into_prepared()
     }
 
     /// Work done so far.

@@ -21,6 +21,7 @@ mod system;
 mod variation;
 
 pub use error::IntegrateError;
+pub use exponential::Prepared;
 pub use grid::{Grid, States};
 pub use integration::Integration;
 pub use separated::Separated;

@@ -6,7 +6,7 @@
 //! steps end on such surfaces and cost less. It goes on, too, where the exponential method can take no step.
 
 use super::explicit::ExplicitStepper;
-use super::exponential::ExponentialStepper;
+use super::exponential::{ExponentialStepper, Prepared};
 use super::library::LibraryStepper;
 use super::problem::Problem;
 use super::rosenbrock::RosenbrockStepper;
@@ -34,6 +34,14 @@ pub(super) trait MethodStepper {
     /// Whether the latest step crossed event surfaces without ending on them.
     fn crossed(&self) -> bool {
         false
+    }
+
+    /// Takes over, before the first step, what was found out on another motion of the same system, where the method uses it.
+    fn prepare(&mut self, _prepared: Prepared, _problem: &Problem<'_>) {}
+
+    /// What another motion of the same system may take over.
+    fn into_prepared(self: Box<Self>) -> Option<Prepared> {
+        None
     }
 
     /// Largest eigenvalue of the linear part that the method treats exactly, 1/s; zero of one that does not.
@@ -209,6 +217,16 @@ impl Stepper {
         self.method_use = Some(MethodUse { change });
         self.method = method_stepper(Method::Verner76, problem, &start);
         self.is_change_due = false;
+    }
+
+    /// Takes over, before the first step, what was found out on another motion of the same system.
+    pub fn prepare(&mut self, prepared: Prepared, problem: &Problem<'_>) {
+        self.method.prepare(prepared, problem);
+    }
+
+    /// What another motion of the same system may take over.
+    pub fn into_prepared(self) -> Option<Prepared> {
+        self.method.into_prepared()
     }
 
     /// What the latest step has come to.

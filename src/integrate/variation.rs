@@ -10,7 +10,8 @@ use super::exponential::ExponentialStepper;
 use super::problem::Problem;
 use super::stepper::{MethodStepper, Start};
 use super::{
-    Counters, Grid, IntegrateError, Integration, Method, Scaling, Settings, States, System,
+    Counters, Grid, IntegrateError, Integration, Method, Prepared, Scaling, Settings, States,
+    System,
 };
 use crate::numerics::panels::Panels;
 use crate::numerics::registers::in_wide_registers;
@@ -110,7 +111,7 @@ impl System for Augmented<'_> {
 /// ```
 ///
 /// Both are kept to the tolerance of `settings`, whatever method they name: where few forces make what is not linear, by
-/// exponential steps, else by Verner's pair 7(6).
+/// exponential steps, which go on with what another motion has `prepared`, else by Verner's pair 7(6).
 ///
 /// # Errors
 /// [`IntegrateError`] where the integration cannot go on.
@@ -121,9 +122,21 @@ pub fn variation(
     stop: &AtomicBool,
     duration: f64,
     start: &[f64],
+    prepared: &mut Option<Prepared>,
 ) -> Result<Variation, IntegrateError> {
-    if let Some(found) = few_forces_variation(system, scaling, settings, stop, duration, start)? {
-        return Ok(found);
+    if system.separated(0.0, start).is_some() {
+        let problem = Problem {
+            system,
+            scaling: scaling.clone(),
+            settings: *settings,
+            stop,
+            progress: None,
+            interval: duration,
+            end: duration,
+        };
+        if let Some(found) = few_forces_variation(&problem, start, prepared)? {
+            return Ok(found);
+        }
     }
     let states = system.states();
     let augmented = Augmented {
@@ -156,44 +169,34 @@ pub fn variation(
 
 /// A motion with its slopes by exponential steps; none where the remainder of its equation is not one of few forces.
 fn few_forces_variation(
-    system: &dyn System,
-    scaling: &Scaling,
-    settings: &Settings,
-    stop: &AtomicBool,
-    duration: f64,
+    problem: &Problem<'_>,
     start: &[f64],
+    prepared: &mut Option<Prepared>,
 ) -> Result<Option<Variation>, IntegrateError> {
-    if system.separated(0.0, start).is_none() {
-        return Ok(None);
-    }
-    let problem = Problem {
-        system,
-        scaling: scaling.clone(),
-        settings: *settings,
-        stop,
-        progress: None,
-        interval: duration,
-        end: duration,
-    };
-    let from = start.iter().zip(&scaling.origin);
+    let from = start.iter().zip(&problem.scaling.origin);
     let from = Start {
         time: 0.0,
         deviation: from.map(|(state, origin)| state - origin).collect(),
         counters: Counters::default(),
     };
-    let mut stepper = ExponentialStepper::with_slopes(&problem, &from);
-    while stepper.reached().time < duration {
-        stepper.step(&problem)?;
+    let mut stepper = ExponentialStepper::with_slopes(problem, &from);
+    if let Some(prepared) = prepared.take() {
+        stepper.prepare(prepared, problem);
+    }
+    while stepper.reached().time < problem.end {
+        stepper.step(problem)?;
         if !stepper.has_slopes() {
             return Ok(None);
         }
     }
     let mut end = start.to_vec();
     problem.write_state(stepper.reached().deviation, &mut end);
-    Ok(stepper.slopes(&problem).map(|slopes| Variation {
+    let (slopes, counters) = (stepper.slopes(problem), stepper.reached().counters);
+    *prepared = Box::new(stepper).into_prepared();
+    Ok(slopes.map(|slopes| Variation {
         end,
         slopes,
-        counters: stepper.reached().counters,
+        counters,
     }))
 }
 

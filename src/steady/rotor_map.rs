@@ -8,8 +8,8 @@ use super::SteadyError;
 use super::periods::Periods;
 use super::search::Found;
 use crate::integrate::{
-    Counters, Grid, IntegrateError, Integration, Method, Scaling, Settings, Shifted, States,
-    System, linear_variation, variation,
+    Counters, Grid, IntegrateError, Integration, Method, Prepared, Scaling, Settings, Shifted,
+    States, System, linear_variation, variation,
 };
 use crate::rotor::{HarmonicMotion, MotionScale, Rotor, RotorDefinition};
 use crate::shooting::{Circle, Image, MapError, ReturnMap, Slopes, Stability};
@@ -79,6 +79,8 @@ pub(super) struct RotorMap<'a> {
     scaling: Scaling,
     /// The motion in closed form, where there is one.
     closed: Option<HarmonicMotion>,
+    /// What the latest period has prepared for others of the present rotor.
+    prepared: Option<Prepared>,
     /// Periods to come that begin with the explicit pair, where the method is left open.
     explicit_periods: u32,
     pub counters: Counters,
@@ -98,6 +100,7 @@ impl<'a> RotorMap<'a> {
             periods,
             solver,
             scale,
+            prepared: None,
             explicit_periods: 0,
             counters: Counters::default(),
             source: None,
@@ -143,8 +146,8 @@ impl<'a> RotorMap<'a> {
             settings.method = Method::Verner76;
             self.explicit_periods -= 1;
         }
-        let mut integration =
-            Integration::new(&system, scaling, grid, settings, solver.stop, state);
+        let integration = Integration::new(&system, scaling, grid, settings, solver.stop, state);
+        let mut integration = integration.prepared_by(self.prepared.take());
         let mut states = States::with_capacity(state.len(), grid.count as usize);
         let result = integration.advance(grid.count as usize, &mut states);
         self.counters.add(&integration.counters());
@@ -155,6 +158,7 @@ impl<'a> RotorMap<'a> {
         {
             self.explicit_periods = EXPLICIT_PERIODS;
         }
+        self.prepared = integration.into_prepared();
         result.map(|()| states)
     }
 
@@ -187,7 +191,8 @@ impl<'a> RotorMap<'a> {
             let slopes = linear_variation(&system, scaling, period);
             (self.end(start, state)?, slopes)
         } else {
-            let found = variation(&system, scaling, settings, solver.stop, period, state)?;
+            let (stop, prepared) = (solver.stop, &mut self.prepared);
+            let found = variation(&system, scaling, settings, stop, period, state, prepared)?;
             self.counters.add(&found.counters);
             solver.integrated.fetch_add(1, Ordering::Relaxed);
             (found.end, found.slopes)
@@ -306,6 +311,7 @@ impl ReturnMap for RotorMap<'_> {
         self.scale = rotor.motion_scale(0.1 * self.solver.settings.tolerance);
         self.scaling = rotor.scaling(&self.scale);
         self.closed = rotor.harmonic_motion();
+        self.prepared = None;
         self.rotor = rotor;
         // the motion is followed, not the state of rest that it is about
         self.unit.origin.copy_from_slice(&self.scaling.origin);

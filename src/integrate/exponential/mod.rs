@@ -42,3 +42,4 @@ mod stepper;
 mod sweeps;
 
 pub(super) use stepper::ExponentialStepper;
+pub use stepper::Prepared;

@@ -214,7 +214,8 @@ pub(super) struct Propagators {
     /// The one that was asked for last first.
     kept: Vec<Propagator>,
     samples: Vec<Functions>,
-    are_samples_known: bool,
+    /// The interval of samples that these belong to, s; zero where none is known yet.
+    samples_interval: f64,
     /// Room for the functions over an interval.
     functions: Vec<Functions>,
 }
@@ -226,7 +227,7 @@ impl Propagators {
         Self {
             kept: Vec::new(),
             samples: vec![Functions::default(); chunks],
-            are_samples_known: false,
+            samples_interval: 0.0,
             functions: vec![Functions::default(); chunks],
         }
     }
@@ -236,7 +237,7 @@ impl Propagators {
         for kept in &mut self.kept {
             kept.size = 0.0;
         }
-        self.are_samples_known = false;
+        self.samples_interval = 0.0;
     }
 
     /// The operator over a step of a size, s.
@@ -271,9 +272,9 @@ impl Propagators {
 
     /// The functions over an interval of samples.
     pub fn samples(&mut self, linear: &LinearPart, interval: f64) -> &[Functions] {
-        if !self.are_samples_known {
+        if self.samples_interval != interval {
             find_functions(&linear.eigenvalues, interval, &mut self.samples);
-            self.are_samples_known = true;
+            self.samples_interval = interval;
         }
         &self.samples
     }

@@ -15,6 +15,16 @@ use crate::integrate::stepper::{MethodStepper, Reached, Start};
 use crate::integrate::{Counters, IntegrateError};
 use crate::numerics::registers::in_wide_registers;
 
+/// What the method has found out on a motion and goes on with on another one of the same system: the linear part of the
+/// latest step with its operators, whether another one is due, and how long the next step may be.
+#[derive(Debug, Clone)]
+pub struct Prepared {
+    linear: LinearPart,
+    propagators: Propagators,
+    excess: u32,
+    requested: f64,
+}
+
 /// Sweeps that cost as much as a new linear part, by their operations: some 25 n³ for its modes and 7 · 2n² and more for
 /// each point of a sweep.
 fn renewal_cost(states: usize) -> u32 {
@@ -157,16 +167,21 @@ impl ExponentialStepper {
                 LinearPart::near(&self.jacobian)
             }
         };
-        if let Some(slopes) = &mut self.slopes {
-            slopes.change(&self.linear, &linear, &problem.scaling.scale);
-        }
-        self.linear = linear;
+        self.take_linear(linear, problem);
         self.linear.to_coordinates(&mut self.from);
-        self.remainder = no_points(self.linear.remainders());
-        self.sweeps.remainder.clone_from(&self.remainder);
         (self.fresh, self.excess) = (true, 0);
         self.propagators.clear();
         self.forget(problem);
+    }
+
+    /// Takes another linear part, in whose coordinates nothing is known yet but the slopes.
+    fn take_linear(&mut self, linear: LinearPart, problem: &Problem<'_>) {
+        if let Some(slopes) = &mut self.slopes {
+            slopes.change(&self.linear, &linear, &problem.scaling.scale);
+        }
+        self.remainder = no_points(linear.remainders());
+        self.sweeps.remainder.clone_from(&self.remainder);
+        self.linear = linear;
     }
 
     /// Forgets the remainder before the start, which is no guess of what follows.
@@ -355,6 +370,22 @@ impl MethodStepper for ExponentialStepper {
 
     fn crossed(&self) -> bool {
         self.sweeps.crossed
+    }
+
+    fn prepare(&mut self, prepared: Prepared, problem: &Problem<'_>) {
+        self.take_linear(prepared.linear, problem);
+        self.linear.to_coordinates(&mut self.to);
+        self.propagators = prepared.propagators;
+        (self.excess, self.requested) = (prepared.excess, prepared.requested);
+    }
+
+    fn into_prepared(self: Box<Self>) -> Option<Prepared> {
+        Some(Prepared {
+            linear: self.linear,
+            propagators: self.propagators,
+            excess: self.excess,
+            requested: self.requested,
+        })
     }
 
     fn largest_eigenvalue(&self) -> f64 {

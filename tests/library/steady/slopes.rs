@@ -2,10 +2,10 @@
 
 use std::sync::atomic::AtomicBool;
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use super::{found, shipped};
-use crate::integrate::{Settings, System, variation};
+use crate::integrate::{Prepared, Settings, System, variation};
 use crate::rotor::Rotor;
 
 /// A rotor of which nothing is known but its derivative and the slopes of that, so that the explicit pair integrates both.
@@ -57,7 +57,9 @@ fn varied(name: &str, duration: f64, tolerance: f64) -> [(DMatrix<f64>, u64); 2]
             ..model.integrator
         };
         let (stop, start) = (AtomicBool::new(false), rotor.start_state());
-        let found = variation(system, &scaling, &settings, &stop, duration, &start);
+        let found = variation(
+            system, &scaling, &settings, &stop, duration, &start, &mut None,
+        );
         let mut found = found.expect("a motion");
         scaling.scale_jacobian(&mut found.slopes);
         (found.slopes, found.counters.evaluations)
@@ -81,6 +83,33 @@ fn slopes_by_few_forces_are_those_of_the_whole_equations() {
             assert!(few < many, "{few} and {many} evaluations");
         }
     }
+}
+
+/// What a motion over one period has found out serves one over the next: the same end and slopes to their tolerance, for no
+/// more work.
+#[test]
+fn a_motion_goes_on_with_what_another_has_prepared() {
+    let model = shipped("overhung-rotor-6208");
+    let rotor = Rotor::assemble(&model.rotor).expect("a rotor");
+    let scaling = rotor.scaling(&rotor.motion_scale(1e-9));
+    let varied = |start: &[f64], prepared: &mut Option<Prepared>| {
+        let (stop, settings) = (AtomicBool::new(false), model.integrator);
+        let found = variation(&rotor, &scaling, &settings, &stop, 4e-3, start, prepared);
+        let mut found = found.expect("a motion");
+        scaling.scale_jacobian(&mut found.slopes);
+        found
+    };
+    let mut prepared = None;
+    let first = varied(&rotor.start_state(), &mut prepared);
+    let second = varied(&first.end, &mut prepared);
+    let anew = varied(&first.end, &mut None);
+    let error = (&second.slopes - &anew.slopes).amax() / anew.slopes.amax();
+    let ends = [&second, &anew].map(|found| DVector::from_vec(scaling.scaled(&found.end)));
+    let apart = (&ends[0] - &ends[1]).amax();
+    println!("{error:e}, {apart:e}");
+    let tolerance = model.integrator.tolerance;
+    assert!(error < 3.0 * tolerance && apart < 3.0 * tolerance);
+    assert!(second.counters.evaluations < anew.counters.evaluations);
 }
 
 /// The bent spindle on preloaded sets of bearings, verified by a smaller tolerance and by more modes.
