@@ -128,12 +128,9 @@ pub(crate) fn complex<S: Serializer>(values: &[Complex<f64>], serializer: S) -> 
 }
 
 /// Magnitudes of complex numbers.
-pub(crate) fn magnitudes<S: Serializer>(values: &[f64], serializer: S) -> Serialized<S> {
-    serializer.collect_seq(
-        values
-            .iter()
-            .map(|value| BTreeMap::from([("magnitude", value)])),
-    )
+pub(crate) fn magnitudes<S: Serializer>(values: &[Complex<f64>], serializer: S) -> Serialized<S> {
+    let magnitudes = values.iter().map(|value| value.norm());
+    serializer.collect_seq(magnitudes.map(|value| BTreeMap::from([("magnitude", value)])))
 }
 
 /// What it is called.

@@ -15,9 +15,9 @@ use crate::keys;
 pub enum Multipliers {
     /// Of a motion that repeats, the largest first: it is stable where all lie inside the unit circle.
     Periodic(#[serde(serialize_with = "keys::complex")] Vec<Complex<f64>>),
-    /// Magnitudes of those of a motion with two frequencies, the largest first; their arguments have no
-    /// meaning of their own, because a neighbouring motion may turn with the second phase.
-    Torus(#[serde(serialize_with = "keys::magnitudes")] Vec<f64>),
+    /// Those of a motion with two frequencies, the largest first. Their arguments have no meaning of their own, because a
+    /// neighbouring motion may turn with the second phase, and are told of by errors alone.
+    Torus(#[serde(serialize_with = "keys::magnitudes")] Vec<Complex<f64>>),
 }
 
 impl Multipliers {
@@ -55,9 +55,12 @@ impl Multipliers {
         }
     }
 
-    /// How far each is from its partner among others, both taken in pairs, the nearest first; and the round-off of them.
+    /// How far each is from its partner among others, both taken in pairs, the nearest first; and the round-off of them. Where
+    /// arguments have no meaning they count none the less: a change is as likely along the circle as across it.
     pub fn distances(&self, others: &Self, round_off: f64) -> Vec<f64> {
-        let (own, others) = (self.values(), others.values());
+        let [own, others] = [self, others].map(|either| match either {
+            Self::Periodic(all) | Self::Torus(all) => all,
+        });
         let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
         for (index, value) in own.iter().enumerate() {
             let distances = others.iter().map(|other| (value - other).norm());
@@ -87,7 +90,7 @@ impl Multipliers {
     pub fn values(&self) -> Vec<Complex<f64>> {
         match self {
             Self::Periodic(all) => all.clone(),
-            Self::Torus(all) => all.iter().map(|size| Complex::new(*size, 0.0)).collect(),
+            Self::Torus(all) => all.iter().map(|value| value.norm().into()).collect(),
         }
     }
 }
@@ -110,7 +113,7 @@ pub enum Stability {
 pub fn multipliers(circle: &Circle, slopes: &[DMatrix<f64>]) -> Multipliers {
     match slopes {
         [only] => Multipliers::Periodic(sorted(only)),
-        all => Multipliers::Torus(magnitudes(circle, all)),
+        all => Multipliers::Torus(on_curve(circle, all)),
     }
 }
 
@@ -125,11 +128,12 @@ fn sorted(matrix: &DMatrix<f64>) -> Vec<Complex<f64>> {
     values
 }
 
-fn magnitudes(circle: &Circle, slopes: &[DMatrix<f64>]) -> Vec<f64> {
-    let Some(mut all) = reduction::magnitudes(circle, slopes) else {
-        return magnitudes_of_copies(circle, slopes);
+fn on_curve(circle: &Circle, slopes: &[DMatrix<f64>]) -> Vec<Complex<f64>> {
+    let Some(mut all) = reduction::multipliers(circle, slopes) else {
+        let magnitudes = magnitudes_of_copies(circle, slopes);
+        return magnitudes.into_iter().map(Complex::from).collect();
     };
-    all.sort_by(|a, b| b.total_cmp(a));
+    all.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
     all
 }
 

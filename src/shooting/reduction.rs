@@ -29,9 +29,9 @@ const LEFT: f64 = 1e-10;
 
 type Complexes = DMatrix<Complex<f64>>;
 
-/// Magnitudes of the multipliers from the slopes at the nodes; none where such coordinates are not found, as where these
-/// differ much from node to node.
-pub(super) fn magnitudes(circle: &Circle, slopes: &[DMatrix<f64>]) -> Option<Vec<f64>> {
+/// The multipliers from the slopes at the nodes, with arguments that belong to the coordinates found; none where such
+/// coordinates are not found, as where slopes differ much from node to node.
+pub(super) fn multipliers(circle: &Circle, slopes: &[DMatrix<f64>]) -> Option<Vec<Complex<f64>>> {
     let weights = circle.coefficients.row(0);
     let weighted = slopes.iter().zip(weights.iter());
     let mean: DMatrix<f64> = weighted.map(|(slopes, weight)| slopes * *weight).sum();
@@ -47,7 +47,7 @@ pub(super) fn magnitudes(circle: &Circle, slopes: &[DMatrix<f64>]) -> Option<Vec
         let most = sizes.map(|entry| entry.norm()).fold(0.0, f64::max);
         let left = LEFT * multipliers.camax();
         if most <= left {
-            return Some(multipliers.iter().map(|value| value.norm()).collect());
+            return Some(multipliers.iter().copied().collect());
         }
         if !most.is_finite() {
             return None;
@@ -125,6 +125,14 @@ mod tests {
     use super::*;
     use crate::shooting::multipliers::magnitudes_of_copies;
 
+    /// The largest first.
+    fn magnitudes(circle: &Circle, slopes: &[DMatrix<f64>]) -> Vec<f64> {
+        let found = multipliers(circle, slopes).expect("multipliers");
+        let mut magnitudes: Vec<f64> = found.iter().map(|value| value.norm()).collect();
+        magnitudes.sort_by(|a, b| b.total_cmp(a));
+        magnitudes
+    }
+
     /// Slopes that turn the states and change around the curve: the magnitudes are those of the operator over the whole
     /// curve, and their product is, by Liouville's formula, the geometric mean of the determinants.
     #[test]
@@ -136,8 +144,7 @@ mod tests {
             DMatrix::from_row_slice(3, 3, &[0.0, 1.0, 0.5, -0.3, 0.2, 0.0, 1.0, 0.0, -0.4]);
         let at = |angle: f64| &still + &moving * (0.05 * angle.cos());
         let slopes: Vec<_> = circle.angles.iter().map(|angle| at(*angle)).collect();
-        let mut found = magnitudes(&circle, &slopes).expect("multipliers");
-        found.sort_by(|a, b| b.total_cmp(a));
+        let found = magnitudes(&circle, &slopes);
         for (found, copied) in found.iter().zip(magnitudes_of_copies(&circle, &slopes)) {
             assert!((found - copied).abs() < 1e-5, "{found} {copied}");
         }
@@ -146,6 +153,25 @@ mod tests {
         let mean = (logarithms.sum::<f64>() / 64.0).exp();
         let product: f64 = found.iter().product();
         assert!((product - mean).abs() < 1e-12, "{product} {mean}");
+    }
+
+    /// What turns the neighbours of a motion leaves the magnitudes, and is a change all the same.
+    #[test]
+    fn errors_count_along_the_circle() {
+        let circle =
+            Circle::around(1.0, 2.0 * 3f64.sqrt(), 2).expect("an irrational part of a turn");
+        let turned = |angle: f64| {
+            let (sine, cosine) = angle.sin_cos();
+            let still = DMatrix::from_row_slice(2, 2, &[cosine, -sine, sine, cosine]) * 0.8;
+            crate::shooting::multipliers(&circle, &vec![still; circle.angles.len()])
+        };
+        let [before, after] = [0.7, 0.7 + 1e-6].map(turned);
+        for (one, other) in before.values().iter().zip(after.values()) {
+            assert!((one - other).norm() < 1e-15, "{one} {other}");
+        }
+        for apart in before.distances(&after, 0.0) {
+            assert!((apart / 0.8e-6 - 1.0).abs() < 1e-6, "{apart:e}");
+        }
     }
 
     /// Overdamped modes have multipliers that are next to nothing, and round-off between them is no coupling.
@@ -165,8 +191,7 @@ mod tests {
             )
         });
         let slopes: Vec<_> = slopes.collect();
-        let mut found = magnitudes(&circle, &slopes).expect("multipliers");
-        found.sort_by(|a, b| b.total_cmp(a));
+        let found = magnitudes(&circle, &slopes);
         assert!(
             (found[0] - 0.61f64.sqrt()).abs() < 1e-15 && found[2] < 1e-12,
             "{found:?}"

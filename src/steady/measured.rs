@@ -20,7 +20,7 @@ pub struct Measured {
     pub displacement: f64,
     /// That difference relative to the motion: the largest distance of a displacement from its mean.
     pub relative: f64,
-    /// Error of every Floquet multiplier, in their order: its distance from that of the motion found again.
+    /// Error of every Floquet multiplier, in their order: its distance from that of the motion found again, in the complex plane.
     pub multipliers: Vec<f64>,
     /// Tolerance of the second search.
     pub reference_tolerance: f64,
