@@ -158,8 +158,10 @@ impl<'a> RotorMap<'a> {
         {
             self.explicit_periods = EXPLICIT_PERIODS;
         }
+        result?;
+        // what failed leaves steps that are too short, or numbers that are none
         self.prepared = integration.into_prepared();
-        result.map(|()| states)
+        Ok(states)
     }
 
     /// The state a period after a time.
@@ -327,5 +329,35 @@ impl ReturnMap for RotorMap<'_> {
         let image = self.image(states, Slopes::None);
         self.periods = whole;
         Ok(Some(image?.end - states))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario;
+
+    /// What a period left that broke off would break off the next one.
+    #[test]
+    fn a_period_that_fails_leaves_nothing_to_the_next() {
+        let name = "scenarios/flexible-spindle-7205c.toml";
+        let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(name);
+        let mut model = scenario::load(&file).expect("a scenario").model;
+        let model = model.as_mut().expect("a motion");
+        model.rotor.cage = crate::rotor::CageMotion::Rolling;
+        model.integrator.method = Method::Exponential;
+        let (stop, integrated) = (AtomicBool::new(false), AtomicU64::new(0));
+        let solver = Solver::new(model.integrator, &stop, &integrated);
+        let rotor = Rotor::assemble(&model.rotor).expect("a rotor");
+        let periods = Periods::new(&rotor, 1).expect("periods");
+        let mut map = RotorMap::new(rotor, periods, solver);
+        let rest = map.rotor.start_state();
+        map.end(0.0, &vec![f64::NAN; rest.len()])
+            .expect_err("no motion");
+        let end = map.end(0.0, &rest).expect("a motion");
+        assert!(end.iter().all(|value| value.is_finite()));
+        // and what a good one left serves
+        let prepared = map.prepared.is_some();
+        assert!(prepared && map.end(0.0, &end).is_ok());
     }
 }
