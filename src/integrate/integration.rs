@@ -72,7 +72,7 @@ impl<'a> Integration<'a> {
     #[must_use]
     pub fn prepared_by(mut self, prepared: Option<Prepared>) -> Self {
         if let Some(prepared) = prepared {
-            self.stepper.prepare(prepared, &self.problem);
+            self.stepper.take_over(prepared, &self.problem);
         }
         self
     }

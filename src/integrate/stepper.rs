@@ -37,7 +37,7 @@ pub(super) trait MethodStepper {
     }
 
     /// Takes over, before the first step, what was found out on another motion of the same system, where the method uses it.
-    fn prepare(&mut self, _prepared: Prepared, _problem: &Problem<'_>) {}
+    fn take_over(&mut self, _prepared: Prepared, _problem: &Problem<'_>) {}
 
     /// What another motion of the same system may take over.
     fn into_prepared(self: Box<Self>) -> Option<Prepared> {
@@ -95,27 +95,27 @@ fn method_stepper(method: Method, problem: &Problem<'_>, start: &Start) -> Box<d
     }
 }
 
-/// Crossings of surfaces in the latest 64 steps of the exponential method from which on steps are short for them.
+/// Crossings of surfaces in the latest 64 steps of the exponential method from which on short steps are put down to them.
 const CROSSINGS: u32 = 2;
 /// Largest angle, rad, by which the fastest vibration turns in a step of an explicit method.
 const EXPLICIT_ANGLE: f64 = 2.0;
-/// Steps that the exponential method may take for crossings beyond those of an explicit method.
+/// Largest such excess: then an explicit method goes on.
 const MOST_EXCESS: f64 = 64.0;
 
-/// The steps of the exponential method against those of an explicit one.
-struct Balance {
+/// How many steps more the exponential method takes than an explicit one would.
+struct StepExcess {
     /// A bit for each of the latest steps, set where it crossed a surface.
     crossings: u64,
     /// Time, s, and number of trials at the end of the latest step.
     latest: (f64, u64),
-    /// Steps taken for crossings, beyond those that an explicit method would have taken meanwhile; never less than zero,
-    /// so that it shows at once where a stretch with short steps begins, and single ones are soon made good.
+    /// Steps tried since crossings began, less those that an explicit method would have taken meanwhile. It never falls below
+    /// zero, so that long steps make up for short ones but are not saved up for later.
     ///
     /// Source: the cumulative sum of E. S. Page, *Continuous inspection schemes*, Biometrika 41 (1954), 100–115.
     excess: f64,
 }
 
-impl Balance {
+impl StepExcess {
     /// Before the first step.
     fn new(start: &Start) -> Self {
         Self {
@@ -127,7 +127,7 @@ impl Balance {
 
     /// Takes a step, with the trials before it that failed; whether surfaces are crossed again and again, and an explicit
     /// method takes far fewer steps.
-    fn tips(&mut self, method: &dyn MethodStepper) -> bool {
+    fn is_too_large(&mut self, method: &dyn MethodStepper) -> bool {
         let reached = method.reached();
         let now = (reached.time, trials(&reached.counters));
         let before = std::mem::replace(&mut self.latest, now);
@@ -151,7 +151,7 @@ pub(super) struct Stepper {
     method: Box<dyn MethodStepper>,
     /// Which method carried the run, where the choice is left open.
     pub method_use: Option<MethodUse>,
-    balance: Balance,
+    step_excess: StepExcess,
     /// Whether the explicit pair goes on from here: before the next step, for samples may lie within the latest one.
     is_change_due: bool,
 }
@@ -163,7 +163,7 @@ impl Stepper {
         Self {
             method: method_stepper(method, problem, start),
             method_use,
-            balance: Balance::new(start),
+            step_excess: StepExcess::new(start),
             is_change_due: false,
         }
     }
@@ -200,7 +200,7 @@ impl Stepper {
                 self.change(ChangeReason::NoStep, problem);
             }
             Err(error) => return Err(error),
-            Ok(()) => self.is_change_due = self.balance.tips(&*self.method),
+            Ok(()) => self.is_change_due = self.step_excess.is_too_large(&*self.method),
         }
         Ok(())
     }
@@ -220,8 +220,8 @@ impl Stepper {
     }
 
     /// Takes over, before the first step, what was found out on another motion of the same system.
-    pub fn prepare(&mut self, prepared: Prepared, problem: &Problem<'_>) {
-        self.method.prepare(prepared, problem);
+    pub fn take_over(&mut self, prepared: Prepared, problem: &Problem<'_>) {
+        self.method.take_over(prepared, problem);
     }
 
     /// What another motion of the same system may take over.

@@ -181,7 +181,7 @@ fn few_forces_variation(
     };
     let mut stepper = ExponentialStepper::with_slopes(problem, &from);
     if let Some(prepared) = prepared.take() {
-        stepper.prepare(prepared, problem);
+        stepper.take_over(prepared, problem);
     }
     while stepper.reached().time < problem.end {
         stepper.step(problem)?;

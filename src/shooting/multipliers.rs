@@ -55,8 +55,8 @@ impl Multipliers {
         }
     }
 
-    /// How far each is from its partner among others, both taken in pairs, the nearest first; and the round-off of them. Where
-    /// arguments have no meaning they count none the less: a change is as likely along the circle as across it.
+    /// How far each is from its partner among others, both taken in pairs, the nearest first; and the round-off of them. Those on a
+    /// closed curve count with their arguments, too: the change of a magnitude alone may be small by chance.
     pub fn distances(&self, others: &Self, round_off: f64) -> Vec<f64> {
         let [own, others] = [self, others].map(|either| match either {
             Self::Periodic(all) | Self::Torus(all) => all,
@@ -128,6 +128,7 @@ fn sorted(matrix: &DMatrix<f64>) -> Vec<Complex<f64>> {
     values
 }
 
+/// Multipliers on a closed curve, the largest first; without arguments where no coordinates are found.
 fn on_curve(circle: &Circle, slopes: &[DMatrix<f64>]) -> Vec<Complex<f64>> {
     let Some(mut all) = reduction::multipliers(circle, slopes) else {
         let magnitudes = magnitudes_of_copies(circle, slopes);

@@ -155,9 +155,9 @@ mod tests {
         assert!((product - mean).abs() < 1e-12, "{product} {mean}");
     }
 
-    /// What turns the neighbours of a motion leaves the magnitudes, and is a change all the same.
+    /// A turn of the neighbours of a motion changes arguments alone, and counts as an error.
     #[test]
-    fn errors_count_along_the_circle() {
+    fn errors_count_arguments() {
         let circle =
             Circle::around(1.0, 2.0 * 3f64.sqrt(), 2).expect("an irrational part of a turn");
         let turned = |angle: f64| {

@@ -372,7 +372,7 @@ impl MethodStepper for ExponentialStepper {
         self.sweeps.crossed
     }
 
-    fn prepare(&mut self, prepared: Prepared, problem: &Problem<'_>) {
+    fn take_over(&mut self, prepared: Prepared, problem: &Problem<'_>) {
         self.take_linear(prepared.linear, problem);
         self.linear.to_coordinates(&mut self.to);
         self.propagators = prepared.propagators;
