@@ -73,7 +73,10 @@ def run_in_jupyter(notebook: list[dict[str, Any]], folder: Path) -> None:
         kept: list[dict[str, Any]] = []
         for output in executed.outputs:
             if output.output_type == "stream" and output.name == "stdout":
-                kept.append({"output_type": "stream", "name": "stdout", "text": _lines(output.text)})
+                # The kernel sends what is printed every 0.2 s, wherever that cuts it.
+                before = kept.pop()["text"] if kept and kept[-1]["output_type"] == "stream" else []
+                printed = _lines("".join(before) + output.text)
+                kept.append({"output_type": "stream", "name": "stdout", "text": printed})
             elif output.output_type == "execute_result":
                 kinds = [kind for kind in RICH if kind in output.data] or ["text/plain"]
                 data = {kinds[0]: _lines(output.data[kinds[0]])}

@@ -64,3 +64,14 @@ def test_the_plain_runner_does_what_jupyter_does(name: str, folder: Path) -> Non
     notebooks.run_plainly(plain)
     notebooks.run_in_jupyter(executed, folder)
     assert plain == executed
+
+
+def test_what_a_cell_prints_is_one_output_however_long_it_takes(folder: Path) -> None:
+    pytest.importorskip("nbclient")
+    pytest.importorskip("ipykernel")
+    slow = "# %%\nimport time\n\nfor line in range(3):\n    print('speed', end=' ')\n    time.sleep(0.5)\n    print(line)"
+    plain, executed = notebooks.cells(slow), notebooks.cells(slow)
+    notebooks.run_plainly(plain)
+    notebooks.run_in_jupyter(executed, folder)
+    assert plain == executed
+    assert plain[0]["outputs"][0]["text"] == ["speed 0\n", "speed 1\n", "speed 2\n"]
