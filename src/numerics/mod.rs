@@ -1,6 +1,7 @@
 //! Numerical methods that know nothing of bearings and shafts.
 
 pub(crate) mod cube_root;
+pub(crate) mod digits;
 pub(crate) mod distinct;
 pub(crate) mod eigenvectors;
 pub(crate) mod elimination;

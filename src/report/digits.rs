@@ -1,10 +1,6 @@
 //! Numbers as people read them.
 
-/// A value with at most so many significant digits.
-pub(super) fn to_digits(value: f64, count: usize) -> f64 {
-    let decimals = count - 1;
-    format!("{value:.decimals$e}").parse().unwrap_or(value)
-}
+use crate::numerics::digits::to_digits;
 
 /// A text whose numbers that are rounded to zero have no minus sign: `-0.0000` → `0.0000`.
 pub(super) fn without_negative_zeros(text: &str) -> String {

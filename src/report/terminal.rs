@@ -6,9 +6,7 @@ use std::path::PathBuf;
 use comfy_table::{CellAlignment, Table, presets};
 use serde::{Serialize, Serializer};
 
-pub(super) use super::digits::{
-    decimal, digits, in_digits, significant, to_digits, without_negative_zeros,
-};
+pub(super) use super::digits::{decimal, digits, in_digits, significant, without_negative_zeros};
 use crate::bearing::Clearance;
 use crate::keys::AXES;
 use crate::rotor::FREEDOMS;

@@ -1,7 +1,7 @@
 //! The number that varies, as the name of a column and of an axis.
 
 use super::figure::Label;
-use super::terminal::to_digits;
+use crate::numerics::digits::to_digits;
 use crate::study::Variable;
 use crate::table::Column;
 

@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::unit::{Unit, UnitError};
+use crate::numerics::digits::to_digits;
 pub(super) use measure::*;
 
 /// Why a text is not a quantity of the dimension asked for.
@@ -353,7 +354,7 @@ pub(super) fn units(dimensions: &[Dimension]) -> Vec<&'static str> {
 
 /// A number with the four significant digits that a message needs.
 pub(super) fn significant(number: f64) -> f64 {
-    format!("{number:.3e}").parse().unwrap_or(number)
+    to_digits(number, 4)
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Units as people write them: products and powers of known ones with SI prefixes, each reduced to its size and dimension.
 
 use super::unit_words::{Size, WORDS};
+use crate::numerics::digits::to_digits;
 
 /// A unit as somebody wrote it.
 #[derive(Debug, Clone, PartialEq)]
@@ -113,8 +114,7 @@ impl Unit {
 
     /// Number in this unit of an SI value, rounded to the digits that people read.
     pub fn readable(&self, si: f64) -> f64 {
-        let exact = si / self.factor * self.divisor + self.zero;
-        format!("{exact:.9e}").parse().unwrap_or(exact)
+        to_digits(si / self.factor * self.divisor + self.zero, 10)
     }
 }
 

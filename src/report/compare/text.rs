@@ -3,7 +3,8 @@
 use std::fmt;
 
 use super::{ColumnComparison, Comparison, TableComparison, Worst};
-use crate::report::terminal::{Lines, to_digits};
+use crate::numerics::digits::to_digits;
+use crate::report::terminal::Lines;
 use crate::table::Column;
 
 impl fmt::Display for Comparison {

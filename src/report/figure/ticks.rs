@@ -2,7 +2,7 @@
 
 use super::Axis;
 use super::axis::round_step;
-use crate::report::terminal::to_digits;
+use crate::numerics::digits::to_digits;
 
 /// A place on an axis, of a logarithmic one the logarithm, and its text.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,7 +2,8 @@
 
 use super::{Row, found};
 use crate::fit::Fit;
-use crate::report::terminal::{Lines, digits, shown_unit, to_digits};
+use crate::numerics::digits::to_digits;
+use crate::report::terminal::{Lines, digits, shown_unit};
 use crate::report::variable::shown;
 use crate::scenario::{Balance, FitFile};
 use crate::study::Variable;

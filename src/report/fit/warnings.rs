@@ -2,7 +2,7 @@
 
 use super::{Row, found};
 use crate::fit::Fit;
-use crate::report::terminal::to_digits;
+use crate::numerics::digits::to_digits;
 use crate::report::variable::shown;
 use crate::scenario::FitFile;
 

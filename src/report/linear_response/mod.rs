@@ -7,8 +7,9 @@ use std::f64::consts::TAU;
 use nalgebra::Complex;
 use serde_json::{Value, json};
 
+use crate::numerics::digits::to_digits;
 use crate::numerics::distinct::each_once;
-use crate::report::terminal::{Lines, MILLI, PER_MINUTE, to_digits};
+use crate::report::terminal::{Lines, MILLI, PER_MINUTE};
 use crate::report::{FileSet, Findings};
 use crate::rotor::{FREEDOM_NAMES, Pickup};
 use crate::scenario::Scenario;

@@ -2,10 +2,11 @@
 
 use super::digest::{Digest, is_down};
 use super::rows::Rows;
+use crate::numerics::digits::to_digits;
 use crate::numerics::distinct::rising;
 use crate::report::ReportError;
 use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
-use crate::report::terminal::{Lines, MICRO, to_digits};
+use crate::report::terminal::{Lines, MICRO};
 use crate::report::variable::{key_in_words, shown};
 use crate::study::many::{KeptPeak, Line};
 

@@ -4,10 +4,11 @@ use super::method_use::{add_table_use, method_use_text, parted};
 use super::motion::{add_housings, add_motion, add_severity};
 use super::run_up::add_run_up;
 use crate::analysis::{Axis, EnvelopeLine, EstimatedSpectrum, Peak, Spectrum};
+use crate::numerics::digits::to_digits;
 use crate::report::statics::ball_pass_text;
 use crate::report::terminal::{
     Lines, MICRO, clearance_text, displacement_text, listed, mark_estimated, measured_text,
-    of_bearing, shown_unit, significant, to_digits,
+    of_bearing, shown_unit, significant,
 };
 use crate::simulate::{
     BearingHistory, EventCount, EventKind, Model, NaturalFrequency, Reduction, Run, SpallPassage,

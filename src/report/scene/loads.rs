@@ -1,9 +1,10 @@
 //! Loads: constant ones by arrows, others by their names.
 
 use super::super::figure::distinct;
-use super::super::terminal::{MILLI, to_digits};
+use super::super::terminal::MILLI;
 use super::drawing::Drawing;
 use super::{LOADS, Scale};
+use crate::numerics::digits::to_digits;
 use crate::rotor::{Load, LoadKind, RotorDefinition};
 
 impl Drawing {

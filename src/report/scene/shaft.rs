@@ -1,9 +1,10 @@
 //! The shaft: its sections and discs or its mass, and its unbalances.
 
 use super::super::figure::{GREY, distinct};
-use super::super::terminal::{MICRO, MILLI, to_digits};
+use super::super::terminal::{MICRO, MILLI};
 use super::drawing::Drawing;
 use super::{CONTACTS, Scale, UNBALANCE};
+use crate::numerics::digits::to_digits;
 use crate::rotor::{Disc, FlexibleShaft, RotorDefinition};
 
 /// Part of a direction below which it is not drawn.

@@ -1,10 +1,11 @@
 //! What holds the shaft: bearings and their housings, elements.
 
 use super::super::figure::{Point, distinct};
-use super::super::terminal::{MILLI, to_digits};
+use super::super::terminal::MILLI;
 use super::drawing::Drawing;
 use super::{CONTACTS, HOUSINGS, RINGS, Scale};
 use crate::bearing::{Housing, MountedBearing};
+use crate::numerics::digits::to_digits;
 use crate::rotor::ElementLaw;
 
 /// Thickness of a ring at its groove, in ball diameters.

@@ -9,6 +9,7 @@ use super::trial::{Cost, Trial, unless_stopped, with};
 use super::{AccuracyError, Errors, Question};
 use crate::integrate::Method;
 use crate::keys;
+use crate::numerics::digits::to_digits;
 use crate::simulate::{Model, SimulateError};
 
 /// How much longer the next tolerance is taken to run where only one has been: an order of three.
@@ -53,7 +54,8 @@ pub(super) fn rows(
     for &tolerance in question.tolerances {
         let result = if expected > question.longest {
             Err(format!(
-                "left out: would take about {expected:.1} s, more than {} s",
+                "left out: would take about {} s, more than {} s",
+                to_digits(expected, 2),
                 question.longest
             ))
         } else {
