@@ -7,9 +7,9 @@
 //! with p the polynomial of the nonlinear remainder: exact as the step itself, whatever the linear part does
 //! between two samples. The sum is a polynomial of the sample's number, found once a step.
 
+use super::functions::Functions;
 use super::linear::{LinearPart, add, joined};
 use super::nodes::{NODES, POINTS, Points, PointsOfChunk, combined, no_points};
-use super::propagator::Functions;
 use crate::integrate::chunks::Padded;
 use crate::numerics::registers::in_wide_registers;
 

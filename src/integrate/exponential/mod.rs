@@ -31,6 +31,7 @@ mod basis;
 mod dense;
 mod force_operator;
 mod force_sweeps;
+mod functions;
 mod linear;
 mod matrix;
 mod nodes;
