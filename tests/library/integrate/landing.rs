@@ -190,6 +190,7 @@ fn a_change_of_the_method_leaves_no_sample_behind() {
         let error = pairs.map(|(own, exact)| (own - exact).abs());
         let error = error.fold(0.0, f64::max);
         println!("{tolerance:e}: {error:e}");
-        assert!(error < 1e3 * tolerance, "{tolerance:e}: {error:e}");
+        // errors add up from bounce to bounce; a sample left behind is off by 1e-4
+        assert!(error < 100.0 * tolerance, "{tolerance:e}: {error:e}");
     }
 }
