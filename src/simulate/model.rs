@@ -77,7 +77,7 @@ impl Model {
 
 /// What is made of the samples. By default all spectra, and all that is observed of the bearings, but neither the
 /// kind of the motion nor maps.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Analyses {
     /// What is found out of the last whole revolutions after the settle time, where the speed is constant there.
     pub motion: MotionAnalysis,
@@ -85,10 +85,10 @@ pub struct Analyses {
     pub machine: Option<Machine>,
     /// Waterfall and order tracks of the whole run.
     pub maps: bool,
-    /// Whether load zones and lives of the bearings are left out.
-    pub no_loads: bool,
-    /// Whether the RMS velocities of shaft and housings are left out.
-    pub no_velocities: bool,
+    /// Load zones and lives of the bearings.
+    pub loads: bool,
+    /// RMS velocities of shaft and housings.
+    pub velocities: bool,
     /// Whether the bearings are observed after the settle time only: then no contacts part or meet.
     pub settled_only: bool,
     /// The spectra are those of the displacements alone, up to this order of the shaft; where `None`, all.
@@ -101,6 +101,23 @@ pub struct Analyses {
     pub force_lines: bool,
 }
 
+impl Default for Analyses {
+    fn default() -> Self {
+        Self {
+            motion: MotionAnalysis::None,
+            machine: None,
+            maps: false,
+            loads: true,
+            velocities: true,
+            settled_only: false,
+            highest_order: None,
+            named_peaks: false,
+            fits_window: false,
+            force_lines: false,
+        }
+    }
+}
+
 impl Analyses {
     /// Whether peaks of the spectra are sought and named.
     pub fn has_peaks(&self) -> bool {
@@ -109,10 +126,9 @@ impl Analyses {
 }
 
 /// What is found out of a steady motion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MotionAnalysis {
     /// Nothing.
-    #[default]
     None,
     /// Statistics and whether they have settled, and the points of a section where one is asked for.
     Statistics(Option<SectionKind>),

@@ -110,7 +110,7 @@ fn settings(model: &Model, rotor: &Rotor, grid: &Grid, speed: f64) -> MotionSett
             .iter()
             .map(|pass| pass[0])
             .collect(),
-        velocity_band: (!model.analyses.no_velocities).then(|| velocity_band(speed)),
+        velocity_band: model.analyses.velocities.then(|| velocity_band(speed)),
         kind: motion == MotionAnalysis::Kind,
     }
 }

@@ -173,7 +173,7 @@ impl<'a> BearingObserver<'a> {
         let bearing = &support.definition().bearing;
         let (balls, preloaded) = (support.known_balls(), support.is_preloaded());
         let watched = balls > 0 && !model.analyses.settled_only;
-        let weighed = balls > 0 && !model.analyses.no_loads;
+        let weighed = balls > 0 && model.analyses.loads;
         let life = weighed.then(|| LifeSums::new(bearing, model.settle));
         Self {
             support,

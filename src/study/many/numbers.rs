@@ -190,11 +190,11 @@ const STATISTICS: fn(&mut Analyses) = |asked| asked.motion = asked.motion.with_s
 /// Of an RMS velocity.
 const VELOCITIES: fn(&mut Analyses) = |asked| {
     STATISTICS(asked);
-    asked.no_velocities = false;
+    asked.velocities = true;
 };
 
 /// Of a number of the loads of the balls.
-const LOADS: fn(&mut Analyses) = |asked| asked.no_loads = false;
+const LOADS: fn(&mut Analyses) = |asked| asked.loads = true;
 
 /// Of a line of a force.
 const FORCE_LINES: fn(&mut Analyses) = |asked| asked.force_lines = true;
