@@ -68,7 +68,7 @@ impl<'a> Integration<'a> {
         self
     }
 
-    /// Before its first step, with what another integration of the same system has found out.
+    /// Before its first step, with what an integration that led to its start has found out.
     #[must_use]
     pub fn prepared_by(mut self, prepared: Option<Prepared>) -> Self {
         if let Some(prepared) = prepared {
@@ -77,8 +77,8 @@ impl<'a> Integration<'a> {
         self
     }
 
-    /// What another integration of the same system may take over.
-    pub fn into_prepared(self) -> Option<Prepared> {
+    /// What an integration that goes on from its end may take over.
+    pub fn into_prepared(self) -> Prepared {
         self.stepper.into_prepared()
     }
 

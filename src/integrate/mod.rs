@@ -21,12 +21,11 @@ mod system;
 mod variation;
 
 pub use error::IntegrateError;
-pub use exponential::Prepared;
 pub use grid::{Grid, States};
 pub use integration::Integration;
 pub use separated::Separated;
 pub use settings::{Counters, Method, Progress, Settings};
-pub use stepper::{ChangeReason, MethodUse};
+pub use stepper::{ChangeReason, MethodUse, Prepared};
 pub use stiffness::Stiffness;
 pub use system::{Scaling, Shifted, System};
 pub use variation::{linear_variation, variation};

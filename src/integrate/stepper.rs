@@ -6,7 +6,7 @@
 //! steps end on such surfaces and cost less. It goes on, too, where the exponential method can take no step.
 
 use super::explicit::ExplicitStepper;
-use super::exponential::{ExponentialStepper, Prepared};
+use super::exponential::{ExponentialStepper, PreparedSteps};
 use super::library::LibraryStepper;
 use super::problem::Problem;
 use super::rosenbrock::RosenbrockStepper;
@@ -36,11 +36,11 @@ pub(super) trait MethodStepper {
         false
     }
 
-    /// Takes over, before the first step, what was found out on another motion of the same system, where the method uses it.
-    fn take_over(&mut self, _prepared: Prepared, _problem: &Problem<'_>) {}
+    /// Takes over, before the first step, what was found out on a motion that led here, where the method uses it.
+    fn take_over(&mut self, _prepared: PreparedSteps, _problem: &Problem<'_>) {}
 
-    /// What another motion of the same system may take over.
-    fn into_prepared(self: Box<Self>) -> Option<Prepared> {
+    /// What a motion that goes on from here may take over.
+    fn into_prepared(self: Box<Self>) -> Option<PreparedSteps> {
         None
     }
 
@@ -99,10 +99,31 @@ fn method_stepper(method: Method, problem: &Problem<'_>, start: &Start) -> Box<d
 const CROSSINGS: u32 = 2;
 /// Largest angle, rad, by which the fastest vibration turns in a step of an explicit method.
 const EXPLICIT_ANGLE: f64 = 2.0;
-/// Largest such excess: then an explicit method goes on.
+/// Largest such excess: then an explicit method goes on. A motion that goes on from there begins with it, and stays with the
+/// exponential method only where its steps have become long.
 const MOST_EXCESS: f64 = 64.0;
 
+/// What was found out on a motion and serves one that goes on from it.
+#[derive(Debug, Clone)]
+pub struct Prepared {
+    /// What the exponential method goes on with.
+    pub(super) steps: Option<PreparedSteps>,
+    excess: StepExcess,
+}
+
+impl Prepared {
+    /// What serves a motion of another system that is much like it.
+    #[must_use]
+    pub fn for_another_system(self) -> Self {
+        Self {
+            steps: None,
+            ..self
+        }
+    }
+}
+
 /// How many steps more the exponential method takes than an explicit one would.
+#[derive(Debug, Clone)]
 struct StepExcess {
     /// A bit for each of the latest steps, set where it crossed a surface.
     crossings: u64,
@@ -219,14 +240,24 @@ impl Stepper {
         self.is_change_due = false;
     }
 
-    /// Takes over, before the first step, what was found out on another motion of the same system.
+    /// Takes over, before the first step, what was found out on a motion that led here.
     pub fn take_over(&mut self, prepared: Prepared, problem: &Problem<'_>) {
-        self.method.take_over(prepared, problem);
+        if let Some(steps) = prepared.steps {
+            self.method.take_over(steps, problem);
+        }
+        self.step_excess = StepExcess {
+            latest: self.step_excess.latest,
+            excess: prepared.excess.excess.min(MOST_EXCESS),
+            ..prepared.excess
+        };
     }
 
-    /// What another motion of the same system may take over.
-    pub fn into_prepared(self) -> Option<Prepared> {
-        self.method.into_prepared()
+    /// What a motion that goes on from here may take over.
+    pub fn into_prepared(self) -> Prepared {
+        Prepared {
+            steps: self.method.into_prepared(),
+            excess: self.step_excess,
+        }
     }
 
     /// What the latest step has come to.

@@ -42,5 +42,4 @@ mod slopes;
 mod stepper;
 mod sweeps;
 
-pub(super) use stepper::ExponentialStepper;
-pub use stepper::Prepared;
+pub(super) use stepper::{ExponentialStepper, PreparedSteps};

@@ -18,7 +18,7 @@ use crate::numerics::registers::in_wide_registers;
 /// What the method has found out on a motion and goes on with on another one of the same system: the linear part of the
 /// latest step with its operators, whether another one is due, and how long the next step may be.
 #[derive(Debug, Clone)]
-pub struct Prepared {
+pub struct PreparedSteps {
     linear: LinearPart,
     propagators: Propagators,
     excess: u32,
@@ -372,15 +372,15 @@ impl MethodStepper for ExponentialStepper {
         self.sweeps.crossed
     }
 
-    fn take_over(&mut self, prepared: Prepared, problem: &Problem<'_>) {
+    fn take_over(&mut self, prepared: PreparedSteps, problem: &Problem<'_>) {
         self.take_linear(prepared.linear, problem);
         self.linear.to_coordinates(&mut self.to);
         self.propagators = prepared.propagators;
         (self.excess, self.requested) = (prepared.excess, prepared.requested);
     }
 
-    fn into_prepared(self: Box<Self>) -> Option<Prepared> {
-        Some(Prepared {
+    fn into_prepared(self: Box<Self>) -> Option<PreparedSteps> {
+        Some(PreparedSteps {
             linear: self.linear,
             propagators: self.propagators,
             excess: self.excess,
