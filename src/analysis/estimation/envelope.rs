@@ -8,7 +8,7 @@ use super::welch::sides;
 /// The transform of a signal, of which the envelope in any band is taken: the magnitude of the analytic signal.
 ///
 /// ```text
-/// X = DFT(x), zero outside the band;  e_n = |Σ_k s_k X_k exp(2πikn/N)|/N,  s_k = 2 where k has an image at −k, else 1
+/// X = DFT(x − mean of x), zero outside the band;  e_n = |Σ_k s_k X_k exp(2πikn/N)|/N,  s_k = 2 where k has an image at −k, else 1
 /// ```
 ///
 /// The band has sharp edges over the whole record, which is taken as periodic: where its ends do not
@@ -39,6 +39,8 @@ impl Envelopes {
             forward
                 .process(&mut samples.to_vec(), &mut bins)
                 .expect("the output was made by the plan for this very length");
+            // an offset is no vibration: it would beat with what a band from 0 Hz on holds
+            bins[0] = Complex::ZERO;
         }
         Self {
             planner,
