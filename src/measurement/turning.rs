@@ -9,6 +9,24 @@ const STEADY: f64 = 0.01;
 /// Parts of the range of a tacho that a pulse falls below before the next may rise, and rises above.
 const LEVELS: [f64; 2] = [0.4, 0.6];
 
+/// Most pulses that are missed in a row.
+const MOST_MISSED: f64 = 2.0;
+/// Parts by which intervals between pulses may differ about one with missed pulses, and by which that one may differ from a
+/// multiple of them.
+const ALIKE: f64 = 0.2;
+const MULTIPLE: f64 = 0.15;
+
+/// How a shaft turned, by a tacho.
+#[derive(Debug, Clone)]
+pub struct TachoTurning {
+    /// Angles and speeds between the first and the last pulse.
+    pub turning: Turning,
+    /// The samples between these.
+    pub range: std::ops::Range<usize>,
+    /// Places between samples of pulses that the tacho missed.
+    pub missed: Vec<f64>,
+}
+
 /// How a shaft turned.
 #[derive(Debug, Clone)]
 pub enum Turning {
@@ -47,10 +65,11 @@ impl Turning {
         Self::Measured { angle, speed }
     }
 
-    /// By a tacho of some pulses a revolution, and the samples from the first pulse to the last one, between which it is known.
+    /// By a tacho of some pulses a revolution, from the first pulse to the last one, between which it is known.
     ///
     /// A pulse is where the tacho rises through the middle of its range, between samples on a straight line; between pulses the angle
-    /// is the cubic through those of both ends with the slopes of the pulses around them.
+    /// is the cubic through those of both ends with the slopes of the pulses around them. An interval twice or three times as
+    /// long as those before and after it, which are alike, has missed pulses, which are put in.
     ///
     /// # Errors
     /// [`TachoError`] of fewer than three pulses.
@@ -58,8 +77,8 @@ impl Turning {
         tacho: &[f64],
         pulses_per_revolution: f64,
         rate: f64,
-    ) -> Result<(Self, std::ops::Range<usize>), TachoError> {
-        let pulses = pulses(tacho);
+    ) -> Result<TachoTurning, TachoError> {
+        let (pulses, missed) = with_missed(pulses(tacho));
         let [first, _, .., last] = pulses[..] else {
             let pulses = pulses.len();
             return Err(TachoError { pulses });
@@ -84,7 +103,11 @@ impl Turning {
             angle.push(step * pulse as f64 + u * (v + u * (c2 + u * c3)));
             speed.push(((v + u * (2.0 * c2 + 3.0 * u * c3)) / h * rate).max(0.0));
         }
-        Ok((Self::Measured { angle, speed }, range))
+        Ok(TachoTurning {
+            turning: Self::Measured { angle, speed },
+            range,
+            missed,
+        })
     }
 
     /// Mean, lowest and highest speed, rad/s.
@@ -144,9 +167,54 @@ fn pulses(tacho: &[f64]) -> Vec<f64> {
     pulses
 }
 
+/// Pulses with those that were missed among them, and these.
+fn with_missed(pulses: Vec<f64>) -> (Vec<f64>, Vec<f64>) {
+    let mut missed = Vec::new();
+    for four in pulses.windows(4) {
+        let [before, own, after] = [0, 1, 2].map(|interval| four[interval + 1] - four[interval]);
+        let usual = 0.5 * (before + after);
+        let count = (own / usual).round();
+        let is_multiple =
+            (own / usual - count).abs() <= MULTIPLE && (before - after).abs() <= ALIKE * usual;
+        if is_multiple && (2.0..=MOST_MISSED + 1.0).contains(&count) {
+            let between = (1..count as u32).map(|part| four[1] + f64::from(part) * own / count);
+            missed.extend(between);
+        }
+    }
+    let mut all = [pulses, missed.clone()].concat();
+    all.sort_by(f64::total_cmp);
+    (all, missed)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Of 25 revolutions a second one pulse is lost, later two in a row.
+    #[test]
+    fn a_missed_pulse_is_put_in() {
+        let tacho = |n: u32| {
+            let is_lost = [40, 71, 72].contains(&(n / 400));
+            f64::from(n % 400 < 40 && !is_lost)
+        };
+        let tacho: Vec<f64> = (0..40_000).map(tacho).collect();
+        let found = Turning::from_tacho(&tacho, 1.0, 10_000.0).expect("pulses");
+        let places: Vec<f64> = found
+            .missed
+            .iter()
+            .map(|place| (place / 400.0).round())
+            .collect();
+        assert_eq!(places, [40.0, 71.0, 72.0]);
+        let speed = found.turning.steady().expect("a steady speed");
+        assert!((speed / (25.0 * TAU) - 1.0).abs() < 1e-9, "{speed}");
+    }
+
+    /// A shaft that starts has long intervals, and has missed nothing.
+    #[test]
+    fn a_start_from_rest_misses_nothing() {
+        let pulses: Vec<f64> = (0..40).map(|n| 1000.0 * f64::from(n).sqrt()).collect();
+        assert_eq!(with_missed(pulses.clone()), (pulses, vec![]));
+    }
 
     /// A shaft that runs up from 10 to 30 Hz in 10 s, with a pulse of a tenth of a revolution.
     #[test]
@@ -158,8 +226,14 @@ mod tests {
             if part < 0.1 { 5.0 } else { 0.2 }
         };
         let tacho: Vec<f64> = (0..100_000).map(tacho).collect();
-        let (turning, range) = Turning::from_tacho(&tacho, 1.0, rate).expect("pulses");
+        let found = Turning::from_tacho(&tacho, 1.0, rate).expect("pulses");
+        let TachoTurning {
+            turning,
+            range,
+            missed,
+        } = found;
         assert_eq!(turning.steady(), None);
+        assert!(missed.is_empty());
         let Turning::Measured {
             angle: found,
             speed,

@@ -52,9 +52,17 @@ impl TurningSource {
                 let tacho = signals.at_samples(&signal);
                 let found = Turning::from_tacho(&tacho, pulses, signals.rate);
                 let wrong = |error: TachoError| Issue::new("speed.tacho", error.to_string());
-                let (turning, range) = problems.take(found.map_err(wrong))?;
-                signals.keep(range);
-                Some(turning)
+                let found = problems.take(found.map_err(wrong))?;
+                if let Some(first) = found.missed.first() {
+                    problems.warn(format!(
+                        "the tacho misses {} of its pulses, the first at {:.4} s, where the time from pulse to pulse is a multiple of \
+                         those around it: they were put in",
+                        found.missed.len(),
+                        signals.start + first / signals.rate,
+                    ));
+                }
+                signals.keep(found.range);
+                Some(found.turning)
             }
         })
     }
