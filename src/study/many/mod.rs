@@ -50,6 +50,42 @@ pub struct Keep {
     pub section: Option<SectionKind>,
 }
 
+impl Keep {
+    /// Leaves out all that nothing of what is kept rests on.
+    fn reduce(&self, columns: &[NumberColumn], model: &mut Model) {
+        model.spectra.clear();
+        let highest_order = self.order_of_lines(columns);
+        model.spectrum = model.spectrum.filter(|_| highest_order.is_some());
+        let fits_window = model.analyses.fits_window;
+        model.analyses = Analyses {
+            fits_window,
+            motion: match self.section {
+                None => MotionAnalysis::None,
+                section => MotionAnalysis::Statistics(section),
+            },
+            machine: None,
+            maps: false,
+            loads: false,
+            velocities: false,
+            settled_only: true,
+            highest_order,
+            named_peaks: self.highest_order.is_some(),
+            force_lines: false,
+        };
+        for column in columns {
+            (column.ask)(&mut model.analyses);
+        }
+    }
+
+    /// Highest order of the spectra; none where nothing rests on them.
+    fn order_of_lines(&self, columns: &[NumberColumn]) -> Option<f64> {
+        let orders = columns.iter().filter_map(|column| column.order);
+        let highest = orders.map(f64::from).chain(self.highest_order);
+        // round-off may put the bin of an order just beyond it
+        highest.reduce(f64::max).map(|order| order * (1.0 + 1e-9))
+    }
+}
+
 /// Why a run is to be made again.
 #[derive(Debug, thiserror::Error)]
 pub enum Unmade {
@@ -137,40 +173,6 @@ impl Maker<'_> {
         Ok(model)
     }
 
-    /// Leaves out all that nothing of what is kept rests on.
-    fn reduce(&self, model: &mut Model) {
-        model.spectra.clear();
-        let highest_order = self.highest_order();
-        model.spectrum = model.spectrum.filter(|_| highest_order.is_some());
-        let fits_window = model.analyses.fits_window;
-        model.analyses = Analyses {
-            fits_window,
-            motion: match self.keep.section {
-                None => MotionAnalysis::None,
-                section => MotionAnalysis::Statistics(section),
-            },
-            machine: None,
-            maps: false,
-            loads: false,
-            velocities: false,
-            settled_only: true,
-            highest_order,
-            named_peaks: self.keep.highest_order.is_some(),
-            force_lines: false,
-        };
-        for column in self.columns {
-            (column.ask)(&mut model.analyses);
-        }
-    }
-
-    /// Highest order of the spectra; none where nothing rests on them.
-    fn highest_order(&self) -> Option<f64> {
-        let orders = self.columns.iter().filter_map(|column| column.order);
-        let highest = orders.map(f64::from).chain(self.keep.highest_order);
-        // round-off may put the bin of an order just beyond it
-        highest.reduce(f64::max).map(|order| order * (1.0 + 1e-9))
-    }
-
     /// The motion of one run, with the start that the runs before it in its chain lead to.
     ///
     /// # Errors
@@ -199,7 +201,7 @@ impl Maker<'_> {
             Ok(model) => model,
             Err(message) => return Ok(Err(message)),
         };
-        self.reduce(&mut model);
+        self.keep.reduce(self.columns, &mut model);
         let mut sink = RunSink::new(&model, self.schedule.carries(), trace);
         let mut monitor = Monitor {
             stop: self.stop,
@@ -320,4 +322,47 @@ fn section_points(motion: &Motion, kind: SectionKind) -> Vec<Point> {
                 .collect(),
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use crate::scenario;
+
+    /// A number that is kept alone, with all left out that it does not rest on, is that of the whole run.
+    #[test]
+    fn every_number_asks_for_what_it_rests_on() {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios/fan-6205.toml");
+        let scenario = scenario::load(&file).expect("a scenario");
+        let mut model = scenario.model.expect("a motion");
+        model.verify = false;
+        model.analyses.motion = MotionAnalysis::Kind;
+        model.analyses.maps = false;
+        let stop = AtomicBool::new(false);
+        let run = |model: &Model| {
+            let mut sink = RunSink::new(model, false, None);
+            let mut monitor = Monitor {
+                stop: &stop,
+                progress: &mut |_| {},
+            };
+            simulate(model, &mut sink, &mut monitor).expect("a run")
+        };
+        let whole = run(&model);
+        let (mut found, columns) = (0, number_columns(&model.rotor));
+        let one_of_a_kind = |column: &&NumberColumn| {
+            !column.is_error() && column.order.is_none_or(|order| order == 1)
+        };
+        for column in columns.iter().filter(one_of_a_kind) {
+            let mut alone = model.clone();
+            Keep::default().reduce(std::slice::from_ref(column), &mut alone);
+            let [expected, own] = [&whole, &run(&alone)].map(|run| column.in_run(run));
+            // a run has the spectra of the forces of single bearings only where they are asked for
+            let is_same = own == expected || expected.is_nan();
+            assert!(is_same, "{}: {own} {expected}", column.column.name());
+            found += u32::from(own.is_finite());
+        }
+        assert!(found > 60, "{found} of {}", columns.len());
+    }
 }

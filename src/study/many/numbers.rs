@@ -239,7 +239,7 @@ pub fn number_columns(rotor: &RotorDefinition) -> Vec<NumberColumn> {
     }
     for freedom in 0..freedoms.lengths() {
         let column = Channel::Velocity(freedom).measure("rms");
-        columns.push(number(column, STATISTICS, move |run| {
+        columns.push(number(column, VELOCITIES, move |run| {
             let level = run.motion.as_ref()?.velocity.get(freedom)?.as_ref();
             level.map(|level| level.rms)
         }));
