@@ -71,7 +71,6 @@ pub(super) fn skf_moment(
     let lubrication = bearing.lubrication?;
     let operation = SkfOperation {
         boundary: bearing.boundary?,
-        pitch_diameter: bearing.geometry.pitch_diameter(),
         static_rating: static_rating(&bearing.geometry, contacts),
         loads: [force[0].hypot(force[1]), force[2]],
         viscosity: lubrication.viscosity,

@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 /// φ_rs  = exp(−K_rs ν n (d + D) √(K_z/(2 (D − d))))     K_z = 3.1
 /// ```
 ///
-/// M in N mm, lengths in mm, ν in mm²/s, n in 1/min, loads in N; K_rs = 3e-8 in an oil bath or jet, 6e-8 with grease.
+/// d_m = (d + D)/2, M in N mm, lengths in mm, ν in mm²/s, n in 1/min, loads in N; K_rs = 3e-8 in an oil bath or jet, 6e-8 with grease.
 /// No seals, no drag in an oil bath.
 ///
 /// Source: SKF, *Rolling bearings*, catalogue, section on friction (model of 2004).
@@ -28,8 +28,6 @@ pub struct SkfFriction {
 pub struct SkfOperation {
     /// Bore and outside diameter, m.
     pub boundary: [f64; 2],
-    /// Pitch diameter, m.
-    pub pitch_diameter: f64,
     /// Basic static load rating C_0, N.
     pub static_rating: f64,
     /// Radial and axial load, N; their signs do not matter.
@@ -73,7 +71,6 @@ impl SkfFriction {
     /// // 6205, 1000 N radial, ν = 20 mm²/s, 3000 rpm, oil bath: 20.631 N mm
     /// let [rolling, sliding] = SkfFriction::from_designation("6205").unwrap().moment(&SkfOperation {
     ///     boundary: [0.025, 0.052],
-    ///     pitch_diameter: 0.0385,
     ///     static_rating: 7850.0,
     ///     loads: [1000.0, 0.0],
     ///     viscosity: 20e-6,
@@ -89,7 +86,8 @@ impl SkfFriction {
         }
         let viscosity = 1e6 * operation.viscosity;
         let [bore, outside] = operation.boundary.map(|length| 1e3 * length);
-        let mean = 1e3 * operation.pitch_diameter;
+        // d_m = (d + D)/2
+        let mean = 0.5 * (bore + outside);
         let starvation = if operation.grease { 6e-8 } else { 3e-8 };
         let inlet = 1.0 / (1.0 + 1.84e-9 * (rpm * mean).powf(1.28) * viscosity.powf(0.64));
         let section = (3.1 / (2.0 * (outside - bore))).sqrt();

@@ -122,7 +122,6 @@ fn reference_viscosities_and_life_factors() {
 fn friction_of_a_6205_after_skf() {
     let operation = SkfOperation {
         boundary: [0.025, 0.052],
-        pitch_diameter: 38.5e-3,
         static_rating: 7850.0,
         loads: [1000.0, 0.0],
         viscosity: 20e-6,
