@@ -12,6 +12,9 @@ use crate::physics::{
 /// Rotation factor V of the radial load where the outer ring turns past it.
 const OUTER_ROTATION: f64 = 1.2;
 
+/// Largest nominal contact angle of a radial bearing, 45°, with the round-off of one that was given in degrees.
+const LARGEST_RADIAL_ANGLE: f64 = std::f64::consts::FRAC_PI_4 + 1e-9;
+
 /// Hours of 10⁶ revolutions at 1 rad/s.
 const HOURS_PER_MREV: f64 = 1e6 * std::f64::consts::TAU / 3600.0;
 
@@ -255,16 +258,16 @@ pub struct ModifiedLife {
     /// C_u, N.
     #[serde(rename = "fatigue_load_limit_N")]
     pub fatigue_load_limit: f64,
-    /// a_ISO; none without contamination class: then the life is that of a_ISO = 1.
+    /// a_ISO; none without contamination class: then a life with reliability is that of a_ISO = 1.
     pub life_modification_factor: Option<f64>,
     /// a_1.
     pub reliability_factor: f64,
     /// Reliability, per cent.
     #[serde(rename = "reliability_percent")]
     pub reliability: f64,
-    /// L_nm, 10⁶ revolutions.
+    /// L_nm, 10⁶ revolutions; none where neither cleanliness nor reliability is given.
     #[serde(rename = "life_Mrev")]
-    pub life: f64,
+    pub life: Option<f64>,
     /// L_nm in hours at the speed; none at rest.
     #[serde(rename = "life_h")]
     pub hours: Option<f64>,
@@ -276,21 +279,33 @@ fn hours(life: f64, speed: f64) -> Option<f64> {
 }
 
 impl Bearing {
-    /// How fast the bearing lives under the loads of its balls or rollers; none without a dynamic load rating.
+    /// C in N, where it is that of a radial bearing.
+    fn radial_rating(&self) -> Option<f64> {
+        self.dynamic_rating.filter(|_| !self.is_thrust_bearing())
+    }
+
+    /// Whether C is an axial load rating: the nominal contact angle is above 45°, and the lives of radial bearings are not its.
+    ///
+    /// Source: ISO 281:2007, sec. 1 and 3.
+    pub(super) fn is_thrust_bearing(&self) -> bool {
+        self.geometry.nominal_angle() > LARGEST_RADIAL_ANGLE
+    }
+
+    /// How fast the bearing lives under the loads of its balls or rollers; none without a dynamic radial load rating.
     pub(crate) fn rating_life(&self) -> Option<RatingLife> {
-        let rating = self.dynamic_rating?;
+        let rating = self.radial_rating()?;
         Some(RatingLife::new(&self.geometry, rating, self.rotating_ring))
     }
 
     /// All rating lives: L10r in 10⁶ revolutions, the force of the ring in N, the speed in rad/s. None without a dynamic
-    /// load rating.
+    /// radial load rating.
     pub(super) fn rating_lives(
         &self,
         reference: f64,
         force: &Vector5,
         speed: f64,
     ) -> Option<RatingLives> {
-        let rating = self.dynamic_rating?;
+        let rating = self.radial_rating()?;
         let (radial, axial) = (force[0].hypot(force[1]), force[2].abs());
         let geometry = &self.geometry;
         let diameter = 1e3 * geometry.ball_diameter();
@@ -326,13 +341,13 @@ impl Bearing {
     /// L_nm of a bearing whose life L10r in 10⁶ revolutions is known, at a speed in rad/s; none where neither
     /// lubricant nor reliability is given.
     pub(crate) fn modified_life(&self, reference: f64, speed: f64) -> Option<ModifiedLife> {
-        let rating = self.dynamic_rating?;
+        let rating = self.radial_rating()?;
         if self.lubrication.is_none() && self.reliability.is_none() {
             return None;
         }
         let pitch = self.geometry.pitch_diameter();
-        let lubrication = self.lubrication.as_ref().filter(|_| speed != 0.0);
-        let ratio = lubrication.map(|oil| oil.viscosity / reference_viscosity(speed, pitch));
+        let ratio = self.viscosity_ratio(speed);
+        let lubrication = self.lubrication.filter(|_| ratio.is_some());
         let contamination = lubrication
             .and_then(|oil| oil.contamination)
             .map(|class| class.factor(pitch));
@@ -347,7 +362,8 @@ impl Bearing {
             .map(|(ratio, factor)| modification.factor(ratio, factor * limit / load));
         let reliability = self.reliability.unwrap_or(90.0);
         let reliability_factor = reliability_factor(reliability);
-        let life = reliability_factor * factor.unwrap_or(1.0) * reference;
+        let is_modified = factor.is_some() || self.reliability.is_some();
+        let life = is_modified.then(|| reliability_factor * factor.unwrap_or(1.0) * reference);
         Some(ModifiedLife {
             viscosity_ratio: ratio,
             contamination_factor: contamination,
@@ -356,8 +372,15 @@ impl Bearing {
             reliability_factor,
             reliability,
             life,
-            hours: hours(life, speed),
+            hours: life.and_then(|life| hours(life, speed)),
         })
+    }
+
+    /// κ = ν/ν1 at a speed in rad/s; none without lubricant, or at rest.
+    pub(super) fn viscosity_ratio(&self, speed: f64) -> Option<f64> {
+        let oil = self.lubrication.filter(|_| speed != 0.0)?;
+        let needed = reference_viscosity(speed, self.geometry.pitch_diameter());
+        Some(oil.viscosity / needed)
     }
 }
 

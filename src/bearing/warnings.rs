@@ -35,6 +35,8 @@ pub(super) fn bearing_warnings(
         wrong_way(bearing, loaded),
         squeezed(bearing),
         edge_loaded(loaded),
+        without_life(bearing),
+        thinly_lubricated(bearing, speed),
     ];
     let mut warnings: Vec<String> = first.into_iter().flatten().collect();
     for (side, race) in ["inner", "outer"].into_iter().enumerate() {
@@ -70,6 +72,33 @@ fn too_fast(bearing: &Bearing, speed: f64) -> Option<String> {
             speed.abs() * PER_MINUTE,
             speed.abs() / limit,
             limit * PER_MINUTE
+        )
+    })
+}
+
+/// A bearing whose lives are not those of a radial one.
+fn without_life(bearing: &Bearing) -> Option<String> {
+    bearing
+        .dynamic_rating
+        .filter(|_| bearing.is_thrust_bearing())?;
+    Some(format!(
+        "no life is told: with a contact angle of {:.1}° this is a thrust bearing after ISO 281, whose dynamic load rating is \
+         axial; lives are those of radial bearings, up to 45°",
+        bearing.geometry.nominal_angle().to_degrees(),
+    ))
+}
+
+/// Least viscosity ratio κ for which ISO 281 gives a_ISO.
+const LEAST_RATIO: f64 = 0.1;
+
+/// A lubricant that is too thin for the modified life.
+fn thinly_lubricated(bearing: &Bearing, speed: f64) -> Option<String> {
+    bearing.lubrication?.contamination?;
+    let ratio = bearing.viscosity_ratio(speed)?;
+    (ratio < LEAST_RATIO && !bearing.is_thrust_bearing()).then(|| {
+        format!(
+            "the viscosity ratio κ is {ratio:.3}, and ISO 281 gives a_ISO from {LEAST_RATIO} on: below it a_ISO is taken as its least, \
+             0.1; a more viscous oil, or static safety, decides there"
         )
     })
 }

@@ -293,8 +293,14 @@ fn add_lives(out: &mut Lines, state: &BearingState) {
     let Some(modified) = &lives.modified else {
         return;
     };
-    let text = shown(modified.life, modified.hours);
-    out.line("life L_nm", format!("{text} at {} %", modified.reliability));
+    let text = match modified.life {
+        Some(life) => {
+            let life = shown(life, modified.hours);
+            format!("{life} at {} %", modified.reliability)
+        }
+        None => "not known: it needs `contamination` in [bearing.oil]".to_owned(),
+    };
+    out.line("life L_nm", text);
     let factors = [
         ("κ", modified.viscosity_ratio),
         ("e_C", modified.contamination_factor),

@@ -66,8 +66,8 @@ pub struct LifeHistory {
     pub whole_run: ConsumedLife,
     /// From the first sample after the settle time on.
     pub after_settle: ConsumedLife,
-    /// L_nm of ISO/TS 16281 at the mean speed after the settle time, by the life L10r there; none where neither
-    /// lubricant nor reliability is given.
+    /// L_nm of ISO/TS 16281 at the mean speed after the settle time, by the life L10r there, and what it rests on; none where
+    /// neither lubricant nor reliability is given.
     pub modified: Option<ModifiedLife>,
 }
 

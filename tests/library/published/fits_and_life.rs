@@ -198,6 +198,52 @@ fn fits_raise_the_preload_of_a_pair_and_a_warm_shaft_lowers_it() {
     );
 }
 
+/// By a lubricant alone no modified life follows: ISO 281 needs the cleanliness, too.
+#[test]
+fn oil_alone_tells_its_viscosity_ratio_and_no_life() {
+    let load = "[[load]]\nconstant = { y = \"-2000 N\" }\n";
+    let thin = pair(&format!("[bearing.oil]\nviscosity = \"5 mm^2/s\"\n{load}"));
+    let modified = thin.rating_lives.expect("lives").modified.expect("κ");
+    // ν1 of 60 mm at 3000 rpm: 4500/√(3000·60) = 10.607 mm²/s
+    let ratio = modified.viscosity_ratio.expect("κ");
+    assert_near("κ", ratio, 5.0 / 10.607, 1e-4);
+    assert_eq!(
+        [
+            modified.life,
+            modified.hours,
+            modified.life_modification_factor
+        ],
+        [None; 3]
+    );
+}
+
+/// 60°: ISO 281 has no radial rating of it, and a rating that is given is axial.
+#[test]
+fn thrust_bearings_have_no_life_of_radial_ones() {
+    let text = |angle: u32| {
+        format!(
+            "[shaft]\nmass = \"5 kg\"\nfreedoms = \"translational\"\n[speed]\nconstant = \"3000 rpm\"\n\
+             [[bearing]]\ndynamic_rating = \"16.6 kN\"\n[bearing.geometry]\nballs = 14\nball_diameter = \"7.938 mm\"\n\
+             pitch_diameter = \"38.5 mm\"\ngroove_factor_inner = 0.52\ngroove_factor_outer = 0.52\n\
+             contact_angle = \"{angle} deg\"\n[[load]]\nconstant = {{ y = \"-300 N\", z = \"1 kN\" }}\n"
+        )
+    };
+    for (angle, has_life) in [(45, true), (46, false), (60, false)] {
+        let scenario = Scenario::from_toml(&text(angle)).expect("a scenario");
+        let answer = crate::quasi_static::quasi_static(&scenario.question).expect("an answer");
+        assert_eq!(
+            answer.bearings[0].rating_lives.is_some(),
+            has_life,
+            "{angle}°"
+        );
+        let warned = answer
+            .warnings
+            .iter()
+            .any(|warning| warning.contains("thrust bearing"));
+        assert_eq!(warned, !has_life, "{angle}°: {:?}", answer.warnings);
+    }
+}
+
 #[test]
 fn lives_with_oil_and_contamination() {
     let oil = "[[load]]\nconstant = { y = \"-2000 N\" }\n";
@@ -223,7 +269,7 @@ fn lives_with_oil_and_contamination() {
     assert_near("a_ISO", factor, expected, 1e-9);
     assert_near(
         "L5",
-        modified.life / (0.64 * factor * lives.reference),
+        modified.life.expect("a life") / (0.64 * factor * lives.reference),
         1.0,
         1e-12,
     );
