@@ -87,6 +87,7 @@ pub(crate) fn assembled_warnings(definition: &RotorDefinition, rotor: &Rotor) ->
     let unbalance = unbalance(definition, rotor).into_iter();
     let inertia = inertia_left_out(rotor).into_iter();
     let doubtful = unbalance.chain(overdamped(definition)).chain(inertia);
+    let doubtful = doubtful.chain(base_left_out(definition));
     let tables = definition.beyond_tables();
     doubtful.chain(tables).chain(bearings(rotor)).collect()
 }
@@ -102,6 +103,15 @@ fn overdamped(definition: &RotorDefinition) -> Option<String> {
              ball bearings have 0.02 to 0.04; if {ratio} % is meant, write ratio = {}",
             ratio / 100.0
         )
+    })
+}
+
+/// A base that shakes, whose own motion is no part of the answer.
+fn base_left_out(definition: &RotorDefinition) -> Option<String> {
+    definition.loads.iter().any(|load| load.acts_on_mass()).then(|| {
+        "the base shakes (`[load.base]`), and every motion is told relative to it: what sensors on a housing measure, and the \
+         zones of ISO 20816-3 judge, is that plus the motion of the base itself"
+            .to_owned()
     })
 }
 
