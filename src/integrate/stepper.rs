@@ -112,6 +112,14 @@ pub struct Prepared {
 }
 
 impl Prepared {
+    /// Nothing found out yet, before a start.
+    pub(super) fn nothing(start: &Start) -> Self {
+        Self {
+            steps: None,
+            excess: StepExcess::new(start),
+        }
+    }
+
     /// What serves a motion of another system that is much like it.
     #[must_use]
     pub fn for_another_system(self) -> Self {

@@ -180,8 +180,8 @@ fn few_forces_variation(
         counters: Counters::default(),
     };
     let mut stepper = ExponentialStepper::with_slopes(problem, &from);
-    let mut going_on = prepared.take();
-    if let Some(steps) = going_on.as_mut().and_then(|prepared| prepared.steps.take()) {
+    let mut going_on = prepared.take().unwrap_or_else(|| Prepared::nothing(&from));
+    if let Some(steps) = going_on.steps.take() {
         stepper.take_over(steps, problem);
     }
     while stepper.reached().time < problem.end {
@@ -193,10 +193,8 @@ fn few_forces_variation(
     let mut end = start.to_vec();
     problem.write_state(stepper.reached().deviation, &mut end);
     let (slopes, counters) = (stepper.slopes(problem), stepper.reached().counters);
-    if let Some(going_on) = &mut going_on {
-        going_on.steps = Box::new(stepper).into_prepared();
-    }
-    *prepared = going_on;
+    going_on.steps = Box::new(stepper).into_prepared();
+    *prepared = Some(going_on);
     Ok(slopes.map(|slopes| Variation {
         end,
         slopes,
