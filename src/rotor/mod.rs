@@ -84,7 +84,7 @@ pub use speed_profile::{Rotation, SpeedPoint, SpeedProfile};
 pub use squeeze_film::SqueezeFilm;
 pub use tabulation::Tabulation;
 pub use unbalance::PlaneUnbalance;
-pub use unconstrained::{UnconstrainedError, check_constraints};
+pub use unconstrained::{UnconstrainedError, check_constraints, unconstrained_warning};
 
 /// Σ a_i b_i.
 fn dot(a: &[f64], b: &[f64]) -> f64 {

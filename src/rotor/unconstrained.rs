@@ -83,16 +83,7 @@ pub fn check_constraints(
     rotor: &Rotor,
 ) -> Result<Vec<String>, UnconstrainedError> {
     let free = &rotor.start.free;
-    let along = |axes: Vec<usize>| {
-        let coordinates = &rotor.structure.coordinates;
-        let names = axes.into_iter().map(|dof| coordinates[dof].name.as_str());
-        let names: Vec<&str> = names.collect();
-        (!names.is_empty()).then(|| Unconstrained {
-            freedoms: names.join(", "),
-            stiffness: free.stiffness,
-            contact: free.contact,
-        })
-    };
+    let along = |axes: Vec<usize>| unconstrained_along(rotor, axes);
     let Some(all) = along(free.axes(PARTLY)) else {
         return Ok(Vec::new());
     };
@@ -116,6 +107,27 @@ pub fn check_constraints(
     Ok(vec![format!(
         "{all}; its place there is one of many, and the natural frequencies leave it out{damping}"
     )])
+}
+
+/// What the reader of a linearised answer should know of freedoms that nothing holds at the static equilibrium.
+pub fn unconstrained_warning(rotor: &Rotor) -> Option<String> {
+    let all = unconstrained_along(rotor, rotor.start.free.axes(PARTLY))?;
+    Some(format!(
+        "{all}; natural frequencies leave it out, and responses know no force that restores it: add a load or a preload, or hold \
+         the freedom by shaft.freedoms"
+    ))
+}
+
+/// Some freedoms that nothing holds; none where there are none.
+fn unconstrained_along(rotor: &Rotor, axes: Vec<usize>) -> Option<Unconstrained> {
+    let (free, coordinates) = (&rotor.start.free, &rotor.structure.coordinates);
+    let names = axes.into_iter().map(|dof| coordinates[dof].name.as_str());
+    let names: Vec<&str> = names.collect();
+    (!names.is_empty()).then(|| Unconstrained {
+        freedoms: names.join(", "),
+        stiffness: free.stiffness,
+        contact: free.contact,
+    })
 }
 
 /// What nothing holds at the static equilibrium.

@@ -9,7 +9,7 @@ use crate::analysis::{Channel, Motion};
 use crate::bearing::{ContactLaw, Support};
 use crate::integrate::{Method, Stiffness};
 use crate::physics::{Race, ball_mass, centrifugal_force, nominal_cage_speed};
-use crate::rotor::{Damping, Rotor, RotorDefinition};
+use crate::rotor::{Damping, Rotor, RotorDefinition, unconstrained_warning};
 
 /// Balance quality grade of ISO 21940-11 beyond all that it lists but rigidly mounted marine engines, mm/s.
 const COARSEST_BALANCE: f64 = 100.0;
@@ -78,7 +78,11 @@ pub(crate) fn speed_warnings(definition: &RotorDefinition) -> Vec<String> {
     let rotor = Rotor::assemble(definition);
     rotor.map_or_else(
         |_| Vec::new(),
-        |rotor| assembled_warnings(definition, &rotor),
+        |rotor| {
+            let unconstrained = unconstrained_warning(&rotor).into_iter();
+            let others = assembled_warnings(definition, &rotor);
+            unconstrained.chain(others).collect()
+        },
     )
 }
 
