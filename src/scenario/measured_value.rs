@@ -126,6 +126,11 @@ pub(super) fn deviation(
         Some(part) => part * measured.abs(),
         None => read(value, unit, place)?,
     };
+    positive_deviation(sigma, place)
+}
+
+/// A standard deviation that can weigh what was measured.
+pub(super) fn positive_deviation(sigma: f64, place: &str) -> Result<f64, Issue> {
     match sigma > 0.0 && sigma.is_finite() {
         true => Ok(sigma),
         false => Err(Issue::new(place, "a standard deviation is positive")

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::axis::Scalar;
-use super::measured_value::{Amplitude, deviation, percent, read};
+use super::measured_value::{Amplitude, deviation, percent, positive_deviation, read};
 use super::problems::{Issue, Problems};
 use super::set_input::SetInput;
 use crate::analysis::Channel;
@@ -203,19 +203,23 @@ impl ObservationInput {
         let mut readings = Vec::new();
         if let Some(amplitude) = &amplitude {
             let measured = self.detector.peak() * amplitude.value;
-            let sigma = self.sigma.as_ref().map(|sigma| match percent(&sigma.0) {
-                Some(part) => Ok(part * measured.abs()),
-                None => Amplitude::read(&sigma.0, channel, ".sigma")
-                    .map(|own| self.detector.peak() * own.value),
+            let sigma = self.sigma.as_ref().map(|sigma| {
+                let sigma = match percent(&sigma.0) {
+                    Some(part) => part * measured.abs(),
+                    None => {
+                        let own = Amplitude::read(&sigma.0, channel, ".sigma")?;
+                        self.detector.peak() * own.value
+                    }
+                };
+                positive_deviation(sigma, ".sigma")
             });
             readings.push(reading(channel, &name, rate, measured, sigma.transpose()?));
         }
         if let Some(phase) = &self.phase {
             let measured = read(&phase.0, "rad", ".phase")?;
-            let own = self
-                .phase_sigma
-                .as_ref()
-                .map(|sigma| read(&sigma.0, "rad", ".phase_sigma"));
+            let own = self.phase_sigma.as_ref().map(|sigma| {
+                positive_deviation(read(&sigma.0, "rad", ".phase_sigma")?, ".phase_sigma")
+            });
             let of_amplitude = readings
                 .first()
                 .and_then(|(_, _, own): &Reading| Some(own.sigma? / own.measured));

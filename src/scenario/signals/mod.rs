@@ -108,9 +108,13 @@ impl Signals {
             si(&input.duration).map_or(length, |duration| (duration * rate).round() as usize);
         if first + FEWEST > length {
             let end = significant(self.start + length as f64 / rate);
-            let message =
-                format!("nothing is left: the record ends at {end} s, after {length} samples");
-            problems.refuse(Issue::new("record.start", message).help("give an earlier `start`"));
+            let message = format!("the record ends at {end} s, after {length} samples");
+            problems.refuse(match first {
+                0 => Issue::new("record", format!("{message}; at least {FEWEST} are needed"))
+                    .help("give a longer record"),
+                _ => Issue::new("record.start", format!("nothing is left: {message}"))
+                    .help("give an earlier `start`"),
+            });
             return None;
         }
         self.keep(first..(first + count.max(1)).min(length));
