@@ -172,6 +172,15 @@ impl<'a> SignalReader<'a> {
             return None;
         };
         let name = &input.name.clone().unwrap_or_else(|| channel.name.clone());
+        let general = self.input.unit.as_ref().filter(|_| input.unit.is_none());
+        if let Some((asked, own)) = general.zip(channel.unit.as_ref())
+            && asked != own
+        {
+            problems.warn(format!(
+                "`{name}` is in {own} by its file: the `unit` {asked} of the record is for channels that do not say theirs; give \
+                 this one a `unit` of its own to overrule that"
+            ));
+        }
         let unit = input.unit.clone().or(channel.unit.clone());
         let unit = unit.or(self.input.unit.clone()).unwrap_or_default();
         let known = sensor_unit(&unit).filter(|_| !unit.is_empty());
