@@ -9,7 +9,7 @@ use crate::rotor::{
     CageMotion, Damping, Freedoms, InitialPosition, InitialState, Load, LoadKind, Rotor,
     RotorDefinition, Sample, UnconstrainedError,
 };
-use crate::simulate::{Run, SimulateError};
+use crate::simulate::{Run, SimulateError, speed_warnings};
 
 use crate::tests::support::{
     back_to_back_pair, constant, literature_bearing, model, mounted, rotor, shaft, try_run, under,
@@ -65,6 +65,20 @@ fn an_unbalanced_shaft_floats_in_its_clearance_and_the_run_says_so() {
         "{text}"
     );
     assert!(text.contains("0.0e0 N/m, where a loaded contact"), "{text}");
+}
+
+/// What linearises the shaft has no motion that would tell.
+#[test]
+fn linearised_answers_say_what_nothing_holds() {
+    let told = speed_warnings(&floating());
+    let unconstrained = told.iter().find(|text| text.contains("nothing holds"));
+    let text = unconstrained.unwrap_or_else(|| panic!("no warning: {told:?}"));
+    assert!(text.contains("natural frequencies leave it out"), "{text}");
+    let loaded = RotorDefinition {
+        loads: constant([100.0, -500.0, 0.0, 0.0, 0.0]),
+        ..floating()
+    };
+    assert_eq!(speed_warnings(&loaded), Vec::<String>::new());
 }
 
 #[test]
