@@ -15,7 +15,7 @@ use super::welch::sides;
 /// meet, the envelope errs over about one reciprocal bandwidth at either end.
 ///
 /// Source: S. L. Marple, IEEE Trans. Signal Process. 47 (1999) 2600–2603, for the discrete analytic
-/// signal; `abs(scipy.signal.hilbert(x))` of the band-passed x is the same.
+/// signal; `abs(scipy.signal.hilbert(x))` of the band-passed x without its mean is the same.
 pub struct Envelopes {
     planner: RealFftPlanner<f64>,
     bins: Vec<Complex<f64>>,
