@@ -1,7 +1,8 @@
 //! Natural frequencies over the speed: the Campbell diagram of the linearised rotor.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
+use crate::numerics::digits::to_digits;
 use crate::rotor::{Rotor, RotorDefinition, RotorError, Whirl};
 use crate::simulate::{Model, Run, RunUp, finer_modes, speed_warnings};
 
@@ -167,8 +168,10 @@ pub struct Campbell {
 pub enum CampbellError {
     /// The range holds no two speeds.
     #[error(
-        "a diagram from {from} to {to} rad/s at {count} speeds has no range: give a first speed of \
-         zero or more, a higher last one, and at least 2 speeds"
+        "a diagram from {} to {} rpm at {count} speeds has no range: give a first speed of zero or more, a higher last one, and \
+         at least 2 speeds",
+        per_minute(*from),
+        per_minute(*to)
     )]
     Range {
         /// First speed, rad/s.
@@ -182,13 +185,18 @@ pub enum CampbellError {
     #[error("order {0}: give orders above zero")]
     Order(f64),
     /// The shaft cannot be assembled at a speed.
-    #[error("at {speed} rad/s: {source}")]
+    #[error("at {} rpm: {source}", per_minute(*speed))]
     Rotor {
         /// The speed, rad/s.
         speed: f64,
         /// Why.
         source: RotorError,
     },
+}
+
+/// A speed in rad/s as revolutions per minute, with the digits that people read.
+fn per_minute(speed: f64) -> f64 {
+    to_digits(speed * 30.0 / PI, 6)
 }
 
 /// Whether a diagram from one speed to another in rad/s has a range, and all orders a frequency.
