@@ -298,6 +298,7 @@ fn add_lives(out: &mut Lines, state: &BearingState) {
             let life = shown(life, modified.hours);
             format!("{life} at {} %", modified.reliability)
         }
+        None if modified.viscosity_ratio.is_none() => "not known at rest".to_owned(),
         None => "not known: it needs `contamination` in [bearing.oil]".to_owned(),
     };
     out.line("life L_nm", text);
