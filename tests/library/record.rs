@@ -303,6 +303,58 @@ fn lines_above_the_rows_give_names_and_numbers() {
     );
 }
 
+/// Recorders write dates and times of the day in one column or in two.
+#[test]
+fn dates_and_clock_times_are_times() {
+    let texts = [
+        "timestamp,a\n2026-02-28T23:59:59.9990,1\n2026-02-28T23:59:59.9995,2\n2026-03-01T00:00:00,3\n",
+        "2026-02-28 23:59:59,9990;1\n2026-02-28 23:59:59,9995;2\n2026-03-01 00:00:00;3\n",
+        "date\ttime\ta\n2026-02-28\t23:59:59.9990\t1\n2026-02-28\t23:59:59.9995\t2\n2026-03-01\t00:00:00\t3\n",
+        "12:00:00.5000 1\n12:00:00.5005 2\n12:00:00.5010 3\n",
+    ];
+    for text in texts {
+        let record = Record::from_bytes(text.as_bytes(), "a.csv").unwrap();
+        let [channel] = &record.channels[..] else {
+            panic!("{text}: {record:?}");
+        };
+        assert_eq!(channel.samples, [1.0, 2.0, 3.0], "{text}");
+        let Sampling::Even { rate, start } = channel.sampling else {
+            panic!("{text}: {channel:?}");
+        };
+        assert!(start == 0.0 && (rate / 2000.0 - 1.0).abs() < 1e-3, "{rate}");
+    }
+    let text = "timestamp,a\n28/02/2026 23:59,1\n28/02/2026 23:59,2\n01/03/2026 00:00,3\n";
+    let error = Record::from_bytes(text.as_bytes(), "a.csv").unwrap_err();
+    assert!(
+        error.to_string().contains("2026-03-01T12:00:00.5"),
+        "{error}"
+    );
+    // between numbers a date is none
+    let text = "a\n1\n2\n3\n2026-03-01\n4\n";
+    assert!(Record::from_bytes(text.as_bytes(), "a.csv").is_err());
+}
+
+#[test]
+fn commas_between_cells_and_before_decimals_are_refused() {
+    let text = b"t,a\n0,001,1,25\n0,002,1,50\n0,003,1,75\n";
+    let error = Record::from_bytes(text, "a.csv").unwrap_err().to_string();
+    assert!(error.contains("decimal points"), "{error}");
+}
+
+#[test]
+fn names_beside_times_in_seconds_keep_their_units() {
+    let text = b"t_s,v_mm_s,x_m_s,a_mm_s2,h_m\n0,1,2,3,4\n1,1,2,3,4\n2,1,2,3,4\n";
+    let record = Record::from_bytes(text, "a.csv").unwrap();
+    let units: Vec<_> = record
+        .channels
+        .iter()
+        .map(|it| it.unit.as_deref())
+        .collect();
+    let expected = [Some("mm/s"), Some("m/s"), Some("mm/s2"), Some("m")];
+    assert_eq!(units, expected);
+    assert_eq!(record.channels[0].quantity.as_deref(), Some("v"));
+}
+
 #[test]
 fn names_are_unique_and_a_list_shows_them() {
     let record = Record::from_bytes(b"a,a,b\n1,2,3\n1,2,3\n1,2,3\n", "a.csv").unwrap();

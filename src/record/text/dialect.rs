@@ -1,6 +1,8 @@
 //! How a table is written: what separates its cells, and what its numbers have for a decimal point.
 
-use super::no_number;
+use std::ops::Range;
+
+use super::{no_number, stamp};
 use crate::record::Problem;
 
 /// Rows in a row from which a table is recognised, unless the file ends before.
@@ -31,6 +33,8 @@ pub(super) struct Rows {
     /// Lines in front of the first.
     pub start: usize,
     pub columns: usize,
+    /// Neighbouring columns that hold dates and times of the day.
+    pub stamps: Range<usize>,
     /// How many there are in the first lines.
     count: usize,
 }
@@ -54,6 +58,21 @@ impl Rows {
             // a comma between names separates numbers, too
             let is_comma = self.dialect.decimal_comma && line.contains(&b',');
             !is_comma && self.dialect.header_cells(line).len() == self.columns
+        })
+    }
+
+    /// What is wrong where commas are decimal signs and stand between the cells as well: half as many names as cells.
+    pub fn with_two_commas(&self, lines: &[&[u8]]) -> Option<Problem> {
+        let mut above = lines[..self.start].iter().rev();
+        let header = above.find(|line| !is_passed(line))?;
+        let names = self.dialect.header_cells(header).len();
+        (self.dialect == DIALECTS[0] && names > 1 && 2 * names == self.columns).then(|| {
+            let what = format!(
+                "the header has {names} names and the rows have {} cells: commas stand between cells and before decimals; export it \
+                 with semicolons or tabs between cells, or with decimal points",
+                self.columns
+            );
+            Problem::line(self.start as u64 + 1, what)
         })
     }
 
@@ -86,6 +105,7 @@ impl Dialect {
                         dialect: self,
                         start,
                         columns,
+                        stamps: self.stamps(line),
                         count: 1,
                     });
                 }
@@ -96,10 +116,29 @@ impl Dialect {
 
     /// Number of cells of a line, if all are numbers or empty, and one at least is a number.
     fn columns(self, line: &[u8]) -> Option<usize> {
-        let numbers = self.cells(line).map(|cell| self.number(cell));
-        let numbers: Vec<f64> = numbers.collect::<Option<_>>()?;
-        let is_filled = numbers.iter().any(|number| number.is_finite());
-        is_filled.then_some(numbers.len())
+        let values = self.cells(line).map(|cell| self.value(cell));
+        let values: Vec<f64> = values.collect::<Option<_>>()?;
+        let is_filled = values.iter().any(|value| value.is_finite());
+        is_filled.then_some(values.len())
+    }
+
+    /// The number in a cell, or the seconds of its date or time.
+    fn value(self, cell: &[u8]) -> Option<f64> {
+        self.number(cell).or_else(|| stamp::seconds(cell))
+    }
+
+    /// The first neighbouring cells of a line that hold dates or times.
+    fn stamps(self, line: &[u8]) -> Range<usize> {
+        let are_stamps: Vec<bool> = self
+            .cells(line)
+            .map(|cell| self.number(cell).is_none())
+            .collect();
+        let start = are_stamps.iter().take_while(|is_stamp| !**is_stamp).count();
+        let count = are_stamps[start..]
+            .iter()
+            .take_while(|is_stamp| **is_stamp)
+            .count();
+        start..start + count
     }
 
     /// The cells of a line, without blanks and quotes around them.
@@ -175,12 +214,12 @@ fn no_rows(lines: &[&[u8]]) -> Problem {
     };
     let numbers = |it: &&Dialect| {
         it.cells(line)
-            .filter(|cell| it.number(cell).is_some())
+            .filter(|cell| it.value(cell).is_some())
             .count()
     };
     let dialect = DIALECTS.iter().max_by_key(numbers).unwrap_or(&DIALECTS[0]);
     let mut cells = dialect.cells(line).enumerate();
-    let cell = cells.find(|(_, cell)| dialect.number(cell).is_none());
+    let cell = cells.find(|(_, cell)| dialect.value(cell).is_none());
     let (column, cell) = cell.unwrap_or((0, line));
     let needed = "rows with equally many numbers are needed, with commas, semicolons, tabs or blanks between them";
     Problem::line(

@@ -27,9 +27,21 @@ pub struct Heading {
 }
 
 impl Heading {
+    /// Of a column of times in s.
+    pub fn of_times() -> Self {
+        Self {
+            name: TIMES[1].to_owned(),
+            quantity: None,
+            unit: Some("s".to_owned()),
+        }
+    }
+
     /// What the name of a column of a trace of this program says.
     pub fn of_trace(name: &str) -> Self {
-        let column = Column::from_name(name);
+        let column = match with_rate(name) {
+            Some((quantity, unit)) => Column::number(quantity, unit),
+            None => Column::from_name(name),
+        };
         Self {
             name: name.to_owned(),
             quantity: Some(column.quantity.into_owned()),
@@ -62,6 +74,16 @@ impl Heading {
         let first = name.split(|sign: char| !sign.is_alphabetic()).next();
         first.is_some_and(|first| TIMES.contains(&first))
     }
+}
+
+/// Name and unit of a column that ends with a unit a second, which no trace of this program has: `v_mm_s`.
+fn with_rate(name: &str) -> Option<(String, String)> {
+    let (rest, per) = name.rsplit_once('_')?;
+    let (quantity, unit) = rest.rsplit_once('_')?;
+    let is_rate = ["s", "s2"].contains(&per) && is_unit(unit) && !quantity.is_empty();
+    let known = Column::from_name(name).quantity;
+    (is_rate && quantity.len() < known.len())
+        .then(|| (quantity.to_owned(), format!("{unit}/{per}")))
 }
 
 /// What the lines in front of the rows say of each column. Names stand in the last line with as many cells as there are

@@ -3,13 +3,16 @@
 mod columns;
 mod dialect;
 mod header;
+mod stamp;
 
 use super::bytes::Bytes;
 use super::{MOST_CHANNELS, Problem, Record, too_many};
-use dialect::{Dialect, Rows, is_passed};
+use dialect::{Rows, is_passed};
 
 #[cfg(feature = "parquet")]
 pub(super) use columns::add;
+#[cfg(not(feature = "parquet"))]
+use header::Heading;
 #[cfg(feature = "parquet")]
 pub(super) use header::Heading;
 
@@ -33,14 +36,21 @@ pub(super) fn read(record: &mut Record, head: &[u8], mut bytes: Bytes<'_>) -> Re
         let what = "commas are read as separators of two columns of whole numbers; write points if they are decimal commas";
         record.warn(what);
     }
+    if let Some(problem) = rows.with_two_commas(&lines) {
+        return Err(problem);
+    }
     record.numbers = header::numbers(&lines, &rows);
-    let headings = header::read(&lines, &rows);
+    let mut headings = header::read(&lines, &rows);
     // a row has at least a sign and a separator a column
     let row_length = (lines[rows.start].len() + 1).max(2 * rows.columns);
     let expected = bytes.left() as usize / row_length;
     let empty = |_| Vec::with_capacity(expected);
     let mut columns: Vec<_> = (0..rows.columns).map(empty).collect();
     fill(record, &mut columns, &mut bytes, &rows)?;
+    if !rows.stamps.is_empty() {
+        stamp::join(&mut columns[rows.stamps.clone()]);
+        headings[rows.stamps.start] = Heading::of_times();
+    }
     columns::add(record, headings, columns)
 }
 
@@ -57,7 +67,7 @@ fn fill(
         if number <= rows.start || is_passed(&line) {
             continue;
         }
-        match row(columns, rows.dialect, &line) {
+        match row(columns, rows, &line) {
             Ok(()) => {}
             Err(what) if line.ends_with(b"\n") => return Err(Problem::line(number as u64, what)),
             // a recorder that was stopped, or a copy, may end within a line
@@ -74,12 +84,15 @@ fn fill(
 }
 
 /// Adds the numbers of a row to the columns.
-fn row(columns: &mut [Vec<f64>], dialect: Dialect, line: &[u8]) -> Result<(), String> {
+fn row(columns: &mut [Vec<f64>], rows: &Rows, line: &[u8]) -> Result<(), String> {
     let expected = columns.len();
     let mut count = 0;
-    for cell in dialect.cells(line) {
+    for cell in rows.dialect.cells(line) {
         if let Some(column) = columns.get_mut(count) {
-            let number = dialect.number(cell);
+            let number = match rows.stamps.contains(&count) {
+                true => stamp::seconds(cell),
+                false => rows.dialect.number(cell),
+            };
             column.push(number.ok_or_else(|| no_number(cell, count))?);
         }
         count += 1;
@@ -93,5 +106,12 @@ fn row(columns: &mut [Vec<f64>], dialect: Dialect, line: &[u8]) -> Result<(), St
 /// What is wrong with a cell.
 fn no_number(cell: &[u8], column: usize) -> String {
     let text = String::from_utf8_lossy(cell);
-    format!("`{text:.40}` in column {} is not a number", column + 1)
+    let way_out = match text.contains([':', '/']) {
+        true => "; dates and times are read as `2026-03-01T12:00:00.5`",
+        false => "",
+    };
+    format!(
+        "`{text:.40}` in column {} is not a number{way_out}",
+        column + 1
+    )
 }
