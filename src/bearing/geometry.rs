@@ -2,7 +2,7 @@
 
 use super::free_position::position_of_clearance;
 use super::{FreePosition, GeometryError, RollerKind, Rollers};
-use crate::physics::{BallPass, ball_pass_frequencies};
+use crate::physics::{BallPass, ball_pass_frequencies, dynamic_rating};
 
 /// Dimensions of a bearing, checked at construction. Its rolling elements, balls or [`Rollers`], are called balls.
 ///
@@ -211,6 +211,17 @@ impl Geometry {
     /// What the bearing has in place of balls.
     pub fn rollers(&self) -> Option<&Rollers> {
         self.rollers.as_ref()
+    }
+
+    /// Basic dynamic radial load rating C of ISO 281 by balls or rollers, N.
+    pub(crate) fn dynamic_rating(&self) -> f64 {
+        match &self.rollers {
+            Some(rollers) => rollers.dynamic_rating(self),
+            None => {
+                let [ball, pitch] = [self.ball_diameter, self.pitch_diameter];
+                dynamic_rating(self.balls, ball, pitch, self.nominal_angle())
+            }
+        }
     }
 
     /// What a rolling element is called.

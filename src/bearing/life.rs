@@ -280,7 +280,7 @@ fn hours(life: f64, speed: f64) -> Option<f64> {
 
 impl Bearing {
     /// C in N, where it is that of a radial bearing.
-    fn radial_rating(&self) -> Option<f64> {
+    pub(super) fn radial_rating(&self) -> Option<f64> {
         self.dynamic_rating.filter(|_| !self.is_thrust_bearing())
     }
 

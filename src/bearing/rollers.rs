@@ -144,7 +144,7 @@ impl Rollers {
     }
 
     /// C of ISO 281 of a bearing with these rollers, N.
-    pub(crate) fn dynamic_rating(&self, geometry: &Geometry) -> f64 {
+    pub(super) fn dynamic_rating(&self, geometry: &Geometry) -> f64 {
         roller_dynamic_rating(
             self.kind.material_factor(),
             [self.rows(), geometry.balls()],

@@ -36,6 +36,8 @@ pub(super) fn bearing_warnings(
         squeezed(bearing),
         edge_loaded(loaded),
         without_life(bearing),
+        doubtful_rating(bearing),
+        life_of_steel(bearing),
         thinly_lubricated(bearing, speed),
     ];
     let mut warnings: Vec<String> = first.into_iter().flatten().collect();
@@ -86,6 +88,41 @@ fn without_life(bearing: &Bearing) -> Option<String> {
          axial; lives are those of radial bearings, up to 45°",
         bearing.geometry.nominal_angle().to_degrees(),
     ))
+}
+
+/// How many times the rating of ISO 281 a maker's is at most, or a part of it at least.
+const LIKELY_RATING: f64 = 3.0;
+
+/// A dynamic load rating that balls or rollers of this size do not have: most often a unit mistaken.
+fn doubtful_rating(bearing: &Bearing) -> Option<String> {
+    let given = bearing.radial_rating()?;
+    let expected = bearing.geometry.dynamic_rating();
+    let ratio = given / expected;
+    let likely = 1.0 / LIKELY_RATING..=LIKELY_RATING;
+    (!likely.contains(&ratio)).then(|| {
+        format!(
+            "`dynamic_rating` is {given:.4} N, and ISO 281 gives {expected:.0} N by the {}s: lives go with its third power; look \
+             at its unit",
+            bearing.geometry.element(),
+        )
+    })
+}
+
+/// How many times as dense as the rings balls of steel are at least.
+const AS_HEAVY: f64 = 0.8;
+
+/// A modified life of a hybrid bearing.
+fn life_of_steel(bearing: &Bearing) -> Option<String> {
+    bearing.radial_rating()?;
+    bearing.lubrication?.contamination?;
+    let is_hybrid = bearing.ball_material.density < AS_HEAVY * bearing.ring_material.density;
+    is_hybrid.then(|| {
+        format!(
+            "a_ISO and C_u of ISO 281 are those of bearings of steel, and these {}s are lighter than steel (hybrid): L_nm is no \
+             more than an estimate",
+            bearing.geometry.element()
+        )
+    })
 }
 
 /// Least viscosity ratio κ for which ISO 281 gives a_ISO.

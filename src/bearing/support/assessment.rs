@@ -12,7 +12,7 @@ use crate::bearing::{
     Elements, FilmState, Geometry, GeometryState, InternalGeometry, Lamina, LaminaLine,
     RaceContact, RaceContacts, RaceFilms, RollerGeometry, StiffnessShares,
 };
-use crate::physics::{BallMotion, RaceControl, dynamic_rating};
+use crate::physics::{BallMotion, RaceControl};
 
 /// Share of the largest load at the inner race below which a ball counts as unloaded: behind an oil
 /// film the load of a ball never quite vanishes.
@@ -148,7 +148,7 @@ impl Assessment<'_> {
                     pitch_diameter: geometry.pitch_diameter(),
                     contact_angle: geometry.contact_angle(),
                     laminae: rollers.laminae,
-                    dynamic_rating: rollers.dynamic_rating(geometry),
+                    dynamic_rating: geometry.dynamic_rating(),
                     static_rating: static_rating(geometry, contacts),
                 }),
                 None => Elements::Balls(internal_geometry(geometry, contacts)),
@@ -315,18 +315,15 @@ impl Assessment<'_> {
 
 /// Balls, grooves and ratings of a ball bearing.
 fn internal_geometry(geometry: &Geometry, contacts: &RaceContacts) -> InternalGeometry {
-    let (balls, ball_diameter) = (geometry.balls(), geometry.ball_diameter());
-    let pitch_diameter = geometry.pitch_diameter();
-    let angle = geometry.nominal_angle();
     let [groove_factor_inner, groove_factor_outer] = geometry.groove_factors();
     InternalGeometry {
-        balls,
-        ball_diameter,
-        pitch_diameter,
+        balls: geometry.balls(),
+        ball_diameter: geometry.ball_diameter(),
+        pitch_diameter: geometry.pitch_diameter(),
         contact_angle: geometry.contact_angle(),
         groove_factor_inner,
         groove_factor_outer,
-        dynamic_rating: dynamic_rating(balls, ball_diameter, pitch_diameter, angle),
+        dynamic_rating: geometry.dynamic_rating(),
         static_rating: static_rating(geometry, contacts),
     }
 }

@@ -217,6 +217,34 @@ fn oil_alone_tells_its_viscosity_ratio_and_no_life() {
     );
 }
 
+#[test]
+fn ratings_and_lives_beyond_what_the_standard_covers_are_told() {
+    let load = "[[load]]\nconstant = { y = \"-2000 N\" }\n";
+    let oil = |viscosity: u32| {
+        format!("[bearing.oil]\nviscosity = \"{viscosity} mm^2/s\"\ncontamination = \"normal\"\n")
+    };
+    let warned = |table: &str, words: &str| {
+        let warnings = pair(&format!("{table}{load}")).warnings;
+        warnings.iter().filter(|it| it.contains(words)).count()
+    };
+    // κ = 1/10.6, and 2/10.6
+    assert_eq!(warned(&oil(1), "viscosity ratio"), 1);
+    assert_eq!(warned(&oil(2), "viscosity ratio"), 0);
+    let ceramic = |density: u32| {
+        format!(
+            "ball_material = {{ youngs_modulus = \"310 GPa\", poisson_ratio = 0.26, density = \"{density} kg/m^3\" }}\n{}",
+            oil(20)
+        )
+    };
+    assert_eq!(warned(&ceramic(3200), "hybrid"), 1);
+    assert_eq!(warned(&ceramic(7850), "hybrid"), 0);
+    let rating = |newtons: u32| format!("dynamic_rating = \"{newtons} N\"\n");
+    assert_eq!(warned(&rating(37), "`dynamic_rating` is 37"), 1);
+    for newtons in [20_000, 36_500, 60_000] {
+        assert_eq!(warned(&rating(newtons), "`dynamic_rating`"), 0);
+    }
+}
+
 /// 60°: ISO 281 has no radial rating of it, and a rating that is given is axial.
 #[test]
 fn thrust_bearings_have_no_life_of_radial_ones() {

@@ -143,16 +143,12 @@ impl RollerInput {
                 problems.warn(format!("`{}`: {message}", problems.path(".")));
             }
         }
-        let by_rollers = || {
-            let rollers = geometry.rollers();
-            rollers.map(|rollers| rollers.dynamic_rating(&geometry))
-        };
         let rating = printed.map(|printed| printed.line.dynamic_rating);
         Some(Bearing {
             ring_material: ROLLER_STEEL,
             clearance_class,
             boundary: known.bore.zip(known.outside_diameter).map(Into::into),
-            dynamic_rating: rating.or_else(by_rollers),
+            dynamic_rating: Some(rating.unwrap_or_else(|| geometry.dynamic_rating())),
             estimated: known.estimate.is_some_and(|estimate| estimate.estimated),
             ..Bearing::of_steel(geometry)
         })
