@@ -55,8 +55,6 @@ pub struct CampbellQuestion<'a> {
     question: campbell::CampbellQuestion,
     /// Orders that are those of bearings, with their names.
     named: Vec<(f64, String)>,
-    /// Frequency up to which branches are shown, Hz.
-    highest: Option<f64>,
     /// By what the answer is differentiated.
     pub sensitivity: Option<Sensitivity>,
 }
@@ -104,9 +102,9 @@ impl<'a> CampbellQuestion<'a> {
                 to,
                 count,
                 orders: found,
+                highest_frequency: highest,
             },
             named,
-            highest,
             sensitivity: None,
         })
     }
@@ -117,7 +115,10 @@ impl<'a> CampbellQuestion<'a> {
     /// [`AskError::Failed`] where the shaft has no equilibrium at a speed.
     pub fn answer(&self) -> Result<Findings, AskError> {
         let found = self.question.solve().map_err(AskError::failed)?;
-        let (found, rotor) = (found.up_to(self.highest), &self.question.rotor);
+        let (found, rotor) = (
+            found.up_to(self.question.highest_frequency),
+            &self.question.rotor,
+        );
         let mut findings = campbell_findings(self.scenario, rotor, &found, &self.named);
         if let Some(asked) = &self.sensitivity {
             let question = |statics: StaticQuestion, _| {

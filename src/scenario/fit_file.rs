@@ -225,6 +225,7 @@ impl FitFile {
                     from: 0.0,
                     count: SPEEDS,
                     orders: vec![1.0],
+                    highest_frequency: None,
                 });
                 Question::Campbell(Box::new(rotor), critical.map(Box::new))
             }

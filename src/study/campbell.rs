@@ -23,6 +23,9 @@ pub struct CampbellQuestion {
     pub count: usize,
     /// Multiples of the shaft's frequency whose crossings are sought, positive.
     pub orders: Vec<f64>,
+    /// Frequency up to which branches matter, Hz; none for one and a half times the highest order at the highest speed. A
+    /// shaft that bends has modes for it at every speed alike.
+    pub highest_frequency: Option<f64>,
 }
 
 /// Most speeds of a diagram.
@@ -42,6 +45,7 @@ pub(crate) fn along_run_up(model: &Model, run: &mut Run) -> Option<Campbell> {
         to: highest,
         count: RUN_UP_SPEEDS,
         orders: orders.map(|order| order.order).collect(),
+        highest_frequency: None,
     };
     let refused = |error| {
         let warning = format!("there is no diagram of natural frequencies: {error}");
@@ -57,6 +61,11 @@ const SHOWN: f64 = 1.5;
 /// Frequency of the lowest branch up to which branches are shown at least, as a factor: no diagram is empty.
 const LEAST_SHOWN: f64 = 1.25;
 
+/// Frequency up to which branches are shown unless one is asked for, Hz; of a highest speed in rad/s.
+fn shown(orders: &[f64], speed: f64) -> f64 {
+    SHOWN * orders.iter().copied().fold(1.0, f64::max) * speed / TAU
+}
+
 impl Campbell {
     /// Without the branches that are above a frequency in Hz at every speed: one and a half times the highest order at the highest
     /// speed where none is given, and at least a quarter above the lowest branch.
@@ -64,9 +73,8 @@ impl Campbell {
     pub fn up_to(mut self, highest: Option<f64>) -> Self {
         let lowest: Vec<f64> = self.branches.iter().map(Branch::lowest_frequency).collect();
         let first = lowest.iter().copied().fold(f64::INFINITY, f64::min);
-        let order = self.orders.iter().copied().fold(1.0, f64::max);
         let speed = self.speeds.last().copied().unwrap_or(0.0);
-        let mut limit = highest.unwrap_or(SHOWN * order * speed / TAU);
+        let mut limit = highest.unwrap_or_else(|| shown(&self.orders, speed));
         if first.is_finite() {
             limit = limit.max(LEAST_SHOWN * first);
         }
@@ -231,20 +239,27 @@ impl CampbellQuestion {
     /// [`CampbellError`] where the range is empty, or the shaft has no equilibrium at a speed.
     pub fn solve(&self) -> Result<Campbell, CampbellError> {
         let mut campbell = self.diagram()?;
+        let reduced = self.with_modes();
         for critical in &mut campbell.critical_speeds {
-            critical.reduction_error = self.reduction_error(critical)?;
+            critical.reduction_error = reduced.reduction_error(critical)?;
         }
         let fastest = speed_warnings(&self.rotor.at_constant_speed(self.to));
         campbell.warnings = self.rotor.warnings_with(fastest);
         Ok(campbell)
     }
 
+    /// Critical speeds alone, without the error of the reduction.
+    pub(super) fn critical_speeds(&self) -> Result<Vec<CriticalSpeed>, CampbellError> {
+        self.diagram().map(|found| found.critical_speeds)
+    }
+
     /// Branches and critical speeds, without the error of the reduction and warnings.
     fn diagram(&self) -> Result<Campbell, CampbellError> {
         check_range([self.from, self.to], self.count, &self.orders)?;
         let speeds = self.speeds();
-        let (branches, least_assurance) = follow(self, &speeds)?;
-        let critical_speeds = critical_speeds(self, &speeds, &branches)?;
+        let reduced = self.with_modes();
+        let (branches, least_assurance) = follow(&reduced, &speeds)?;
+        let critical_speeds = critical_speeds(&reduced, &speeds, &branches)?;
         Ok(Campbell {
             speeds,
             branches,
@@ -255,6 +270,20 @@ impl CampbellQuestion {
             highest_frequency: None,
             left_out: 0,
         })
+    }
+
+    /// The question about a shaft whose number of modes is that for the highest frequency, whatever the speed: by the speed
+    /// its branches would jump, and at rest they would be those of too few modes.
+    fn with_modes(&self) -> Self {
+        let fastest = self.rotor.at_constant_speed(self.to);
+        let highest = self
+            .highest_frequency
+            .unwrap_or_else(|| shown(&self.orders, self.to));
+        let excitation = fastest.highest_excitation().max(TAU * highest);
+        Self {
+            rotor: self.rotor.with_modes_for(excitation),
+            ..self.clone()
+        }
     }
 
     fn speeds(&self) -> Vec<f64> {

@@ -4,6 +4,8 @@ use std::f64::consts::FRAC_1_SQRT_2;
 
 use nalgebra::Complex;
 
+use super::campbell::CampbellQuestion;
+use super::resonance_places::{Place, between};
 use crate::numerics::root::root;
 use crate::rotor::{Pickup, Rotor, RotorDefinition, RotorError};
 use crate::simulate::{finer_modes, speed_warnings};
@@ -23,11 +25,14 @@ pub struct LinearResponseQuestion {
     pub count: usize,
 }
 
+/// An angular frequency of the force, or a speed, rad/s, with the motion of every pickup; none at an undamped resonance.
+type Point = (f64, Option<Vec<Complex<f64>>>);
+
 /// Motions of some pickups as complex amplitudes, m and rad, or of a force per N or N m.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LinearResponse {
     /// Angular frequencies of the force, or speeds, rad/s, with the motion of every pickup; none at an undamped resonance.
-    pub points: Vec<(f64, Option<Vec<Complex<f64>>>)>,
+    pub points: Vec<Point>,
     /// Resonances, by pickup and speed or frequency.
     pub resonances: Vec<Resonance>,
     /// Of a shaft that bends: largest difference from the response with fewer modes of bending, of the largest motion of the
@@ -119,9 +124,10 @@ impl LinearResponseQuestion {
             Some(_) => Some(self.difference(&coarse, &points)?),
             None => None,
         };
+        let looked_at = solver.with_resonances(&points)?;
         let mut resonances = Vec::new();
         for pickup in 0..self.at.len() {
-            solver.add_resonances(pickup, &points, &mut resonances)?;
+            solver.add_resonances(pickup, &looked_at, &mut resonances)?;
         }
         let fastest = match self.by {
             Some(_) => self.rotor.speed,
@@ -152,7 +158,7 @@ impl LinearResponseQuestion {
     fn difference(
         &self,
         solver: &Solver<'_>,
-        points: &[(f64, Option<Vec<Complex<f64>>>)],
+        points: &[Point],
     ) -> Result<f64, LinearResponseError> {
         let mut sizes = vec![[0.0_f64; 2]; self.at.len()];
         for (value, found) in points {
@@ -224,11 +230,46 @@ impl<'a> Solver<'a> {
         Ok(motions.map_or(f64::INFINITY, |own| own[pickup].norm()))
     }
 
+    /// The points with further ones about the modes, by which no peak is missed that is sharper than the grid.
+    fn with_resonances(&self, points: &[Point]) -> Result<Vec<Point>, LinearResponseError> {
+        let values: Vec<f64> = points.iter().map(|(value, _)| *value).collect();
+        let places = between(&values, &self.resonance_places());
+        let further = places
+            .into_iter()
+            .map(|value| Ok((value, self.motions(value)?)));
+        let further = further.collect::<Result<Vec<_>, _>>()?;
+        let mut all = [points, &further].concat();
+        all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        Ok(all)
+    }
+
+    /// Natural frequencies at the speed of a force, or critical speeds of unbalances; none where they cannot be followed.
+    fn resonance_places(&self) -> Vec<Place> {
+        if self.question.by.is_some() {
+            return self.assembled.modes().iter().map(Place::from).collect();
+        }
+        let [from, to] = self.question.range;
+        let critical = CampbellQuestion {
+            rotor: self.rotor.clone(),
+            from,
+            to,
+            count: FOLLOWED,
+            orders: vec![1.0],
+            highest_frequency: None,
+        };
+        let critical = critical.critical_speeds().unwrap_or_default();
+        let place = critical.iter().map(|own| Place {
+            at: own.speed,
+            damping_ratio: own.damping_ratio,
+        });
+        place.collect()
+    }
+
     /// Adds the peaks of a pickup.
     fn add_resonances(
         &self,
         pickup: usize,
-        points: &[(f64, Option<Vec<Complex<f64>>>)],
+        points: &[Point],
         resonances: &mut Vec<Resonance>,
     ) -> Result<(), LinearResponseError> {
         let amplitudes = points.iter().map(|(value, motions)| {
@@ -317,6 +358,9 @@ impl<'a> Solver<'a> {
         Ok(None)
     }
 }
+
+/// Speeds at which modes are looked at for critical speeds.
+const FOLLOWED: usize = 41;
 
 /// Part of a frequency to which peaks and sides are found: the amplitude about a peak is flat.
 const FOUND: f64 = 1e-7;

@@ -10,6 +10,7 @@ mod fidelity;
 pub(crate) mod linear_response;
 pub(crate) mod many;
 pub(crate) mod plan;
+mod resonance_places;
 
 pub(crate) use contact_choice::{
     ContactChoice, ContactQuestion, FidelityDifference, choose_contact,

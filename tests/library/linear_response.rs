@@ -98,6 +98,58 @@ fn a_force_answers_in_closed_form() {
     }
 }
 
+/// Two modes 1 % apart and 0.1 % damped stand between two frequencies of the grid; the axes of the support are turned by 30°,
+/// so that both are peaks along x: x(ω) = c²/D₁ + s²/D₂.
+#[test]
+fn peaks_between_two_points_of_the_grid_are_found() {
+    let stiffness = [1e6, 1.02e6];
+    let [c, s] = [0.75_f64, 0.25].map(f64::sqrt);
+    let [xx, yy] = [c * c, s * s].map(|part| part * stiffness[0] + (1.0 - part) * stiffness[1]);
+    let xy = c * s * (stiffness[0] - stiffness[1]);
+    let damping = 2.0 * 0.001 * (5.0 * 1e6_f64).sqrt();
+    let text = format!(
+        "[shaft]\nmass = \"5 kg\"\nfreedoms = \"radial\"\n[speed]\nconstant = \"300 rad/s\"\n[[element]]\n\
+         linear = {{ stiffness = {{ x = \"{xx} N/m\", y = \"{yy} N/m\", xy = \"{xy} N/m\" }}, damping = {{ x = \"{damping} N s/m\", y = \
+         \"{damping} N s/m\" }} }}\n"
+    );
+    let by = Pickup {
+        position: 0.0,
+        axis: 0,
+    };
+    let found = asked(&text, vec![by], Some(by), [10.0, 3000.0]);
+    let amplitude = |omega: f64| {
+        let dynamic = |k: f64| Complex::new(k - 5.0 * omega * omega, damping * omega).inv();
+        (c * c * dynamic(stiffness[0]) + s * s * dynamic(stiffness[1])).norm()
+    };
+    assert_eq!(found.resonances.len(), 2, "{:?}", found.resonances);
+    for (own, stiffness) in found.resonances.iter().zip(stiffness) {
+        let natural = (stiffness / 5.0_f64).sqrt();
+        let fine = (-1000..=1000).map(|step| amplitude(natural * (1.0 + 1e-6 * f64::from(step))));
+        let largest = fine.fold(0.0, f64::max);
+        assert_near("peak", own.peak, natural, 1e-3 * natural);
+        assert_near("amplitude", own.amplitude, largest, 1e-5 * largest);
+    }
+}
+
+/// The first critical speed at 447 rad/s with 0.1 % of damping, on a grid of 8 rad/s: e/(2ζ) high, and 1/(2ζ) its factor.
+#[test]
+fn a_sharp_critical_speed_is_told_at_its_height() {
+    let text = LAVAL.replace("200 N s/m", "4.472136 N s/m");
+    let found = asked(&text, across(0.0), None, [100.0, 900.0]);
+    let ratio = 4.472136 / (2.0 * f64::sqrt(5e6));
+    assert_eq!(found.resonances.len(), 2);
+    for own in &found.resonances {
+        assert_near(
+            "µm",
+            1e6 * own.amplitude,
+            10.0 / (2.0 * ratio),
+            1e-5 * 5000.0,
+        );
+        let factor = own.amplification.expect("both sides");
+        assert_near("AF", factor, 1.0 / (2.0 * ratio), 1e-3 * factor);
+    }
+}
+
 const BENDING: &str = r#"
 [shaft]
 [[shaft.section]]

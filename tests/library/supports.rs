@@ -514,6 +514,7 @@ fn critical_speeds_of_nelsons_rotor_are_those_of_other_programs() {
             to: to * rpm,
             count,
             orders: vec![1.0],
+            highest_frequency: None,
         };
         let campbell = question.solve().expect("a diagram");
         let found = campbell.critical_speeds.iter().map(|own| own.speed / rpm);
@@ -580,6 +581,7 @@ fn a_very_light_shaft_leaves_the_modes_of_its_disc_their_digits() {
         to: 200.0,
         count: 5,
         orders: vec![1.0],
+        highest_frequency: None,
     };
     let campbell = question.solve().expect("a diagram");
     let first = &campbell.critical_speeds[0];

@@ -167,18 +167,25 @@ impl FlexibleShaft {
         points
     }
 
-    fn reduction(
-        &self,
-        definition: &RotorDefinition,
-        points: &[f64],
-    ) -> Result<ReducedShaft, ShaftError> {
-        let highest = HEADROOM * definition.highest_excitation();
+    /// Has modes for an excitation in rad/s where their number is not given.
+    fn reduction(&self, points: &[f64], excitation: f64) -> Result<ReducedShaft, ShaftError> {
+        let highest = HEADROOM * excitation;
         self.mesh(points, None)?.reduced(points, |frequencies| {
             self.modes.unwrap_or_else(|| {
                 let below = frequencies.iter().filter(|own| **own < highest);
                 below.count().clamp(LEAST_MODES, MOST_MODES)
             })
         })
+    }
+}
+
+impl RotorDefinition {
+    /// This shaft with the modes of bending for an excitation in rad/s, where their number is not given; a shaft that cannot be
+    /// reduced is told of where it is assembled.
+    pub(crate) fn with_modes_for(&self, excitation: f64) -> Self {
+        let open = self.flexible.as_ref().filter(|own| own.modes.is_none());
+        let reduced = open.and_then(|own| own.reduction(&own.points(self), excitation).ok());
+        reduced.map_or_else(|| self.clone(), |found| self.with_modes(found.modes))
     }
 }
 
@@ -192,7 +199,7 @@ impl Structure {
         definition: &RotorDefinition,
     ) -> Result<Self, ShaftError> {
         let points = shaft.points(definition);
-        let reduction = shaft.reduction(definition, &points)?;
+        let reduction = shaft.reduction(&points, definition.highest_excitation())?;
         let layout = Layout {
             points: points.len(),
             modes: reduction.modes,

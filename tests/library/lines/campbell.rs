@@ -33,6 +33,7 @@ fn solved(rotor: RotorDefinition, to: f64, orders: &[f64]) -> Campbell {
         to,
         count: 41,
         orders: orders.to_vec(),
+        highest_frequency: None,
     };
     question.solve().expect("a diagram")
 }
@@ -216,6 +217,7 @@ fn a_range_without_speeds_is_refused() {
         to: 100.0,
         count: 10,
         orders: vec![1.0],
+        highest_frequency: None,
     };
     let error = question.solve().expect_err("no range");
     assert!(matches!(error, CampbellError::Range { .. }));
