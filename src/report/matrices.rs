@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 use super::npz::Npz;
 use super::terminal::{Lines, PER_MINUTE};
 use super::{FileSet, Findings};
+use crate::numerics::digits::to_digits;
 use crate::rotor::LinearMatrices;
 use crate::scenario::Scenario;
 use crate::table::{Column, Table};
@@ -27,6 +28,7 @@ pub fn matrices_findings(
         "speed_rad_s": found.speed,
         "equation": EQUATION,
         "coordinates": list.collect::<Value>(),
+        "natural_frequencies_up_to_Hz": found.natural_up_to,
         "warnings": warnings,
     });
     let mut text = Lines::titled(&scenario.title);
@@ -42,6 +44,13 @@ pub fn matrices_findings(
         .iter()
         .map(|(name, unit)| format!("{name} ({unit})"));
     text.line("coordinates", names.collect::<Vec<_>>().join(", "));
+    let reduction = found.natural_up_to.map(|highest| {
+        format!(
+            "natural frequencies up to about {} Hz are those of the shaft; further ones with more `modes` in [shaft]",
+            to_digits(highest, 2)
+        )
+    });
+    text.each("reduction", reduction);
     let list = Table::of(coordinates)
         .word("coordinate", |own| &own.0)
         .word("unit", |own| own.1)

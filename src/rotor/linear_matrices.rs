@@ -21,6 +21,8 @@ pub struct LinearMatrices {
     /// K of all that holds the shaft at this speed. What has no potential, of films and of damping inside the shaft, makes it
     /// unsymmetric.
     pub stiffness: DMatrix<f64>,
+    /// Frequency in Hz up to which natural frequencies are those of a shaft that bends, and not of its reduction.
+    pub natural_up_to: Option<f64>,
     /// A of `d/dt (q, q̇) = A (q, q̇)`.
     pub state: DMatrix<f64>,
 }
@@ -41,6 +43,7 @@ impl Rotor {
             damping: own(&(&self.linear.damping.entries + &self.start.law_damping)),
             gyroscopic: own(&self.linear.gyroscopic.entries),
             stiffness: own(&slopes[0]),
+            natural_up_to: self.natural_up_to(),
             state,
         }
     }

@@ -121,6 +121,12 @@ impl Rotor {
         self.structure.bending.as_ref().map(|bending| bending.modes)
     }
 
+    /// Frequency in Hz up to which natural frequencies are those of a shaft that bends, and not of its reduction; none where
+    /// nothing is left out.
+    pub(crate) fn natural_up_to(&self) -> Option<f64> {
+        self.structure.bending.as_ref()?.natural_up_to()
+    }
+
     /// Number of degrees of freedom.
     #[inline(always)]
     pub(crate) fn dofs(&self) -> usize {

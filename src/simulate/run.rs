@@ -29,6 +29,12 @@ pub struct StaticState {
     pub newton_steps: usize,
     /// Natural frequencies, lowest first.
     pub natural_frequencies: Vec<NaturalFrequency>,
+    /// Frequency up to which they are those of a shaft that bends, Hz, and not of its reduction.
+    #[serde(
+        rename = "natural_frequencies_up_to_Hz",
+        skip_serializing_if = "Option::is_none"
+    )]
+    pub natural_up_to: Option<f64>,
     /// Every bearing there, ball by ball, its cage where it starts; none of a linear one.
     #[serde(skip)]
     pub bearings: Vec<Option<BearingState>>,
@@ -203,6 +209,7 @@ impl StaticState {
             residual: equilibrium.residual,
             newton_steps: equilibrium.newton_steps,
             natural_frequencies: rotor.natural_frequencies(),
+            natural_up_to: rotor.natural_up_to(),
             bearings: rotor
                 .supports()
                 .zip(rotor.bearing_states(rotor.speed()))

@@ -168,6 +168,7 @@ fn run() -> Run {
             residual: 1e-15,
             newton_steps: 4,
             natural_frequencies: vec![natural],
+            natural_up_to: None,
             bearings: vec![None],
         },
         ball_pass: vec![pass],

@@ -1,5 +1,7 @@
 //! A reduced plane laid out twice, for x and y, as the coordinates of a structure.
 
+use std::f64::consts::TAU;
+
 use nalgebra::{DMatrix, DVector};
 
 use super::hub::Hub;
@@ -99,6 +101,8 @@ pub(in crate::rotor) struct Bending {
     pub nodes: Vec<f64>,
     /// Number of modes between the points, in each plane.
     pub modes: usize,
+    /// Angular frequency of the lowest mode between the points that is left out, rad/s.
+    pub left_out: Option<f64>,
     /// Coordinates of both planes, as by [`Structure::planes`].
     pub planes: Vec<(usize, usize, f64)>,
     /// Deflections of the nodes by all coordinates: along x, and along y.
@@ -113,6 +117,12 @@ pub(in crate::rotor) struct Bending {
 }
 
 impl Bending {
+    /// Frequency up to which natural frequencies are those of the shaft, Hz: beyond it the modes that are left out count. None
+    /// where none is.
+    pub fn natural_up_to(&self) -> Option<f64> {
+        Some(self.left_out? / HEADROOM / TAU)
+    }
+
     /// Position of the observed point, m.
     pub fn observed(&self) -> f64 {
         self.positions[0]
@@ -236,6 +246,7 @@ impl Structure {
                 deflections: deflections(&layout, &reduction),
                 planes: layout.planes(),
                 modes: layout.modes,
+                left_out: reduction.left_out,
                 nodes: reduction.nodes,
                 points: (0..points.len()).map(|own| layout.point(own)).collect(),
                 positions: points,

@@ -19,6 +19,8 @@ pub(in crate::rotor) struct ReducedShaft {
     pub plane: Plane,
     /// Number of modes.
     pub modes: usize,
+    /// Angular frequency of the lowest mode that is left out, rad/s; none where all are kept.
+    pub left_out: Option<f64>,
 }
 
 impl ReducedShaft {
@@ -65,7 +67,7 @@ impl Mesh {
         let singular = ShaftError::Singular {
             points: positions.len(),
         };
-        let transformation = self.transformation(positions, count).ok_or(singular)?;
+        let (transformation, left_out) = self.transformation(positions, count).ok_or(singular)?;
         let modes = transformation.ncols() - 2 * positions.len();
         let reduce = |matrix: &DMatrix<f64>| {
             let reduced = transformation.tr_mul(&(matrix * &transformation));
@@ -83,6 +85,7 @@ impl Mesh {
         };
         Ok(ReducedShaft {
             modes,
+            left_out,
             nodes,
             transformation,
             plane,
@@ -94,12 +97,12 @@ impl Mesh {
         [2 * node, 2 * node + 1].map(|row| self.plane.mass[(row, row)])
     }
 
-    /// T, a row for each deflection and slope of the nodes.
+    /// T, a row for each deflection and slope of the nodes, and the angular frequency of the lowest mode left out.
     fn transformation(
         &self,
         positions: &[f64],
         count: impl Fn(&[f64]) -> usize,
-    ) -> Option<DMatrix<f64>> {
+    ) -> Option<(DMatrix<f64>, Option<f64>)> {
         let points = positions.iter().map(|position| self.node_at(*position));
         let boundary: Vec<usize> = points.flat_map(|node| [2 * node, 2 * node + 1]).collect();
         let size = 2 * self.nodes.len();
@@ -109,7 +112,7 @@ impl Mesh {
             transformation[(*row, column)] = 1.0;
         }
         if interior.is_empty() {
-            return Some(transformation);
+            return Some((transformation, None));
         }
         let inside = |matrix: &DMatrix<f64>, columns: &[usize]| {
             matrix.select_rows(&interior).select_columns(columns)
@@ -119,7 +122,8 @@ impl Mesh {
         } = &self.plane;
         let inner_stiffness = inside(stiffness, &interior).cholesky()?;
         let followed = inner_stiffness.solve(&inside(stiffness, &boundary));
-        let shapes = lowest_modes(&inside(mass, &interior), &inner_stiffness.l(), count)?;
+        let (shapes, left_out) =
+            lowest_modes(&inside(mass, &interior), &inner_stiffness.l(), count)?;
         let kept = boundary.len();
         transformation = transformation.resize_horizontally(kept + shapes.ncols(), 0.0);
         for (inner, row) in interior.iter().enumerate() {
@@ -128,17 +132,17 @@ impl Mesh {
             row.columns_mut(kept, shapes.ncols())
                 .copy_from(&shapes.row(inner));
         }
-        Some(transformation)
+        Some((transformation, left_out))
     }
 }
 
 /// The lowest modes of `K φ = ω² M φ` with φᵀ M φ = 1, where K = L Lᵀ: `count` says how many by the frequencies of all in
-/// rad/s, lowest first. The mass may be singular.
+/// rad/s, lowest first. With the frequency of the first one that is not among them. The mass may be singular.
 fn lowest_modes(
     mass: &DMatrix<f64>,
     factor: &DMatrix<f64>,
     count: impl Fn(&[f64]) -> usize,
-) -> Option<DMatrix<f64>> {
+) -> Option<(DMatrix<f64>, Option<f64>)> {
     // L⁻¹ M L⁻ᵀ has the eigenvalues 1/ω², the largest of which are the most exact
     let half = factor.solve_lower_triangular(mass)?;
     let compliance = factor.solve_lower_triangular(&half.transpose())?;
@@ -152,6 +156,7 @@ fn lowest_modes(
     let frequency = |mode: &usize| 1.0 / modes.eigenvalues[*mode].sqrt();
     let frequencies: Vec<f64> = order.iter().map(frequency).collect();
     order.truncate(count(&frequencies));
+    let left_out = frequencies.get(order.len()).copied();
     let mut shapes = DMatrix::zeros(mass.nrows(), order.len());
     for (column, mode) in order.into_iter().enumerate() {
         let shape = factor.tr_solve_lower_triangular(&modes.eigenvectors.column(mode))?;
@@ -159,7 +164,7 @@ fn lowest_modes(
         let sign = shape[shape.iamax()].signum();
         shapes.set_column(column, &(shape * (sign / modes.eigenvalues[mode].sqrt())));
     }
-    Some(shapes)
+    Some((shapes, left_out))
 }
 
 #[cfg(test)]

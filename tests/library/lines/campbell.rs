@@ -4,9 +4,11 @@ use std::f64::consts::TAU;
 
 use crate::bearing::{ContactLaw, Facing, MountedBearing, Preload};
 use crate::rotor::{Damping, Freedoms, Rotor, RotorDefinition, Shaft, Whirl};
-use crate::study::campbell::{Campbell, CampbellError, CampbellQuestion, CriticalSpeed};
+use crate::study::campbell::{
+    Branch, Campbell, CampbellError, CampbellQuestion, CriticalSpeed, Mode,
+};
 
-use crate::tests::support::{assert_near, bearing, mounted, rotor, shaft};
+use crate::tests::support::{assert_near, bearing, mounted, rotor, scenario, shaft};
 
 /// A rigid rotor on two bearings of frozen stiffness, at distances from the centre of mass.
 ///
@@ -231,4 +233,39 @@ fn a_range_without_speeds_is_refused() {
         ..question
     };
     assert_eq!(negative.solve(), Err(CampbellError::Order(-1.0)));
+}
+
+/// A shaft of 6 m and 40 mm with 10 kg in its middle: its modes are the same in number at all speeds, and enough at rest.
+/// Frequencies at rest by an independent model of Timoshenko beams, 54.55, 85.70 and 108.2 Hz.
+#[test]
+fn a_slow_shaft_has_the_modes_of_its_highest_order() {
+    let text = "[[shaft.section]]\nlength = \"6 m\"\nouter_diameter = \"40 mm\"\n[[disc]]\nposition = \"3 m\"\nmass = \"10 kg\"\n\
+                inertia_transverse = \"0.05 kg m^2\"\ninertia_polar = \"0.09 kg m^2\"\n[[element]]\nposition = \"0.1 m\"\n\
+                linear = { stiffness = { x = \"50 N/um\", y = \"50 N/um\", z = \"10 N/um\" } }\n[[element]]\nposition = \"5.9 m\"\n\
+                linear = { stiffness = { x = \"50 N/um\", y = \"50 N/um\" } }\n[damping]\nratio = 0.01\n[speed]\nconstant = \"3000 rpm\"\n";
+    let question = CampbellQuestion {
+        rotor: scenario(text).question.rotor,
+        from: 0.0,
+        to: 900.0 * TAU / 60.0,
+        count: 10,
+        orders: vec![1.0, 10.0],
+        highest_frequency: None,
+    };
+    let found = question.solve().expect("a diagram");
+    let at_rest = |branch: &Branch| branch.modes[0].as_ref().map(Mode::damped_frequency);
+    let at_rest: Vec<f64> = found.branches.iter().filter_map(at_rest).collect();
+    for expected in [54.55, 85.70, 108.2] {
+        let near = at_rest.iter().map(|own| (own / expected - 1.0).abs());
+        let nearest = near.fold(f64::INFINITY, f64::min);
+        assert!(nearest < 2e-3, "{expected} Hz: {at_rest:?}");
+    }
+    let tenth = found.critical_speeds.iter().filter(|own| own.order == 10.0);
+    let tenth: Vec<_> = tenth.filter(|own| own.speed * 60.0 / TAU > 400.0).collect();
+    let speeds: Vec<f64> = tenth.iter().map(|own| own.speed * 60.0 / TAU).collect();
+    for expected in [513.3, 515.2, 649.2, 649.4] {
+        let near = speeds.iter().map(|own| (own / expected - 1.0).abs());
+        let nearest = near.fold(f64::INFINITY, f64::min);
+        assert!(nearest < 2e-3, "{expected} rpm: {speeds:?}");
+    }
+    assert!(found.frequency_error().expect("an error") < 1e-2);
 }
