@@ -4,7 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use super::jobs::{Answer, Answers, Common, Failure, name_of, wrong};
+use super::jobs::{Answer, Answers, Common, Failure, Folders, name_of, wrong};
 use super::{Outcome, terminal};
 use crate::ask::{AnalyzeQuestion, record_setting};
 use crate::record::Record;
@@ -72,11 +72,12 @@ pub struct Arguments {
 /// Analyses all files in turn, or lists what they hold.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let mut answers = Answers::new(arguments.common.json, arguments.files.len());
+    let mut folders = Folders::default();
     for file in &arguments.files {
         let name = name_of(file);
         let answer = match arguments.list {
             true => arguments.list(file, &name),
-            false => arguments.analyse(file, &name),
+            false => arguments.analyse(file, &name, &mut folders),
         };
         answers.take_of(&name, answer)?;
     }
@@ -118,9 +119,10 @@ impl Arguments {
         Ok(Answer::of_json(record_json(name, &record)))
     }
 
-    fn analyse(&self, file: &Path, name: &str) -> Result<Answer, Failure> {
+    fn analyse(&self, file: &Path, name: &str, folders: &mut Folders) -> Result<Answer, Failure> {
         let started = Instant::now();
         let folder = self.common.folder_of(file).map_err(wrong)?;
+        folders.take(&folder, file).map_err(wrong)?;
         let findings = AnalyzeQuestion::load(file, "{}", &self.options())?.answer();
         warn(name, findings.warnings());
         let found = findings.write(&folder)?;

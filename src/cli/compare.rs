@@ -1,6 +1,7 @@
 //! `jeffcott compare`.
 
 use std::error::Error;
+use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::PathBuf;
 
@@ -137,6 +138,7 @@ fn failed(message: &str, arguments: &Arguments) -> io::Result<Outcome> {
 
 /// The comparisons with the first result, or why nothing is compared.
 fn comparisons(arguments: &Arguments) -> Result<Vec<Comparison>, String> {
+    keep_results(arguments)?;
     let file = arguments.tolerances.as_deref().map(ToleranceFile::load);
     let file = file.transpose();
     let file = file.map_err(|error| error.render(false))?;
@@ -158,6 +160,28 @@ fn comparisons(arguments: &Arguments) -> Result<Vec<Comparison>, String> {
     let comparisons = comparisons.map_err(|error| placed(&error, file.as_ref()))?;
     write_files(arguments, &comparisons)?;
     Ok(comparisons)
+}
+
+/// Refuses a figure or a page in place of what is compared.
+fn keep_results(arguments: &Arguments) -> Result<(), String> {
+    let options = [
+        ("--figure", &arguments.figure),
+        ("--report", &arguments.report),
+    ];
+    for (option, file) in options {
+        let place = file.as_ref().and_then(|file| fs::canonicalize(file).ok());
+        let is_it = |result: &&PathBuf| fs::canonicalize(result).ok() == place;
+        let lost = place
+            .as_ref()
+            .and_then(|_| arguments.results.iter().find(is_it));
+        if let Some(lost) = lost {
+            return Err(format!(
+                "error: {option} would replace {}, which is compared: give it another name\n",
+                lost.display()
+            ));
+        }
+    }
+    Ok(())
 }
 
 /// Writes figure and page, where they are asked for.

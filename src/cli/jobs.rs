@@ -120,7 +120,7 @@ impl Files {
     /// One job a file, and what is wrong with the others, for programs, after telling people.
     fn jobs(&self, answers: &mut Answers) -> Vec<Job> {
         let mut jobs = Vec::new();
-        let mut folders: HashMap<PathBuf, &Path> = HashMap::new();
+        let mut folders = Folders::default();
         for file in &self.files {
             let name = name_of(file);
             let mut refuse = |message: &str| {
@@ -142,12 +142,8 @@ impl Files {
                     continue;
                 }
             };
-            if let Some(other) = folders.insert(folder.clone(), file) {
-                refuse(&format!(
-                    "{name} and {} would both write to {}; rename one or run them apart",
-                    other.display(),
-                    folder.display()
-                ));
+            if let Err(message) = folders.take(&folder, file) {
+                refuse(&message);
             }
             let job = Job {
                 file: file.clone(),
@@ -160,6 +156,28 @@ impl Files {
             jobs.push(job);
         }
         jobs
+    }
+}
+
+/// Folders that results are written to, each with the file that it belongs to.
+#[derive(Default)]
+pub struct Folders(HashMap<PathBuf, PathBuf>);
+
+impl Folders {
+    /// Takes a folder for a file.
+    ///
+    /// # Errors
+    /// Another file has it, whose results would be lost.
+    pub fn take(&mut self, folder: &Path, file: &Path) -> Result<(), String> {
+        match self.0.insert(folder.to_owned(), file.to_owned()) {
+            None => Ok(()),
+            Some(other) => Err(format!(
+                "{} and {} would both write to {}; rename one or run them apart",
+                name_of(file),
+                other.display(),
+                folder.display()
+            )),
+        }
     }
 }
 

@@ -315,12 +315,16 @@ impl RunFolder {
     }
 }
 
-/// Writes a file that belongs to no set, under a temporary name first; its folder is created where it
-/// is missing.
+/// Writes a file that belongs to no set, under a temporary name first; its folder is created where it is missing. A link is
+/// followed, and what is no file, as a pipe or a device, takes the bytes as they come.
 ///
 /// # Errors
 /// [`ReportError::File`] where folder or file cannot be created or written.
 pub fn write_whole(path: &Path, content: &[u8]) -> Result<(), ReportError> {
+    let path = &fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    if fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir()) {
+        return fs::write(path, content).map_err(ReportError::file(FileAction::Write, path));
+    }
     let parent = path
         .parent()
         .filter(|parent| !parent.as_os_str().is_empty());

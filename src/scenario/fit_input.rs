@@ -129,6 +129,9 @@ impl UnknownInput {
     }
 }
 
+/// Why an unknown is not set.
+const SOUGHT: &str = "is sought";
+
 impl FitFileInput {
     /// The fit of the scenario that it names, as far as nothing contradicts it.
     ///
@@ -156,19 +159,21 @@ impl FitFileInput {
         problems: &mut Problems<'_>,
     ) -> Option<FitFile> {
         let mut base = scenario.echo.clone();
-        SetInput::apply(&self.set, &mut base, problems)?;
+        let set = SetInput::apply(&self.set, &mut base, problems)?;
         let known = number_keys(&base, &LEFT_OUT);
         let found = problems.each("unknown", &self.unknown, |input, problems| {
             input.build(scenario, &known, problems)
         })?;
         let (keys, unknowns): (Vec<Key>, Vec<Unknown>) = found.into_iter().unzip();
         self.check_apart(&keys, problems);
+        SetInput::refuse_decided(&set, &keys, SOUGHT, problems);
         let mut scenarios = vec![base.clone()];
         let (mut questions, mut observations, mut readings) = (Vec::new(), Vec::new(), Vec::new());
         let rotor = &scenario.question.rotor;
         problems.each("observation", &self.observation, |input, problems| {
             let mut there = base.clone();
-            SetInput::apply(&input.set, &mut there, problems)?;
+            let set = SetInput::apply(&input.set, &mut there, problems)?;
+            SetInput::refuse_decided(&set, &keys, SOUGHT, problems);
             let place = place_of(&mut scenarios, there);
             for (kind, wanted, observation) in input.build(rotor, own_folder, problems)? {
                 if matches!(kind, Kind::Steady | Kind::Run) && scenario.model.is_none() {

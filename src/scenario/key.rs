@@ -142,6 +142,11 @@ impl Key {
         }
     }
 
+    /// Whether it has all paths that another one has.
+    pub fn covers(&self, other: &Self) -> bool {
+        other.paths.iter().all(|path| self.paths.contains(path))
+    }
+
     /// A path that another key has, too.
     pub fn shared_with(&self, other: &Self) -> Option<&str> {
         let mut paths = self.paths.iter();

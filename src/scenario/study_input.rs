@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use super::axis::{AxisInput, AxisReader};
 use super::document::Document;
 use super::keep_input::KeepInput;
-use super::key::all_keys;
+use super::key::{Key, all_keys};
 use super::key_path::entry;
 use super::problems::Problems;
 use super::set_input::SetInput;
@@ -128,7 +128,7 @@ impl StudyFileInput {
         };
         self.check_asked(problems);
         let columns = self.columns(all, problems);
-        let (base, repeated) = self.base_scenario(scenario, &folder, problems)?;
+        let (base, set, repeated) = self.base_scenario(scenario, &folder, problems)?;
         let known = all_keys(&base, left_out(self.ask));
         let (mut axes, mut variables, mut keys) = (Vec::new(), Vec::new(), Vec::new());
         problems.each("axis", &self.axis, |input, problems| {
@@ -150,6 +150,7 @@ impl StudyFileInput {
             keys.push(key);
             Some(())
         });
+        SetInput::refuse_decided(&set, &keys, "changes along an axis", problems);
         let sampling = self.sampling(&axes, problems)?;
         let plan = Plan::new(axes, sampling, self.seed);
         self.check_count(&plan, problems);
@@ -193,25 +194,25 @@ impl StudyFileInput {
             .collect()
     }
 
-    /// The scenario with what all runs have otherwise, and its warnings.
+    /// The scenario with what all runs have otherwise, the keys of that, and its warnings.
     fn base_scenario(
         &self,
         scenario: &Scenario,
         folder: &Path,
         problems: &mut Problems<'_>,
-    ) -> Option<(Value, Vec<String>)> {
+    ) -> Option<(Value, Vec<Key>, Vec<String>)> {
         let mut base = match self.ask {
             Ask::Run => scenario.echo.clone(),
             Ask::Bearing => without(&scenario.echo, left_out(self.ask)),
         };
         let known = all_keys(&base, left_out(self.ask));
-        SetInput::put(&self.set, &known, &mut base, problems)?;
+        let set = SetInput::put(&self.set, &known, &mut base, problems)?;
         let found = questions(&base, folder, read_input).map_err(|issue| {
             let message = format!("the base with `set`: {}", issue.message);
             Issue::new("set", message)
         });
         let warnings = problems.take(found)?.question.rotor.warnings;
-        Some((base, warnings))
+        Some((base, set, warnings))
     }
 
     /// The numbers that are kept: of a scene all, or those that are named and the measured error.

@@ -319,6 +319,27 @@ fn what_is_wrong_is_said_and_nothing_is_written() {
     assert!(!out.exists());
 }
 
+/// The result of a record would be lost under that of another with its name.
+#[test]
+fn records_of_one_name_are_not_written_over_each_other() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let records = ["a", "b"].map(|part| {
+        let path = folder.path().join(part).join("r.csv");
+        fs::create_dir(folder.path().join(part)).expect("a folder");
+        fs::copy(root().join("tests/records/timed.csv"), &path).expect("a record");
+        path.to_str().expect("a path").to_owned()
+    });
+    let out = folder.path().join("out");
+    let out = out.to_str().expect("a path");
+    let output = jeffcott_in(root(), &["analyze", &records[0], &records[1], "--out", out]);
+    assert_eq!(output.status.code(), Some(2), "{}", told(&output));
+    assert!(
+        told(&output).contains("would both write to"),
+        "{}",
+        told(&output)
+    );
+}
+
 #[test]
 fn the_command_prints_the_schema_of_records() {
     let committed = fs::read(root().join("scenarios/record.schema.json")).unwrap();

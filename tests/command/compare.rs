@@ -459,6 +459,53 @@ fn a_wrong_file_of_tolerances_is_shown_with_its_place() {
     );
 }
 
+/// What has nothing in common but the axis, or nothing at all, does not agree: the guard of a spectrum would sleep.
+#[test]
+fn nothing_in_common_is_no_agreement() {
+    let (_folder, a, b) = files(TRACE, &TRACE.replace("x_m", "y_m"));
+    let (code, told) = result(&command(&[&a, &b], &["--common"]));
+    assert_eq!(code, 2, "{told}");
+    assert!(
+        told.contains("nothing was compared") && told.contains("y_m"),
+        "{told}"
+    );
+    let (_folder, a, b) = files("t_s,x_m\n0,NaN\n1,NaN\n", "t_s,x_m\n0,NaN\n1,NaN\n");
+    let (code, told) = result(&command(&[&a, &b], &[]));
+    assert_eq!(code, 2, "{told}");
+    // one number is enough, and one column alone is more than an axis
+    let (_folder, a, b) = files("t_s,x_m\n0,NaN\n1,2\n", "t_s,x_m\n0,NaN\n1,2\n");
+    assert_eq!(result(&command(&[&a, &b], &[])).0, 0);
+    let (_folder, a, b) = files("x_m\n0\n1\n", "x_m\n0\n1\n");
+    assert_eq!(result(&command(&[&a, &b], &[])).0, 0);
+}
+
+#[test]
+fn what_is_compared_is_not_replaced_and_a_link_is_followed() {
+    let (folder, a, b) = files(TRACE, TRACE);
+    for option in ["--report", "--figure"] {
+        let (code, told) = result(&command(&[&a, &b], &[option, b.to_str().unwrap()]));
+        assert_eq!(code, 2, "{told}");
+        assert!(told.contains("which is compared"), "{told}");
+    }
+    assert_eq!(fs::read_to_string(&b).unwrap(), TRACE);
+    #[cfg(unix)]
+    {
+        let [page, link] = ["page.html", "link.html"].map(|name| folder.path().join(name));
+        fs::write(&page, "old").unwrap();
+        std::os::unix::fs::symlink(&page, &link).unwrap();
+        let done = result(&command(&[&a, &b], &["--report", link.to_str().unwrap()]));
+        assert_eq!(done.0, 0, "{}", done.1);
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert!(fs::read_to_string(&page).unwrap().contains("<html"));
+        // a device takes what is written, and stays one
+        let device = folder.path().join("device.html");
+        std::os::unix::fs::symlink("/dev/null", &device).unwrap();
+        let done = result(&command(&[&a, &b], &["--report", device.to_str().unwrap()]));
+        assert_eq!(done.0, 0, "{}", done.1);
+        assert!(fs::symlink_metadata(&device).unwrap().is_symlink());
+    }
+}
+
 #[test]
 fn a_figure_shows_the_columns_that_are_furthest_apart() {
     let (folder, a, b) = files(TRACE, &TRACE.replace("2e-6", "3e-6"));

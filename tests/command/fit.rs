@@ -105,6 +105,12 @@ to = '9 N'",
             "is sought already",
         ),
         (
+            "[[unknown]]",
+            "[[set]]\nkey = 'shaft.mass'\nvalue = '3 kg'\n[[unknown]]",
+            2,
+            "`shaft.mass` is sought, and the value here has no effect",
+        ),
+        (
             "key = 'shaft.mass'",
             "key = 'shaft.masss'",
             2,

@@ -643,6 +643,15 @@ fn wrong_studies_are_refused_with_a_word_on_what_to_do() {
             "jones",
         ),
         (
+            "[[axis]]\nkey = 'shaft.mass'\nvalues = ['1 kg']\n[[set]]\nkey = 'shaft.mass'\nvalue = '2 kg'\n",
+            "`shaft.mass` changes along an axis, and the value here has no effect",
+        ),
+        (
+            "[[axis]]\nkey = 'shaft.mass'\nvalues = ['1 kg']\n[[set]]\nkey = 'speed.constant'\nvalue = '2 rad/s'\n\
+             [[set]]\nkey = 'speed.constant'\nvalue = '3 rad/s'\n",
+            "`speed.constant` is set already",
+        ),
+        (
             "sampling = 'sobol'\nruns = 4\nsweep = 'up'\n[[axis]]\nkey = 'shaft.mass'\nvalues = ['1 kg']\n",
             "no neighbours",
         ),

@@ -116,6 +116,12 @@ pub enum CompareError {
         /// Second result.
         second: PathBuf,
     },
+    /// The results have nothing in common that could differ.
+    #[error("nothing was compared: no column with numbers is in both beside the axis; there are: {}", columns.join(", "))]
+    NothingCompared {
+        /// Names of the columns of both.
+        columns: Vec<String>,
+    },
     /// A figure of the comparison cannot be drawn or written.
     #[error("the comparison stands, its figure does not")]
     Figure(#[from] crate::report::ReportError),

@@ -31,26 +31,25 @@ impl Comparison {
         partial: Vec<Difference>,
         rules: &Rules,
     ) -> Result<Self, CompareError> {
-        let known = || {
-            tables
-                .iter()
-                .flat_map(|table| &table.known)
-                .map(Column::name)
-        };
+        let known = tables.iter().flat_map(|table| &table.known);
+        let known: Vec<String> = known.map(Column::name).collect();
         for (name, _) in &rules.tolerances.columns {
-            if !known().any(|column| column == *name) {
-                return Err(CompareError::UnknownColumn {
-                    name: name.clone(),
-                    known: known().collect(),
-                });
+            if !known.contains(name) {
+                let name = name.clone();
+                return Err(CompareError::UnknownColumn { name, known });
             }
         }
         let (left_out, differences) = partial.into_iter().partition(|_| rules.common);
-        Ok(Self {
+        let found = Self {
             tables,
             differences,
             left_out,
-        })
+        };
+        // what has nothing in common would agree
+        match found.agrees() && !found.tables.iter().any(TableComparison::has_numbers) {
+            true => Err(CompareError::NothingCompared { columns: known }),
+            false => Ok(found),
+        }
     }
 
     /// Whether both results have the same tables and all their values agree.
@@ -141,6 +140,14 @@ impl TableComparison {
         }
     }
 
+    /// Whether a column with numbers was compared that is more than the axis.
+    fn has_numbers(&self) -> bool {
+        let is_axis = |own: &&ColumnComparison| self.known.first() == Some(&own.column);
+        let is_alone = self.known.len() == 1;
+        let mut columns = self.columns.iter().filter(|own| is_alone || !is_axis(own));
+        columns.any(|own| own.has_numbers)
+    }
+
     /// Whether both tables have the same columns and rows, and all values agree.
     pub fn agrees(&self) -> bool {
         self.differences.is_empty() && self.columns.iter().all(ColumnComparison::agrees)
@@ -172,6 +179,8 @@ pub struct ColumnComparison {
     pub needed: f64,
     /// Whether differences are in dB.
     pub decibels: bool,
+    /// Whether a number was compared.
+    has_numbers: bool,
     /// Most places that are kept.
     room: usize,
 }
@@ -215,6 +224,7 @@ impl ColumnComparison {
             failures: 0,
             needed: 0.0,
             decibels: rules.lines.is_some_and(|lines| lines.decibels.is_some()),
+            has_numbers: false,
             room: match rules.lines.map(|lines| lines.by) {
                 Some(LinesBy::Name) => usize::MAX,
                 _ => rules.worst.max(1),
@@ -234,6 +244,7 @@ impl ColumnComparison {
 
     /// Takes the values of a place, which may be so far apart.
     pub(super) fn take(&mut self, place: Worst, allowance: Allowance) {
+        self.has_numbers |= !(place.first.is_nan() && place.second.is_nan());
         let allowed = allowance.total();
         let place = Worst { allowed, ..place };
         let beyond = place.difference - allowance.more;
