@@ -459,6 +459,26 @@ fn a_wrong_file_of_tolerances_is_shown_with_its_place() {
     );
 }
 
+/// Lines of round-off beside those of x, by 1e-11 of it, are not compared by their ratio; a line above it is.
+#[test]
+fn decibels_leave_out_lines_of_round_off() {
+    let spectrum = |line: f64| {
+        let rows = (0..9).map(|n| {
+            let y = if n == 4 { line } else { 0.0 };
+            let x = if n == 2 { 1e-6 } else { 1e-9 };
+            format!("{n},{x:e},{y:e}\n")
+        });
+        let rows: String = rows.collect();
+        format!("f_Hz,x_amplitude_m,y_amplitude_m\n{rows}")
+    };
+    let options = ["--lines", "--decibels", "1"];
+    for (pair, code) in [([1e-19, 5e-19], 0), ([1e-9, 5e-9], 1), ([1e-19, 1e-9], 1)] {
+        let (_folder, a, b) = files(&spectrum(pair[0]), &spectrum(pair[1]));
+        let (found, told) = result(&command(&[&a, &b], &options));
+        assert_eq!(found, code, "{pair:?}: {told}");
+    }
+}
+
 /// What has nothing in common but the axis, or nothing at all, does not agree: the guard of a spectrum would sleep.
 #[test]
 fn nothing_in_common_is_no_agreement() {

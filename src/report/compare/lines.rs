@@ -140,17 +140,17 @@ fn compare_pair(
     rules: &Rules,
 ) -> (ColumnComparison, Vec<Difference>) {
     let mut found = ColumnComparison::new(&both[0].column, rules);
-    let threshold = if line_rules.decibels.is_some() {
-        0.0
-    } else {
-        allowance.total()
+    // a ratio says nothing of two lines of round-off
+    let threshold = match line_rules.decibels {
+        Some(_) => allowance.more,
+        None => allowance.total(),
     };
     let beyond = |limit: f64| {
         both.each_ref()
             .map(|own| own.lines.partition_point(|line| line.amplitude > limit))
     };
     let mut counts = beyond(threshold);
-    if counts == [0, 0] {
+    if counts == [0, 0] && line_rules.decibels.is_none() {
         // none is significant; how strong they are is told all the same
         counts = beyond(0.0);
     }
