@@ -51,6 +51,9 @@ pub struct Bearing {
 /// design, where they give no limiting speed: `n d_m` = 10⁶ mm/min, a rule of thumb.
 const LIMITING_SPEED_FACTOR: f64 = 1e6 * 1e-3 * std::f64::consts::TAU / 60.0;
 
+/// How many times as dense as the rings balls of the same material are at least.
+const AS_HEAVY: f64 = 0.8;
+
 impl Bearing {
     /// A bearing of a geometry with balls and rings of bearing steel, of which nothing else is known.
     pub fn of_steel(geometry: Geometry) -> Self {
@@ -78,6 +81,11 @@ impl Bearing {
     pub fn highest_permissible_speed(&self) -> f64 {
         self.limiting_speed
             .unwrap_or(LIMITING_SPEED_FACTOR / self.geometry.pitch_diameter())
+    }
+
+    /// Whether its balls are much lighter than its rings, as those of ceramic are.
+    pub(crate) fn is_hybrid(&self) -> bool {
+        self.ball_material.density < AS_HEAVY * self.ring_material.density
     }
 
     /// Clearance of a deep-groove bearing; none of an angular contact bearing.

@@ -18,6 +18,8 @@ pub struct Fit {
     pub mates: [Material; 2],
     /// Thermal expansion of shaft and housing, 1/K.
     pub expansions: [f64; 2],
+    /// Thermal expansion of the balls, 1/K; the rings are of steel.
+    pub ball_expansion: f64,
     /// Temperatures of inner ring, balls and outer ring above the reference, K.
     pub rings: [f64; 3],
     /// Temperatures of shaft and housing above the reference, K.
@@ -45,7 +47,7 @@ impl Fit {
             outer_ring_fit(outside, pitch + ball, wall, in_housing, ring, housing),
         ];
         let clearance_loss = fits.map(|fit| fit.clearance_loss);
-        let thermal_change = thermal_clearance_change(ball, pitch, self.rings);
+        let thermal_change = thermal_clearance_change(ball, pitch, self.rings, self.ball_expansion);
         FitState {
             interference,
             pressure: fits.map(|fit| fit.pressure),

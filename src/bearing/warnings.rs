@@ -108,15 +108,11 @@ fn doubtful_rating(bearing: &Bearing) -> Option<String> {
     })
 }
 
-/// How many times as dense as the rings balls of steel are at least.
-const AS_HEAVY: f64 = 0.8;
-
 /// A modified life of a hybrid bearing.
 fn life_of_steel(bearing: &Bearing) -> Option<String> {
     bearing.radial_rating()?;
     bearing.lubrication?.contamination?;
-    let is_hybrid = bearing.ball_material.density < AS_HEAVY * bearing.ring_material.density;
-    is_hybrid.then(|| {
+    bearing.is_hybrid().then(|| {
         format!(
             "a_ISO and C_u of ISO 281 are those of bearings of steel, and these {}s are lighter than steel (hybrid): L_nm is no \
              more than an estimate",

@@ -102,27 +102,32 @@ pub fn outer_ring_fit(
 }
 
 /// Change of the diametral clearance in m by temperatures of inner ring, balls and outer ring in K over the one at which
-/// it was measured, all of bearing steel.
+/// it was measured: rings of bearing steel, and balls of a thermal expansion in 1/K.
 ///
-/// `ΔG = −α_T (T_i F_i + 2 T_b D − T_o F_o)` with the raceways F = d_m ∓ D, lengths in m.
+/// `ΔG = −α_T (T_i F_i − T_o F_o) − 2 α_b T_b D` with the raceways F = d_m ∓ D, lengths in m.
 ///
 /// Source: Harris & Kotzalas, *Rolling Bearing Analysis*, 5th ed. (2007), vol. 2, ch. 3.
 ///
 /// ```
-/// use jeffcott::physics::thermal_clearance_change;
+/// use jeffcott::physics::{STEEL_EXPANSION, thermal_clearance_change};
 /// // the whole bearing warmer: it stays alike, its clearance grows no more than itself
-/// let change = thermal_clearance_change(7.938e-3, 38.5e-3, [10.0; 3]);
+/// let change = thermal_clearance_change(7.938e-3, 38.5e-3, [10.0; 3], STEEL_EXPANSION);
 /// assert!(change.abs() < 1e-18);
 /// // by hand: inner ring 10 K warmer, 12.5e-6 × 10 × 30.562 mm = 3.820 µm
-/// let change = thermal_clearance_change(7.938e-3, 38.5e-3, [10.0, 0.0, 0.0]);
+/// let change = thermal_clearance_change(7.938e-3, 38.5e-3, [10.0, 0.0, 0.0], STEEL_EXPANSION);
 /// assert!((change + 3.82025e-6).abs() < 1e-12);
+/// // balls of silicon nitride, the whole bearing 40 K warmer: 2 × 11.906 mm × 40 K × (12.5 − 3.2)e-6 = 8.858 µm wider
+/// let change = thermal_clearance_change(11.906e-3, 60e-3, [40.0; 3], 3.2e-6);
+/// assert!((change - 8.858064e-6).abs() < 1e-12);
 /// ```
 pub fn thermal_clearance_change(
     ball_diameter: f64,
     pitch_diameter: f64,
     [inner, balls, outer]: [f64; 3],
+    ball_expansion: f64,
 ) -> f64 {
     -STEEL_EXPANSION
-        * (inner * (pitch_diameter - ball_diameter) + 2.0 * balls * ball_diameter
+        * (inner * (pitch_diameter - ball_diameter)
+            + 2.0 * (ball_expansion / STEEL_EXPANSION) * balls * ball_diameter
             - outer * (pitch_diameter + ball_diameter))
 }

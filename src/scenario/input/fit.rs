@@ -39,6 +39,9 @@ pub struct FitInput {
     /// Thermal expansion of the housing, for instance "23.8e-6 1/K" (aluminium). Default: "12.5e-6 1/K", steel.
     #[schemars(extend("examples" = ["23.8e-6 1/K"], "x-minimum" = 0.0))]
     pub housing_expansion: Option<Quantity<ThermalExpansion>>,
+    /// Thermal expansion of the balls, for instance "3.2e-6 1/K" (silicon nitride). Default: "12.5e-6 1/K", steel.
+    #[schemars(extend("examples" = ["3.2e-6 1/K"], "x-minimum" = 0.0))]
+    pub ball_expansion: Option<Quantity<ThermalExpansion>>,
     /// Temperature at which everything has the sizes given. Default: "20 degC".
     #[schemars(extend("examples" = ["20 degC"], "x-minimum" = -273.0, "x-maximum" = 1000.0))]
     pub reference_temperature: Option<Quantity<Temperature>>,
@@ -112,6 +115,10 @@ impl FitInput {
         .map(|temperature| si(temperature).map(|celsius| celsius - reference));
         let inner_ring = inner.or(shaft).unwrap_or(0.0);
         let outer_ring = outer.or(housing).unwrap_or(0.0);
+        let balls = balls.unwrap_or(0.5 * (inner_ring + outer_ring));
+        if bearing.is_hybrid() && self.ball_expansion.is_none() && balls != 0.0 {
+            problems.warn(expanding_as_steel(bearing, balls, problems));
+        }
         let mate =
             |input: &Option<MaterialInput>| material(input.as_ref(), Material::BEARING_STEEL);
         let fit = Fit {
@@ -121,16 +128,14 @@ impl FitInput {
             mates: [mate(&self.shaft_material), mate(&self.housing_material)],
             expansions: [&self.shaft_expansion, &self.housing_expansion]
                 .map(|expansion| si(expansion).unwrap_or(STEEL_EXPANSION)),
-            rings: [
-                inner_ring,
-                balls.unwrap_or(0.5 * (inner_ring + outer_ring)),
-                outer_ring,
-            ],
+            ball_expansion: si(&self.ball_expansion).unwrap_or(STEEL_EXPANSION),
+            rings: [inner_ring, balls, outer_ring],
             around: [shaft.unwrap_or(inner_ring), housing.unwrap_or(outer_ring)],
         };
         Some((fit, boundary))
     }
 
+    /// Bore and outside diameter of the bearing, m.
     fn boundary(&self, bearing: &Bearing, problems: &mut Problems<'_>) -> Option<[f64; 2]> {
         let known = bearing.boundary.map_or([None; 2], |known| known.map(Some));
         let given = [
@@ -148,3 +153,17 @@ impl FitInput {
         Some([bore?, outside?])
     }
 }
+
+/// What a hybrid bearing loses that is so many K over the reference, where the expansion of its balls is not given.
+fn expanding_as_steel(bearing: &Bearing, balls: f64, problems: &Problems<'_>) -> String {
+    let name = bearing.geometry.element();
+    format!(
+        "`{}` is not given, and the {name}s, lighter than steel (hybrid), are taken to expand as steel: at {balls:.0} K over the \
+         reference temperature {name}s of silicon nitride, \"3.2e-6 1/K\", would change the clearance by {:.2} um more",
+        problems.path(".fit.ball_expansion"),
+        1e6 * 2.0 * bearing.geometry.ball_diameter() * balls * (STEEL_EXPANSION - SILICON_NITRIDE),
+    )
+}
+
+/// Thermal expansion of silicon nitride, 1/K.
+const SILICON_NITRIDE: f64 = 3.2e-6;

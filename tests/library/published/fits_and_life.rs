@@ -2,7 +2,7 @@
 //! calculation.
 
 use crate::physics::{
-    LifeModification, Material, SkfFriction, SkfOperation, ViscosityLaw, equivalent_load,
+    LifeModification, Material, STEEL_EXPANSION, SkfFriction, SkfOperation, ViscosityLaw, equivalent_load,
     inner_ring_fit, outer_ring_fit, rating_factor, reference_viscosity, reliability_factor,
     thermal_clearance_change,
 };
@@ -59,7 +59,7 @@ fn interference_fits_of_steel() {
 #[test]
 fn a_warmer_inner_ring_takes_clearance() {
     // 10 K over the outer ring, balls between them: 12.5e-6 (10 F_i + 2·5 D)
-    let change = thermal_clearance_change(7.938e-3, 38.5e-3, [10.0, 5.0, 0.0]);
+    let change = thermal_clearance_change(7.938e-3, 38.5e-3, [10.0, 5.0, 0.0], STEEL_EXPANSION);
     assert_near(
         "µm",
         change / 1e-6,
