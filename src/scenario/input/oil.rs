@@ -25,14 +25,15 @@ pub struct OilInput {
     /// Number of the ISO VG class, for instance 68: the kinematic viscosity at 40 °C in mm²/s; needs `temperature`.
     #[schemars(range(min = 2.0, max = 3200.0), extend("examples" = [68.0]))]
     pub iso_vg: Option<f64>,
-    /// Viscosity index of an oil of an ISO VG class. Default: 95.
+    /// Viscosity index of an oil of an ISO VG class. Below 2 mm²/s at 100 °C, where ASTM D2270 ends, it is extended.
+    /// Default: 95.
     #[schemars(range(min = 0.0, max = 400.0))]
     pub viscosity_index: Option<f64>,
     /// Kinematic viscosity at 40 °C, for instance "68 mm^2/s"; needs `viscosity_100` and `temperature`.
-    #[schemars(extend("x-minimum" = 2e-6, "x-maximum" = 1e-2))]
+    #[schemars(extend("x-minimum" = 2.1e-7, "x-maximum" = 1e-2))]
     pub viscosity_40: Option<Quantity<KinematicViscosity>>,
     /// Kinematic viscosity at 100 °C, for instance "8.6 mm^2/s".
-    #[schemars(extend("examples" = ["8.6 mm^2/s"], "x-minimum" = 1e-6, "x-maximum" = 1e-2))]
+    #[schemars(extend("examples" = ["8.6 mm^2/s"], "x-minimum" = 2.1e-7, "x-maximum" = 1e-2))]
     pub viscosity_100: Option<Quantity<KinematicViscosity>>,
     /// Temperature of the oil in the bearing, for instance "70 degC".
     #[schemars(extend("x-minimum" = -60.0, "x-maximum" = 250.0))]
@@ -90,6 +91,10 @@ impl OilInput {
             let issue = Issue::new(".oil.viscosity_index", message).help("remove it");
             problems.refuse(issue.against(format!(".oil.{way}")));
         }
+        if let Some(grade) = self.iso_vg.filter(|_| way == "iso_vg") {
+            let warning = self.extended_index(grade, problems);
+            warning.into_iter().for_each(|text| problems.warn(text));
+        }
         if let (Some(cold), Some(warm)) = (&self.viscosity_40, &self.viscosity_100)
             && warm.si() >= cold.si()
         {
@@ -97,6 +102,24 @@ impl OilInput {
             let issue = Issue::new(".oil.viscosity_100", message);
             problems.refuse(issue.against(".oil.viscosity_40"));
         }
+    }
+
+    /// Law of an oil of an ISO VG class.
+    fn law_of_grade(&self, grade: f64) -> ViscosityLaw {
+        let index = self.viscosity_index.unwrap_or(ViscosityLaw::USUAL_INDEX);
+        ViscosityLaw::from_grade(1e-6 * grade, index)
+    }
+
+    /// A class of so thin an oil that no viscosity index is defined.
+    fn extended_index(&self, grade: f64, problems: &Problems<'_>) -> Option<String> {
+        let at_100 = 1e6 * self.law_of_grade(grade).at(100.0);
+        (at_100 < 2.0).then(|| {
+            format!(
+                "`{}` gives {at_100:.2} mm²/s at 100 °C, and ASTM D2270 defines the viscosity index from 2 mm²/s on: it is \
+                 extended below; where both viscosities are known, give `viscosity_40` and `viscosity_100`",
+                problems.path(".oil.iso_vg")
+            )
+        })
     }
 
     fn density(&self) -> f64 {
@@ -111,10 +134,7 @@ impl OilInput {
                 viscosity.si()
             }
             (Some(viscosity), _) => viscosity.si() / self.density(),
-            (None, Some(grade)) => {
-                let index = self.viscosity_index.unwrap_or(ViscosityLaw::USUAL_INDEX);
-                ViscosityLaw::from_grade(1e-6 * grade, index).at(temperature)
-            }
+            (None, Some(grade)) => self.law_of_grade(grade).at(temperature),
             (None, None) => {
                 let points = si(&self.viscosity_40).zip(si(&self.viscosity_100));
                 let (cold, warm) = points.unwrap_or((68e-6, 8.6e-6));
