@@ -21,19 +21,20 @@ impl Place<'_> {
     }
 }
 
-/// Warnings of a bearing at a shaft speed in rad/s and a permissible pressure in Pa; `loaded` are the balls that bear at the
-/// inner race, with their numbers.
+/// Warnings of a bearing at a shaft speed in rad/s and a permissible pressure in Pa; `squeeze` is by how much every ball is
+/// squeezed without load, m, `loaded` are the balls that bear at the inner race, with their numbers.
 pub(super) fn bearing_warnings(
     bearing: &Bearing,
     speed: f64,
     permissible: f64,
+    squeeze: f64,
     balls: &[BallLine],
     loaded: &[(usize, &BallLine)],
 ) -> Vec<String> {
     let first = [
         too_fast(bearing, speed),
         wrong_way(bearing, loaded),
-        squeezed(bearing),
+        squeezed(bearing, squeeze),
         edge_loaded(loaded),
         without_life(bearing),
         doubtful_rating(bearing),
@@ -201,8 +202,7 @@ fn overstressed(places: &[Place], permissible: f64) -> Option<String> {
 }
 
 /// Balls that are loaded without any load on the bearing.
-fn squeezed(bearing: &Bearing) -> Option<String> {
-    let squeeze = bearing.geometry.squeeze();
+fn squeezed(bearing: &Bearing, squeeze: f64) -> Option<String> {
     (squeeze > 0.0).then(|| {
         format!(
             "the clearance is negative: every {} is squeezed by {:.2} µm without load, and a warmer inner ring squeezes \

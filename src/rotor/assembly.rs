@@ -43,6 +43,7 @@ impl Rotor {
             coordinates: rest,
             stiffness: tangent,
             equilibrium,
+            unloaded,
             ..
         } = static_place_of(structure, definition, &supports, &load, &[None; FREEDOMS])?;
         for (support, attachment) in supports.iter_mut().zip(&structure.attachments) {
@@ -71,6 +72,7 @@ impl Rotor {
                 rest,
                 tangent,
                 law_damping,
+                unloaded,
                 free,
             },
             structure,

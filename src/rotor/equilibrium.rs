@@ -192,6 +192,9 @@ pub(crate) struct StaticPlace {
     /// K of all its coordinates.
     pub(super) stiffness: DMatrix<f64>,
     pub equilibrium: Equilibrium,
+    /// Axial displacement of every bearing where the shaft stands without load, [`Structure::unloaded_axial`]; zero where
+    /// its axial place is held.
+    pub(super) unloaded: Vec<f64>,
 }
 
 impl StaticPlace {
@@ -202,11 +205,11 @@ impl StaticPlace {
         supports: &[Support],
     ) -> Vec<BearingState> {
         let pairs = supports.iter().zip(&self.structure.attachments);
-        let state = |(support, attachment): (&Support, &Attachment)| {
+        let state = |((support, attachment), &unloaded): ((&Support, &Attachment), &f64)| {
             let place = attachment.displacement(&self.coordinates, &[]);
-            support.state(&place, definition.speed, definition.cage)
+            support.state(&place, unloaded, definition.speed, definition.cage)
         };
-        pairs.map(state).collect()
+        pairs.zip(&self.unloaded).map(state).collect()
     }
 }
 
@@ -281,6 +284,10 @@ pub(super) fn static_place_of(
         equilibrium: balance.equilibrium(&structure),
         coordinates: balance.displacement.as_slice().to_vec(),
         stiffness: balance.restoring.stiffness,
+        unloaded: match free[2] {
+            true => structure.unloaded_axial(supports),
+            false => vec![0.0; supports.len()],
+        },
         structure,
     })
 }

@@ -50,6 +50,7 @@ mod system;
 mod tabulation;
 mod unbalance;
 mod unconstrained;
+mod unloaded;
 
 pub(crate) use crate::bearing::CageMotion;
 pub(crate) use assembly::build_supports;

@@ -63,6 +63,8 @@ pub(super) struct Start {
     pub tangent: DMatrix<f64>,
     /// C of the laws of force that are not linear there, likewise; those of the contacts are left out.
     pub law_damping: DMatrix<f64>,
+    /// Axial displacement of every bearing where the shaft stands without load, [`Structure::unloaded_axial`], m.
+    pub unloaded: Vec<f64>,
     /// What nothing holds there.
     pub free: FreeDirections,
     /// Whether C follows from the stiffness with the cages turned by half a ball spacing, as nothing holds the shaft before.
@@ -173,11 +175,13 @@ impl Rotor {
 
     /// What is known of every bearing at the static equilibrium and a speed of the shaft in rad/s.
     pub(crate) fn bearing_states(&self, speed: f64) -> Vec<BearingState> {
-        let state = |bearing: AttachedBearing<'_>| {
+        let state = |(bearing, &unloaded): (AttachedBearing<'_>, &f64)| {
             let place = self.static_displacement(&bearing);
-            bearing.support.state(&place, speed, self.elements.cage)
+            let cage = self.elements.cage;
+            bearing.support.state(&place, unloaded, speed, cage)
         };
-        self.elements.bearings().map(state).collect()
+        let bearings = self.elements.bearings();
+        bearings.zip(&self.start.unloaded).map(state).collect()
     }
 
     /// Displacement between the rings of a bearing at the static equilibrium.

@@ -398,7 +398,9 @@ fn the_balls_add_up_to_the_force_on_the_shaft() {
 
 /// L10r of a bearing standing at a displacement, 10⁶ revolutions.
 fn static_life(support: &Support, displacement: &Vector5, speed: f64) -> f64 {
-    let life = support.state(displacement, speed, CageMotion::Frozen).life;
+    let life = support
+        .state(displacement, 0.0, speed, CageMotion::Frozen)
+        .life;
     life.expect("a life")
 }
 

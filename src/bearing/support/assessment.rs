@@ -23,19 +23,22 @@ struct Assessment<'a> {
     support: &'a Support,
     /// Displacement of the inner ring.
     place: Vector5,
+    /// Axial displacement of the shaft without load, m.
+    unloaded: f64,
     rotation: BearingRotation,
     cage: Cage,
 }
 
 impl Support {
     /// What is known of the bearing with the shaft at `displacement`, its cage where it starts and turning as from an
-    /// equilibrium there.
+    /// equilibrium there; without load the shaft is displaced axially by `unloaded`, m.
     ///
     /// A linear bearing knows no balls: its state is that of the Hertz law at this displacement,
     /// force and stiffness, too.
     pub(crate) fn state(
         &self,
         displacement: &Vector5,
+        unloaded: f64,
         speed: f64,
         motion: CageMotion,
     ) -> BearingState {
@@ -43,10 +46,18 @@ impl Support {
         let assessment = Assessment {
             support: self,
             place: self.settled(displacement, &rotation),
+            unloaded,
             rotation,
             cage: self.cage_at(motion, Some(displacement), speed),
         };
         assessment.state()
+    }
+
+    /// Axial force in N at standstill with the shaft displaced along its axis alone, m.
+    pub(crate) fn axial_force(&self, displacement: f64) -> f64 {
+        let rotation = BearingRotation::at_start(0.0);
+        let place = self.settled(&[0.0, 0.0, displacement, 0.0, 0.0], &rotation);
+        self.ring_tangent(&place, &rotation).0[2]
     }
 
     /// What a ball at each of `positions` azimuths from +X on would bear with the inner ring at `place`, its displacement
@@ -101,7 +112,7 @@ impl Assessment<'_> {
         BearingState {
             rating_lives: life.and_then(|life| bearing.rating_lives(life, &force, speed)),
             fit: bearing.fit,
-            preload: self.preload(),
+            preload: support.axial_force(self.unloaded),
             friction_moment_skf: skf_moment(bearing, &support.rated_contacts, &force, speed),
             geometry: self.geometry(),
             clearance: bearing.clearance(),
@@ -119,6 +130,7 @@ impl Assessment<'_> {
                 bearing,
                 speed,
                 contacts.permissible_pressure(),
+                self.squeeze(),
                 &balls,
                 &loaded,
             ),
@@ -126,12 +138,16 @@ impl Assessment<'_> {
         }
     }
 
-    /// Axial force in N with the shaft in its place.
-    fn preload(&self) -> f64 {
-        let place = [0.0, 0.0, self.support.seat.offset(), 0.0, 0.0];
-        self.support
-            .ring_tangent(&place, &BearingRotation::at_start(0.0))
-            .0[2]
+    /// By how much every ball or roller is squeezed without load, m. The races of a tapered bearing part as the shaft gives way.
+    fn squeeze(&self) -> f64 {
+        let (support, geometry) = (self.support, &self.bearing().geometry);
+        if geometry.squeeze() == 0.0 || geometry.rollers().is_none() || geometry.is_symmetric() {
+            return geometry.squeeze();
+        }
+        let still = BearingRotation::at_start(0.0);
+        let place = support.settled(&[0.0, 0.0, self.unloaded, 0.0, 0.0], &still);
+        let around = support.around(&place, 0.0, None);
+        around.iter().map(|own| own.deformation).fold(0.0, f64::max)
     }
 
     fn geometry(&self) -> GeometryState {

@@ -155,6 +155,11 @@ impl Support {
         }
     }
 
+    /// Axial preset of the inner ring when the shaft is in its place, m.
+    pub(crate) fn axial_preset(&self) -> f64 {
+        self.seat.offset()
+    }
+
     /// Axial displacement at which the races of this bearing are axially centred, m.
     pub(crate) fn centred_axial(&self) -> f64 {
         -self.definition.bearing.geometry.free_axial() - self.seat.offset()

@@ -63,7 +63,7 @@ fn force_and_stiffness_are_those_of_the_support() {
         let place = [5e-6, 3e-6, 20e-6, 0.0, 1e-4];
         let rotation = crate::bearing::BearingRotation::at_start(600.0);
         let tangent = support.tangent(&place, &rotation);
-        let state = support.state(&place, 600.0, CageMotion::default());
+        let state = support.state(&place, 0.0, 600.0, CageMotion::default());
         assert_eq!(state.force, tangent.force);
         assert_eq!(state.stiffness, tangent.stiffness);
         assert_eq!(state.displacement, place);
@@ -80,7 +80,7 @@ fn a_frozen_bearing_shows_the_balls_of_the_hertz_law() {
     };
     let mut support = Support::new(&linear, 0.0).expect("a bearing");
     support.freeze(&[0.0, 0.0, 20e-6, 0.0, 0.0], 0.0);
-    let state = support.state(&place, 0.0, CageMotion::default());
+    let state = support.state(&place, 0.0, 0.0, CageMotion::default());
     assert_eq!(state, state_at(&hertz, place, 0.0));
 }
 

@@ -31,7 +31,7 @@ fn state_at(bearing: &MountedBearing, place: Vector5, speed: f64) -> BearingStat
     let support = Support::new(bearing, speed).expect("a bearing that can be mounted");
     let attachment = Attachment::on_rigid_shaft(bearing.position, bearing.facing);
     let displacement = attachment.displacement(&place, &[]);
-    support.state(&displacement, speed, CageMotion::default())
+    support.state(&displacement, 0.0, speed, CageMotion::default())
 }
 
 /// State of a bearing under a load; held freedoms stay at zero.

@@ -287,7 +287,7 @@ fn a_roller_that_is_too_large_bears_more() {
     let mut bearing = thirteen(Profile::Flat, 30);
     bearing.imperfections.oversizes = vec![0.0; 13];
     bearing.imperfections.oversizes[0] = 2e-6;
-    let state = support(&bearing).state(&[5e-6, 0.0, 0.0, 0.0, 0.0], 0.0, CageMotion::Frozen);
+    let state = support(&bearing).state(&[5e-6, 0.0, 0.0, 0.0, 0.0], 0.0, 0.0, CageMotion::Frozen);
     // its approach is larger by its excess
     let stiffness = line_stiffness(8e-3, modulus(&bearing));
     let expected = stiffness * 7e-6f64.powf(10.0 / 9.0);

@@ -1,11 +1,13 @@
 //! Fits, temperatures, lubrication and friction: closed forms of Lamé, ISO 281 and SKF's catalogue, by independent
 //! calculation.
 
+use crate::bearing::BearingState;
 use crate::physics::{
-    LifeModification, Material, STEEL_EXPANSION, SkfFriction, SkfOperation, ViscosityLaw, equivalent_load,
-    inner_ring_fit, outer_ring_fit, rating_factor, reference_viscosity, reliability_factor,
-    thermal_clearance_change,
+    LifeModification, Material, STEEL_EXPANSION, SkfFriction, SkfOperation, ViscosityLaw,
+    equivalent_load, inner_ring_fit, outer_ring_fit, rating_factor, reference_viscosity,
+    reliability_factor, thermal_clearance_change,
 };
+use crate::quasi_static::{QuasiStatic, quasi_static};
 use crate::scenario::Scenario;
 use crate::tests::support::{assert_near, inside};
 
@@ -156,15 +158,85 @@ fn equivalent_loads_of_iso_281() {
 }
 
 /// A scenario of a pair of 7208C that is preloaded by 490 N, with a table after the bearing.
-fn pair(table: &str) -> crate::bearing::BearingState {
+fn pair(table: &str) -> BearingState {
+    let [first, _] = pair_at(0.0, table);
+    first
+}
+
+/// The bearings of a set at a position in mm.
+fn pair_at(position: f64, table: &str) -> [BearingState; 2] {
+    let keys = format!(
+        "arrangement = \"back-to-back\"\nspacing = \"100 mm\"\npreload = \"490 N\"\n{table}"
+    );
+    let scenario = scenario("7208C", &format!("position = \"{position} mm\"\n{keys}"));
+    answer(&scenario).bearings.try_into().expect("two bearings")
+}
+
+/// A shaft on a bearing.
+fn scenario(catalogue: &str, keys: &str) -> Scenario {
     let text = format!(
         "[shaft]\nmass = \"5 kg\"\nfreedoms = \"translational\"\n[speed]\nconstant = \"3000 rpm\"\n\
-         [[bearing]]\ncatalogue = \"7208C\"\narrangement = \"back-to-back\"\nspacing = \"100 mm\"\npreload = \"490 N\"\n\
-         {table}"
+         [[bearing]]\ncatalogue = \"{catalogue}\"\n{keys}"
     );
-    let scenario = Scenario::from_toml(&text).expect("a scenario");
-    let answer = crate::quasi_static::quasi_static(&scenario.question).expect("an answer");
-    answer.bearings[0].clone()
+    Scenario::from_toml(&text).expect("a scenario")
+}
+
+fn answer(scenario: &Scenario) -> QuasiStatic {
+    quasi_static(&scenario.question).expect("an answer")
+}
+
+/// The shaft finds its axial place: where a set sits from the centre of mass does not matter to its preload.
+#[test]
+fn the_preload_of_a_warm_set_does_not_go_by_its_position() {
+    let warm = "[bearing.fit]\ninner_temperature = \"50 degC\"\nouter_temperature = \"40 degC\"\n";
+    let [first, second] = pair_at(0.0, warm).map(|state| state.preload);
+    assert_near("N", first, second, 1e-6);
+    assert!((first - 490.0).abs() > 50.0, "{first}");
+    for position in [-200.0, 100.0, 1000.0] {
+        for state in pair_at(position, warm) {
+            assert_near("N", state.preload, first, 1e-6);
+        }
+    }
+}
+
+/// The shaft gives way to a single tapered bearing that is free axially.
+#[test]
+fn a_single_bearing_has_no_preload() {
+    let load = "[[load]]\nconstant = { y = \"-500 N\", z = \"2000 N\" }\n";
+    let fit = "[bearing.fit]\ninner_interference = \"10 um\"\n";
+    let alone = answer(&scenario("30206", &format!("{fit}{load}")));
+    assert_eq!(alone.bearings[0].preload, 0.0);
+    assert!(alone.bearings[0].warnings.is_empty(), "{alone:?}");
+    let set = format!("arrangement = \"back-to-back\"\nspacing = \"60 mm\"\n{fit}");
+    let [first, second] = [0, 1].map(|index| {
+        let state = answer(&scenario("30206", &set)).bearings[index].clone();
+        assert!(state.warnings[0].contains("squeezed by 3.8"), "{state:?}");
+        state.preload
+    });
+    assert!(first > 500.0, "{first}");
+    assert_near("N", first, second, 1e-6);
+}
+
+/// Balls of silicon nitride grow less than the rings: a set that is 40 K warmer loses its preload.
+#[test]
+fn ceramic_balls_lose_the_preload_of_a_warm_set() {
+    let warm = |kelvin: f64, expansion: &str| {
+        let celsius = 20.0 + kelvin;
+        let table = format!(
+            "[bearing.ball_material]\nyoungs_modulus = \"310 GPa\"\npoisson_ratio = 0.26\ndensity = \"3200 kg/m^3\"\n\
+             [bearing.fit]\ninner_temperature = \"{celsius} degC\"\nouter_temperature = \"{celsius} degC\"\n{expansion}"
+        );
+        pair(&table)
+    };
+    let given = "ball_expansion = \"3.2e-6 1/K\"\n";
+    let lost = warm(60.0, given);
+    assert_eq!(lost.preload, 0.0);
+    // 2 × 11.906 mm × 60 K × (12.5 − 3.2)e-6
+    let change = lost.fit.expect("a fit").thermal_change;
+    assert_near("µm", change / 1e-6, 13.287, 1e-3);
+    let less = warm(20.0, given).preload;
+    assert!(less > 100.0 && less < 450.0, "{less}");
+    assert_near("as steel", warm(40.0, "").preload, 490.0, 1e-6);
 }
 
 #[test]

@@ -221,7 +221,7 @@ fn sjovalls_integral_of_half_the_ring() {
     let bearing = mounted(roller_bearing(kind, size, 0.0, 0.0, Profile::Flat, 30));
     let (found, _) = loaded(&bearing, [1000.0, 0.0, 0.0, 0.0, 0.0], RADIAL);
     let support = &supports(&[bearing])[0];
-    let state = support.state(&found.displacement, 0.0, CageMotion::Frozen);
+    let state = support.state(&found.displacement, 0.0, 0.0, CageMotion::Frozen);
     let largest = state
         .balls
         .iter()
@@ -238,7 +238,7 @@ fn life_of_six_cylindrical_rollers() {
     let load = [1000.0, 0.0, 0.0, 0.0, 0.0];
     let (found, _) = loaded(&bearing, load, [true, false, false, false, false]);
     let support = &supports(std::slice::from_ref(&bearing))[0];
-    let state = support.state(&found.displacement, 0.0, CageMotion::Frozen);
+    let state = support.state(&found.displacement, 0.0, 0.0, CageMotion::Frozen);
     assert_printed("L10r", state.life.expect("a life"), "160603");
     let lives = state.rating_lives.expect("lives");
     // P = F_r

@@ -444,3 +444,55 @@ fn a_mounted_bearing_is_rated_at_its_nominal_angle() {
         assert!((geometry.fatigue_load_limit - 410.2).abs() < 0.1);
     }
 }
+
+/// Ceramic balls that would expand as steel are told, with what they would change.
+#[test]
+fn the_expansion_of_ceramic_balls_is_asked_for() {
+    let told = |fit: &str| {
+        let scenario = read(&format!(
+            "{SMALLEST}[[bearing]]\ncatalogue = \"7208C\"\n[bearing.ball_material]\nyoungs_modulus = \"310 GPa\"\n\
+             density = \"3200 kg/m^3\"\n[bearing.fit]\n{fit}[damping]\nratio = 0.03\n"
+        ));
+        let mut warnings = scenario.warnings.into_iter();
+        warnings.find(|warning| warning.contains("ball_expansion"))
+    };
+    let warm = "inner_temperature = \"60 degC\"\nouter_temperature = \"60 degC\"\n";
+    let warning = told(warm).expect("a warning");
+    assert!(
+        warning.contains("\"3.2e-6 1/K\", would change the clearance by 8.86 um more"),
+        "{warning}"
+    );
+    assert_eq!(
+        told(&format!("{warm}ball_expansion = \"3.2e-6 1/K\"\n")),
+        None
+    );
+    assert_eq!(told("inner_interference = \"5 um\"\n"), None);
+}
+
+/// Of thin oils the viscosity index is extended, and they thin with the temperature all the same.
+#[test]
+fn thin_oils_thin() {
+    let oil = |keys: &str| {
+        let scenario = read(&format!(
+            "{SMALLEST}[[bearing]]\ncatalogue = \"6205\"\n[bearing.oil]\n{keys}\n[damping]\nratio = 0.03\n"
+        ));
+        let lubrication = scenario.question.rotor.bearings[0].bearing.lubrication;
+        let extended = |warning: &String| warning.contains("extended");
+        let told = scenario.warnings.iter().any(extended);
+        (1e6 * lubrication.expect("oil").viscosity, told)
+    };
+    let [cold, warm] = ["40", "100"].map(|celsius| {
+        let (viscosity, told) = oil(&format!("iso_vg = 2\ntemperature = \"{celsius} degC\""));
+        assert!(told);
+        viscosity
+    });
+    assert!(
+        (cold - 2.0).abs() < 1e-9 && (warm - 0.893).abs() < 1e-3,
+        "{cold} {warm}"
+    );
+    assert!(!oil("iso_vg = 10\ntemperature = \"100 degC\"").1);
+    let measured =
+        "viscosity_40 = \"1.2 mm^2/s\"\nviscosity_100 = \"0.6 mm^2/s\"\ntemperature = \"100 degC\"";
+    let (viscosity, told) = oil(measured);
+    assert!((viscosity - 0.6).abs() < 1e-9 && !told);
+}
