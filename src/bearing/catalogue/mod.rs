@@ -84,6 +84,10 @@ pub(crate) enum Found<'a> {
 const SUFFIXES: &str = "2RS1 2RS2 2RSR 2RSH 2RSL 2RSD 2RS 2HRS 2BRS 2RZ 2RU 2RD 2RK 2ZR 2Z RS1 RS2 RSR RSH RSL RS HRS RZ RU RD ZZ ZR ZNR Z DDU DDW DD DU VV \
     LLU LLB LLH LLC LU LB EE TN9 TNH TVH TVP TYN TN JEM JN J MA M EM QE6 NR N P6 P5 P4 P2 P0 GJN WT HT MT33 MT47 LHT23 5K 2AS";
 
+/// Those of them that name seals whose lips rub.
+const RUBBING_SEALS: &str =
+    "2RS1 2RS2 2RSR 2RSH 2RS 2HRS RS1 RS2 RSR RSH RS HRS DDU DD DU LLU LU EE";
+
 /// Suffixes of roller bearings that change neither rollers nor races of these designations: designs, cages, grooves for
 /// oil. A tapered bore, K, is another bearing: its clearance differs.
 const ROLLER_SUFFIXES: &str = "ECP ECJ ECML ECM ECPH EC ETN9 ET EW E1 E CC CJ CA CW33 W33 W20 TVP2 TVPB TVPA XL J2 JR J A Q RHR R MB MA M C";
@@ -107,13 +111,22 @@ fn normal(designation: &str) -> String {
     number.map(str::to_owned).unwrap_or(normal)
 }
 
-/// The class that suffixes name, or the part of them that is neither known nor `more`.
-fn suffixes<'a>(mut rest: &'a str, more: &str) -> Result<Option<ClearanceClass>, &'a str> {
-    let mut class = None;
+/// What the suffixes of a designation say.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct Suffixes {
+    /// Class of the clearance that they name.
+    pub class: Option<ClearanceClass>,
+    /// Whether they name seals whose lips rub.
+    pub rubs: bool,
+}
+
+/// What suffixes say, or the part of them that is neither known nor `more`.
+fn suffixes<'a>(mut rest: &'a str, more: &str) -> Result<Suffixes, &'a str> {
+    let mut said = Suffixes::default();
     loop {
         rest = rest.trim_start_matches(['-', '/', '.', ',', '_', '(', ')']);
         if rest.is_empty() {
-            return Ok(class);
+            return Ok(said);
         }
         let named = ClearanceClass::ALL
             .into_iter()
@@ -123,12 +136,13 @@ fn suffixes<'a>(mut rest: &'a str, more: &str) -> Result<Option<ClearanceClass>,
         let known = known.filter(|known| rest.starts_with(known));
         let longest = known.max_by_key(|known| known.len());
         let suffix = named.map(ClearanceClass::name).or(longest).ok_or(rest)?;
-        class = named.or(class);
+        said.class = named.or(said.class);
+        said.rubs |= RUBBING_SEALS.split_whitespace().any(|seal| seal == suffix);
         rest = &rest[suffix.len()..];
     }
 }
 
-/// The bearing of a designation, that of balls where there are two, and the class of clearance that its suffixes name;
+/// The bearing of a designation, that of balls where there are two, and what its suffixes say;
 /// letter case, blanks and the maker's name do not matter, and suffixes of seals, cages and tolerances change nothing.
 ///
 /// # Errors
@@ -136,26 +150,26 @@ fn suffixes<'a>(mut rest: &'a str, more: &str) -> Result<Option<ClearanceClass>,
 pub(crate) fn look_up<'a>(
     file: &'a Catalogue,
     designation: &str,
-) -> Result<(Found<'a>, Option<ClearanceClass>), UnknownBearing> {
+) -> Result<(Found<'a>, Suffixes), UnknownBearing> {
     let wanted = normal(designation);
     let odd = match matching(all_balls(file), &wanted, "") {
-        Ok((entry, class)) => return Ok((Found::Balls(entry), class)),
+        Ok((entry, said)) => return Ok((Found::Balls(entry), said)),
         Err(odd) => odd,
     };
     let rollers = all(file).flat_map(|catalogue| &catalogue.rollers);
     matching(rollers, &wanted, ROLLER_SUFFIXES)
-        .map(|(entry, class)| (Found::Rollers(entry), class))
+        .map(|(entry, said)| (Found::Rollers(entry), said))
         .map_err(|_| UnknownBearing::new(file, designation, odd))
 }
 
-/// An entry, and the class of clearance that the suffixes of its designation name.
-type Matched<'a, L> = (&'a CatalogueEntry<L>, Option<ClearanceClass>);
+/// An entry, and what the suffixes of its designation say.
+type Matched<'a, L> = (&'a CatalogueEntry<L>, Suffixes);
 
 /// An entry, and the suffix that is not known of it.
 type Odd<'a, 'w, L> = (&'a CatalogueEntry<L>, &'w str);
 
-/// The entry with the longest key that a designation in capital letters without blanks is, but for suffixes, and the class
-/// that these name; or else an entry with the suffix that is not known.
+/// The entry with the longest key that a designation in capital letters without blanks is, but for suffixes, and what these
+/// say; or else an entry with the suffix that is not known.
 fn matching<'a, 'w, L>(
     entries: impl Iterator<Item = &'a CatalogueEntry<L>>,
     wanted: &'w str,
@@ -174,7 +188,7 @@ fn matching<'a, 'w, L>(
         }
         let is_longer = |found: &Matched<'_, L>| base.len() > found.0.key.len();
         match suffixes(rest, more) {
-            Ok(class) if found.as_ref().is_none_or(is_longer) => found = Some((entry, class)),
+            Ok(said) if found.as_ref().is_none_or(is_longer) => found = Some((entry, said)),
             Ok(_) => {}
             Err(part) => odd = odd.or(Some((entry, part))),
         }
@@ -280,10 +294,10 @@ impl Bearing {
     /// # Errors
     /// [`UnknownBearing`] says what comes near.
     pub fn catalogue(designation: &str) -> Result<Self, UnknownBearing> {
-        let (Found::Balls(entry), class) = look_up(&EMPTY, designation)? else {
+        let (Found::Balls(entry), said) = look_up(&EMPTY, designation)? else {
             return Err(UnknownBearing::new(&EMPTY, designation, None));
         };
-        let bearing = entry.of_class(class.unwrap_or_default());
+        let bearing = entry.of_class(said.class.unwrap_or_default());
         bearing.map_err(|error| UnknownBearing {
             designation: designation.to_owned(),
             help: error.to_string(),
@@ -354,13 +368,37 @@ mod tests {
         ] {
             let (found, named) = look_up(&EMPTY, text).expect(text);
             let expected = find(designation).expect(designation);
-            assert_eq!((found, named), (Found::Balls(&expected), class));
+            assert_eq!((found, named.class), (Found::Balls(&expected), class));
+        }
+    }
+
+    #[test]
+    fn seals_that_rub_are_known() {
+        let rubs = |text: &str| look_up(&EMPTY, text).expect(text).1.rubs;
+        for sealed in [
+            "6205-2RS1",
+            "6205-2RS/C3",
+            "6306DDUC3",
+            "6205 LLU/5K",
+            "SKF 6205-RSH",
+        ] {
+            assert!(rubs(sealed), "{sealed}");
+        }
+        for open in [
+            "6205",
+            "6205 ZZ C3",
+            "6205-2RZ",
+            "6205-2RSL",
+            "6205VV",
+            "7205C-P4",
+        ] {
+            assert!(!rubs(open), "{open}");
         }
     }
 
     fn rollers(designation: &str) -> Option<(&'static RollerEntry, Option<ClearanceClass>)> {
         match look_up(&EMPTY, designation) {
-            Ok((Found::Rollers(entry), class)) => Some((entry, class)),
+            Ok((Found::Rollers(entry), said)) => Some((entry, said.class)),
             _ => None,
         }
     }

@@ -229,10 +229,11 @@ impl BearingInput {
         let of_rollers = |own: &RollerInput, printed, problems: &mut Problems<'_>| {
             own.bearing(self, printed, model, problems)
         };
-        let bearing = match (
-            self.identity(catalogue).printed(catalogue, problems)?,
-            &self.roller,
-        ) {
+        let printed = self.identity(catalogue).printed(catalogue, problems)?;
+        if printed.as_ref().is_some_and(PrintedBearing::rubs) {
+            self.warn_of_seals(problems);
+        }
+        let bearing = match (printed, &self.roller) {
             (Some(PrintedBearing::Rollers(printed)), own) => {
                 of_rollers(&own.clone().unwrap_or_default(), Some(&printed), problems)?
             }
@@ -279,6 +280,20 @@ impl BearingInput {
             })?,
             bearing,
         })
+    }
+
+    /// Tells what seals that rub change and no number counts.
+    fn warn_of_seals(&self, problems: &mut Problems<'_>) {
+        let speed = match self.limiting_speed {
+            Some(_) => "",
+            None => {
+                ", and it runs at most at about 0.6 of the speed of an open bearing: set `limiting_speed` to the maker's"
+            }
+        };
+        problems.warn(format!(
+            "`{}` names seals that rub: the friction moment is told without theirs{speed}",
+            problems.path(".catalogue")
+        ));
     }
 
     /// Refuses what belongs to one bearing where there are two.

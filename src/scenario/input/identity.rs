@@ -1,7 +1,7 @@
 //! What says which bearing it is: its designation, what a catalogue prints, or its dimensions.
 
 use super::ratings::RatingsInput;
-use crate::bearing::catalogue::{self, Catalogue, CatalogueEntry, Found};
+use crate::bearing::catalogue::{self, Catalogue, CatalogueEntry, Found, Suffixes};
 use crate::bearing::{CatalogueLine, ClearanceClass, EstimateError, RollerLine};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
@@ -28,12 +28,24 @@ pub struct Printed<L = CatalogueLine> {
     pub key: &'static str,
     /// Class of the clearance that its suffixes name.
     pub class: Option<ClearanceClass>,
+    /// Whether they name seals whose lips rub.
+    pub rubs: bool,
 }
 
 /// What a catalogue prints of a bearing of balls or rollers.
 pub enum PrintedBearing {
     Balls(Printed),
     Rollers(Printed<RollerLine>),
+}
+
+impl PrintedBearing {
+    /// Whether it has seals whose lips rub.
+    pub fn rubs(&self) -> bool {
+        match self {
+            Self::Balls(printed) => printed.rubs,
+            Self::Rollers(printed) => printed.rubs,
+        }
+    }
 }
 
 impl<L: Copy> Printed<L> {
@@ -44,15 +56,17 @@ impl<L: Copy> Printed<L> {
             name: "the bearing of these ratings".to_owned(),
             key: ".ratings",
             class: None,
+            rubs: false,
         }
     }
 
-    fn found(entry: &CatalogueEntry<L>, class: Option<ClearanceClass>) -> Self {
+    fn found(entry: &CatalogueEntry<L>, suffixes: Suffixes) -> Self {
         Self {
             line: entry.line,
             name: entry.designation.clone(),
             key: ".catalogue",
-            class,
+            class: suffixes.class,
+            rubs: suffixes.rubs,
         }
     }
 
@@ -105,11 +119,11 @@ impl Identity<'_> {
         problems: &mut Problems<'_>,
     ) -> Result<PrintedBearing, Issue> {
         let found = catalogue::look_up(catalogue, designation);
-        let (found, class) = found.map_err(|unknown| {
+        let (found, suffixes) = found.map_err(|unknown| {
             let message = format!("the catalogue has no bearing \"{designation}\"");
             Issue::new(".catalogue", message).help(unknown.help)
         })?;
-        if let (Some(named), Some(given)) = (class, self.clearance_class)
+        if let (Some(named), Some(given)) = (suffixes.class, self.clearance_class)
             && named != given
         {
             let message = format!(
@@ -121,8 +135,8 @@ impl Identity<'_> {
             problems.refuse(issue.against(".catalogue"));
         }
         Ok(match found {
-            Found::Balls(entry) => PrintedBearing::Balls(Printed::found(entry, class)),
-            Found::Rollers(entry) => PrintedBearing::Rollers(Printed::found(entry, class)),
+            Found::Balls(entry) => PrintedBearing::Balls(Printed::found(entry, suffixes)),
+            Found::Rollers(entry) => PrintedBearing::Rollers(Printed::found(entry, suffixes)),
         })
     }
 }
