@@ -8,7 +8,7 @@ use super::dimensions::Known;
 use crate::bearing::{Profile, ProfilePoints, RollerKind};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
-use crate::scenario::quantity::{Length, Quantity, si};
+use crate::scenario::quantity::{Length, Quantity, si, significant};
 
 /// Profile of a roller by its name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -69,6 +69,17 @@ impl RollerInput {
                 .iter()
                 .map(|own| [own.at.si(), own.drop.si()])
                 .collect();
+            if pairs[0][1] != 0.0 {
+                let message = format!(
+                    "the first point of a profile has a drop of {} um: what a roller is thinner all along is clearance",
+                    significant(1e6 * pairs[0][1])
+                );
+                let issue = Issue::new(".roller.drop", message);
+                problems.refuse(
+                    issue.help("begin with drop = [{ at = \"0 mm\", drop = \"0 um\" }, …]"),
+                );
+                return None;
+            }
             let message = format!(
                 "the distances of a profile must rise, with at most {} points",
                 ProfilePoints::MOST
