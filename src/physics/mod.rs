@@ -39,7 +39,9 @@ pub use life_modification::{
 };
 pub use line_contact::{LINE_EXPONENT, LineContact, line_stiffness, roller_static_rating};
 pub use material::{Material, contact_modulus};
-pub use rating::{dynamic_rating, rating_factor, roller_dynamic_rating, roller_rating_factor};
+pub use rating::{
+    dynamic_rating, open_groove_factor, rating_factor, roller_dynamic_rating, roller_rating_factor,
+};
 pub use skf_friction::{SkfFriction, SkfOperation};
 pub use vibration_zones::{
     MachineGroup, MachineSupport, VibrationZone, velocity_band, zone_boundaries,

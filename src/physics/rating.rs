@@ -15,8 +15,8 @@ const GROOVE_FACTOR: f64 = 0.52;
 ///       {1 + [1.04 ((1 − γ)/(1 + γ))^1.72]^(10/3)}^(−0.3)
 /// ```
 ///
-/// `γ = D cos α/d_m`; both grooves have f = 0.52, as in the tables of the standard, which catalogues use whatever
-/// the grooves are.
+/// `γ = D cos α/d_m`; both grooves have f = 0.52, as in the tables of the standard, which hold for inner grooves up to 0.52 and
+/// outer ones up to 0.53. Wider ones: [`open_groove_factor`].
 ///
 /// Source: ISO/TR 1281-1:2008, eq. 15; ISO 281:2007, table 2.
 ///
@@ -35,9 +35,43 @@ pub fn rating_factor(gamma: f64) -> f64 {
         * (1.0 + races.powf(10.0 / 3.0)).powf(-0.3)
 }
 
+/// Grooves up to which the tables of ISO 281 hold, inner race first.
+const TABLE_GROOVES: [f64; 2] = [0.52, 0.53];
+
+/// What grooves that are wider than those of the tables of ISO 281 leave of f_c and C; 1 of all others. `grooves` are f = r/D of
+/// the inner and the outer race.
+///
+/// ```text
+/// (2f_i/(2f_i − 1))^0.41 {1 + [1.04 ((1 − γ)/(1 + γ))^1.72 (f_i (2f_o − 1)/(f_o (2f_i − 1)))^0.41]^(10/3)}^(−0.3)
+/// ```
+///
+/// with f_i of at least 0.52 and f_o of at least 0.53, over its value there.
+///
+/// Source: ISO/TR 1281-1:2008, eq. 15.
+///
+/// ```
+/// use jeffcott::physics::open_groove_factor;
+/// assert_eq!(open_groove_factor(0.2, [0.515, 0.52]), 1.0);
+/// // by hand at γ = 0.2: of both grooves 14.661^0.41 (1 + 0.5178^(10/3))^−0.3 = 2.9117, of the tables 3.6163
+/// let left = open_groove_factor(0.2, [0.5366, 0.5366]);
+/// assert!((left - 0.8052).abs() < 1e-3, "{left}");
+/// ```
+pub fn open_groove_factor(gamma: f64, grooves: [f64; 2]) -> f64 {
+    let part = |[inner, outer]: [f64; 2]| {
+        let [inner_width, outer_width] = [inner, outer].map(|factor| 2.0 * factor - 1.0);
+        let races = 1.04
+            * ((1.0 - gamma) / (1.0 + gamma)).powf(1.72)
+            * (inner * outer_width / (outer * inner_width)).powf(0.41);
+        (2.0 * inner / inner_width).powf(0.41) * (1.0 + races.powf(10.0 / 3.0)).powf(-0.3)
+    };
+    let open = std::array::from_fn(|race| f64::max(grooves[race], TABLE_GROOVES[race]));
+    part(open) / part(TABLE_GROOVES)
+}
+
 /// Basic dynamic radial load rating C of a single-row ball bearing, N; lengths in m, `contact_angle` nominal, rad.
 ///
-/// `C = b_m f_c cos^0.7 α Z^(2/3) D^1.8` with b_m = 1.3, D in mm; above 25.4 mm `3.647 D^1.4` for `D^1.8`.
+/// `C = b_m f_c cos^0.7 α Z^(2/3) D^1.8` with b_m = 1.3, D in mm; above 25.4 mm `3.647 D^1.4` for `D^1.8`. Times
+/// [`open_groove_factor`] where grooves are wide.
 ///
 /// Source: ISO 281:2007, eqs. 1 and 2.
 ///

@@ -4,7 +4,7 @@ use super::{Candidate, CatalogueLine, EstimateError};
 use crate::bearing::law::{hertz_contacts, permissible_static_load};
 use crate::bearing::static_rating::static_rating_of_loads;
 use crate::numerics::root::bisection;
-use crate::physics::{Material, contact_modulus};
+use crate::physics::{Material, contact_modulus, dynamic_rating, open_groove_factor};
 
 /// Reference grooves of ISO/TS 16281, inner race first: taken where the groove is not known.
 pub(crate) const REFERENCE_GROOVES: [f64; 2] = [0.52, 0.53];
@@ -29,6 +29,19 @@ impl CatalogueLine {
         let loads = contacts
             .map(|contact| contact.map_or(0.0, |contact| permissible_static_load(&contact)));
         static_rating_of_loads(balls, loads, cosine)
+    }
+
+    /// C of ISO 281 of balls in grooves, N.
+    pub(super) fn dynamic_rating_of(
+        &self,
+        balls: usize,
+        ball_diameter: f64,
+        pitch: f64,
+        grooves: [f64; 2],
+    ) -> f64 {
+        let gamma = ball_diameter * self.contact_angle.cos() / pitch;
+        open_groove_factor(gamma, grooves)
+            * dynamic_rating(balls, ball_diameter, pitch, self.contact_angle)
     }
 
     /// f0 = C_0/(Z D² cos α), N/mm².

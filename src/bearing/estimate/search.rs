@@ -4,7 +4,6 @@ use super::checks::{is_usual_filling, is_usual_size};
 use super::rating::REFERENCE_GROOVES;
 use super::{Candidate, CatalogueLine, EstimateError};
 use crate::bearing::Geometry;
-use crate::physics::dynamic_rating;
 
 /// Largest ball over the height of the section (D_o − d)/2.
 const LARGEST_BALL: f64 = 0.8;
@@ -77,7 +76,7 @@ impl CatalogueLine {
             let most = Geometry::most_balls(diameter, pitch);
             let numbers = self.balls.map_or(Geometry::FEWEST_BALLS..=most, |n| n..=n);
             for balls in numbers.filter(|balls| *balls <= most.min(Geometry::MOST_BALLS)) {
-                let rating = dynamic_rating(balls, diameter, pitch, self.contact_angle);
+                let rating = self.dynamic_rating_of(balls, diameter, pitch, self.grooves());
                 // the contacts of balls that are far off are not worth their time
                 if (rating / self.dynamic_rating - 1.0).abs() <= 0.25 {
                     found.push(self.candidate(balls, diameter, pitch));
@@ -86,6 +85,11 @@ impl CatalogueLine {
         }
         found.sort_by(|a, b| a.deviation.total_cmp(&b.deviation));
         found
+    }
+
+    /// Grooves that are given, or else those of reference.
+    fn grooves(&self) -> [f64; 2] {
+        self.groove_factors.unwrap_or(REFERENCE_GROOVES)
     }
 
     /// Height of the section, (D_o − d)/2, m.
@@ -121,7 +125,7 @@ impl CatalogueLine {
     }
 
     pub(super) fn candidate(&self, balls: usize, ball_diameter: f64, pitch: f64) -> Candidate {
-        let dynamic_rating = dynamic_rating(balls, ball_diameter, pitch, self.contact_angle);
+        let dynamic_rating = self.dynamic_rating_of(balls, ball_diameter, pitch, self.grooves());
         let static_rating = self.static_rating_of(balls, ball_diameter, pitch, REFERENCE_GROOVES);
         let statical = self
             .static_rating
