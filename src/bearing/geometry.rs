@@ -2,7 +2,7 @@
 
 use super::free_position::position_of_clearance;
 use super::{FreePosition, GeometryError, RollerKind, Rollers};
-use crate::physics::{BallPass, ball_pass_frequencies, dynamic_rating};
+use crate::physics::{BallPass, ball_pass_frequencies, dynamic_rating, open_groove_factor};
 
 /// Dimensions of a bearing, checked at construction. Its rolling elements, balls or [`Rollers`], are called balls.
 ///
@@ -118,22 +118,7 @@ impl Geometry {
         if !(value > 0.0 && value.is_finite()) {
             return Err(GeometryError::Length { name, value });
         }
-        let rule = match rollers.kind {
-            RollerKind::Cylindrical | RollerKind::Needle if contact_angle != 0.0 => {
-                "it must be zero"
-            }
-            RollerKind::Tapered | RollerKind::Spherical if contact_angle == 0.0 => {
-                "it must be above zero"
-            }
-            _ => "",
-        };
-        if !rule.is_empty() {
-            return Err(GeometryError::RollerAngle {
-                kind: rollers.kind.name(),
-                degrees: contact_angle.to_degrees(),
-                rule,
-            });
-        }
+        rollers.kind.check_angle(contact_angle)?;
         let laminae = rollers.laminae;
         if !(Rollers::FEWEST_LAMINAE..=Rollers::MOST_LAMINAE).contains(&laminae) {
             return Err(GeometryError::Laminae { laminae });
@@ -160,6 +145,15 @@ impl Geometry {
             rollers: Some(rollers),
             ..self
         })
+    }
+
+    /// Whether the rings of a bearing of a bore and an outside diameter in m have room beside its balls or rollers.
+    ///
+    /// # Errors
+    /// [`GeometryError::Section`] where they reach beyond one of them.
+    pub(crate) fn check_section(&self, boundary: [f64; 2]) -> Result<(), GeometryError> {
+        let (diameter, pitch) = (self.ball_diameter, self.pitch_diameter);
+        GeometryError::check_section(self.element(), [diameter, pitch], boundary)
     }
 
     /// How many balls there is room for on the pitch circle.
@@ -219,7 +213,8 @@ impl Geometry {
             Some(rollers) => rollers.dynamic_rating(self),
             None => {
                 let [ball, pitch] = [self.ball_diameter, self.pitch_diameter];
-                dynamic_rating(self.balls, ball, pitch, self.nominal_angle())
+                open_groove_factor(self.nominal_gamma(), self.groove_factors)
+                    * dynamic_rating(self.balls, ball, pitch, self.nominal_angle())
             }
         }
     }

@@ -2,6 +2,11 @@
 
 use super::{Geometry, Rollers};
 
+/// A length in mm to a nanometre.
+fn millimetres(length: f64) -> f64 {
+    (1e9 * length).round() / 1e6
+}
+
 /// Why a set of dimensions is not a bearing.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -66,7 +71,7 @@ pub enum GeometryError {
         largest: f64,
     },
     /// Rollers lie at an angle that their kind does not have.
-    #[error("the contact angle of {kind} rollers is {degrees}°; {rule}")]
+    #[error("the contact angle of {kind} rollers: {rule}")]
     RollerAngle {
         /// Kind of the bearing.
         kind: &'static str,
@@ -92,6 +97,23 @@ pub enum GeometryError {
         /// Diameter of the rollers, m.
         diameter: f64,
     },
+    /// Balls or rollers reach beyond the bearing.
+    #[error(
+        "{element}s of {} mm on a pitch circle of {} mm reach from {} to {} mm, and the rings around them lie between a bore of {} mm \
+         and an outside diameter of {} mm",
+        millimetres(*diameter), millimetres(*pitch_diameter), millimetres(pitch_diameter - diameter),
+        millimetres(pitch_diameter + diameter), millimetres(boundary[0]), millimetres(boundary[1])
+    )]
+    Section {
+        /// `ball` or `roller`.
+        element: &'static str,
+        /// Their diameter, m.
+        diameter: f64,
+        /// Pitch diameter, m.
+        pitch_diameter: f64,
+        /// Bore and outside diameter, m.
+        boundary: [f64; 2],
+    },
     /// The balls overlap on the pitch circle.
     #[error(
         "{balls} balls of {ball_diameter} m overlap on a pitch circle of {pitch_diameter} m: at \
@@ -107,4 +129,24 @@ pub enum GeometryError {
         /// How many balls fit.
         largest: usize,
     },
+}
+
+impl GeometryError {
+    /// Whether rings of a bore and an outside diameter have room beside balls or rollers of a diameter on a pitch circle, m.
+    pub(super) fn check_section(
+        element: &'static str,
+        [diameter, pitch_diameter]: [f64; 2],
+        boundary: [f64; 2],
+    ) -> Result<(), Self> {
+        let [bore, outside] = boundary;
+        if bore < pitch_diameter - diameter && pitch_diameter + diameter < outside {
+            return Ok(());
+        }
+        Err(Self::Section {
+            element,
+            diameter,
+            pitch_diameter,
+            boundary,
+        })
+    }
 }

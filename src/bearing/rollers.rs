@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Geometry;
+use super::{Geometry, GeometryError};
 use crate::physics::roller_dynamic_rating;
 
 /// Kind of a radial roller bearing.
@@ -37,6 +37,23 @@ impl RollerKind {
             Self::Spherical => 2,
             _ => 1,
         }
+    }
+
+    /// Whether rollers of this kind lie at a contact angle in rad.
+    ///
+    /// # Errors
+    /// [`GeometryError::RollerAngle`] says what it must be.
+    pub(super) fn check_angle(self, contact_angle: f64) -> Result<(), GeometryError> {
+        let rule = match self {
+            Self::Cylindrical | Self::Needle if contact_angle != 0.0 => "it must be zero",
+            Self::Tapered | Self::Spherical if contact_angle == 0.0 => "it must be above zero",
+            _ => return Ok(()),
+        };
+        Err(GeometryError::RollerAngle {
+            kind: self.name(),
+            degrees: contact_angle.to_degrees(),
+            rule,
+        })
     }
 
     /// Rating factor b_m of ISO 281.

@@ -89,3 +89,23 @@ pub enum EstimateError {
     #[error(transparent)]
     Geometry(#[from] GeometryError),
 }
+
+impl EstimateError {
+    /// The error, or else that what comes closest has no room on a pitch circle between a bore and an outside diameter, m.
+    pub(super) fn for_want_of_room(self, pitch: f64, boundary: [f64; 2]) -> Self {
+        let (element, diameter) = match &self {
+            Self::Impossible {
+                closest: Some(closest),
+                ..
+            }
+            | Self::Factor { closest, .. } => ("ball", closest.ball_diameter),
+            Self::Rollers {
+                closest: Some(closest),
+                ..
+            } => ("roller", closest.diameter),
+            _ => return self,
+        };
+        let room = GeometryError::check_section(element, [diameter, pitch], boundary);
+        room.map_or_else(Self::Geometry, |()| self)
+    }
+}

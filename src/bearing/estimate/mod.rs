@@ -127,7 +127,9 @@ impl CatalogueLine {
             .unwrap_or(0.5 * (self.bore + self.outside_diameter));
         let (best, others) = match (self.balls, self.ball_diameter) {
             (Some(balls), Some(diameter)) => (self.candidate(balls, diameter, pitch), Vec::new()),
-            _ => self.search(pitch)?,
+            _ => self.search(pitch).map_err(|error| {
+                error.for_want_of_room(pitch, [self.bore, self.outside_diameter])
+            })?,
         };
         let grooves = match (self.groove_factors, self.balls, self.ball_diameter) {
             (Some(given), ..) => given,
@@ -150,7 +152,12 @@ impl CatalogueLine {
                 contact_angle: self.contact_angle,
                 groove_factor_inner: grooves[0],
                 groove_factor_outer: grooves[1],
-                dynamic_rating: best.dynamic_rating,
+                dynamic_rating: self.dynamic_rating_of(
+                    best.balls,
+                    best.ball_diameter,
+                    pitch,
+                    grooves,
+                ),
                 static_rating: self.static_rating_of(
                     best.balls,
                     best.ball_diameter,
@@ -165,7 +172,9 @@ impl CatalogueLine {
             notes: Vec::new(),
         };
         // refuses balls that overlap and the like
-        estimate.geometry(FreePosition::ContactAngle(self.contact_angle))?;
+        estimate
+            .geometry(FreePosition::ContactAngle(self.contact_angle))?
+            .check_section([self.bore, self.outside_diameter])?;
         if estimate.is_estimated() {
             estimate.notes = self.notes(&estimate, best.deviation, &others);
         }

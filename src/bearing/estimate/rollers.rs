@@ -135,15 +135,17 @@ impl RollerLine {
     /// [`EstimateError`] says what would settle it.
     pub fn estimate(&self) -> Result<RollerEstimate, EstimateError> {
         self.check()?;
+        let [bore, outside, _] = self.boundary;
         let mut found = self.candidates();
         found.sort_by(|a, b| a.deviation.total_cmp(&b.deviation));
         let place = found.iter().position(|candidate| self.fits(candidate));
         let Some(place) = place else {
-            return Err(EstimateError::Rollers {
+            let error = EstimateError::Rollers {
                 dynamic: self.dynamic_rating,
                 statical: self.static_rating,
                 closest: found.first().copied(),
-            });
+            };
+            return Err(error.for_want_of_room(self.pitch(), [bore, outside]));
         };
         let best = found.remove(place);
         let given = [self.diameter, self.length].iter().all(Option::is_some);
@@ -156,6 +158,9 @@ impl RollerLine {
             runner_up: found.first().copied(),
             notes: Vec::new(),
         };
+        estimate
+            .geometry(self.contact_angle)?
+            .check_section([bore, outside])?;
         if estimated {
             estimate.notes = self.notes(&best, &found);
         }
@@ -172,7 +177,8 @@ impl RollerLine {
             ("roller length", self.length),
             ("pitch diameter", self.pitch_diameter),
         ];
-        check_print([bore, outside_diameter], self.contact_angle, &others)
+        check_print([bore, outside_diameter], self.contact_angle, &others)?;
+        Ok(self.kind.check_angle(self.contact_angle)?)
     }
 
     fn pitch(&self) -> f64 {

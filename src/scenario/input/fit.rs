@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::material::{MaterialInput, material};
-use crate::bearing::{Bearing, Fit};
+use crate::bearing::{Bearing, Fit, GeometryError};
 use crate::physics::{Material, STEEL_EXPANSION};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
@@ -75,8 +75,8 @@ impl FitInput {
         let [bore, outside] = boundary;
         let shaft_bore = si(&self.shaft_bore).unwrap_or(0.0);
         let housing_outside = si(&self.housing_diameter).unwrap_or(f64::INFINITY);
-        let geometry = &bearing.geometry;
-        let (ball, pitch) = (geometry.ball_diameter(), geometry.pitch_diameter());
+        let section = bearing.geometry.check_section(boundary);
+        problems.take(section.map_err(|error| no_section(&error, bearing, bore)))?;
         let orders = [
             (
                 "shaft_bore",
@@ -87,16 +87,6 @@ impl FitInput {
                 "housing_diameter",
                 outside < housing_outside,
                 "the housing must be larger than the outside diameter of the bearing",
-            ),
-            (
-                "bore",
-                bore < pitch - ball,
-                "the bore must be smaller than the inner raceway, pitch diameter less ball diameter",
-            ),
-            (
-                "outside_diameter",
-                pitch + ball < outside,
-                "the outside diameter must be larger than the outer raceway, pitch diameter and ball diameter",
             ),
         ];
         let wrong = orders.into_iter().find(|(_, right, _)| !right);
@@ -152,6 +142,16 @@ impl FitInput {
         });
         Some([bore?, outside?])
     }
+}
+
+/// The problem of balls or rollers that reach beyond the bore or the outside diameter of their bearing.
+fn no_section(error: &GeometryError, bearing: &Bearing, bore: f64) -> Issue {
+    let geometry = &bearing.geometry;
+    let key = match bore < geometry.pitch_diameter() - geometry.ball_diameter() {
+        true => ".fit.outside_diameter",
+        false => ".fit.bore",
+    };
+    Issue::new(key, error.to_string())
 }
 
 /// What a hybrid bearing loses that is so many K over the reference, where the expansion of its balls is not given.

@@ -221,6 +221,7 @@ impl Sources<'_> {
         let (key, others): (_, &[&str]) = match error {
             GeometryError::Clearance { .. } => (self.clearance_key(), &["ball_diameter"]),
             GeometryError::Overlap { .. } => ("balls", &["ball_diameter", "pitch_diameter"]),
+            GeometryError::Section { .. } => ("pitch_diameter", &["ball_diameter"]),
             // each number by itself is in its range: schema and catalogue have seen to it
             _ => ("balls", &[]),
         };

@@ -496,3 +496,69 @@ fn thin_oils_thin() {
     let (viscosity, told) = oil(measured);
     assert!((viscosity - 0.6).abs() < 1e-9 && !told);
 }
+
+/// A bearing whose balls or rollers reach beyond its bore or outside diameter does not exist.
+#[test]
+fn rings_need_room_beside_balls_and_rollers() {
+    let told = |bearing: &str| {
+        let text = format!("{SMALLEST}[[bearing]]\n{bearing}[damping]\nratio = 0.03\n");
+        Scenario::from_toml(&text)
+            .expect_err("no such bearing")
+            .to_string()
+    };
+    for bearing in [
+        "[bearing.ratings]\nbore = \"30 mm\"\noutside_diameter = \"62 mm\"\ncontact_angle = \"0 deg\"\ndynamic = \"19.5 kN\"\n\
+         static = \"11.3 kN\"\npitch_diameter = \"60 mm\"\n",
+        "catalogue = \"6206\"\n[bearing.geometry]\npitch_diameter = \"34 mm\"\n",
+        "catalogue = \"NU206\"\n[bearing.roller]\npitch_diameter = \"60 mm\"\n",
+        "[bearing.geometry]\nballs = 9\nball_diameter = \"9.525 mm\"\npitch_diameter = \"46 mm\"\ncontact_angle = \"0 deg\"\n\
+         [bearing.fit]\nbore = \"30 mm\"\noutside_diameter = \"55 mm\"\n",
+        "[bearing.roller]\nkind = \"cylindrical\"\nrollers = 13\ndiameter = \"7.5 mm\"\nlength = \"9 mm\"\npitch_diameter = \"46 mm\"\n\
+         bore = \"40 mm\"\noutside_diameter = \"62 mm\"\n",
+    ] {
+        let message = told(bearing);
+        assert!(message.contains("mm reach from"), "{bearing}{message}");
+    }
+    let wide = told("catalogue = \"6206\"\n[bearing.geometry]\npitch_diameter = \"60 mm\"\n");
+    assert!(wide.contains("an outside diameter of 62 mm"), "{wide}");
+}
+
+/// A drop all along a roller is clearance, and no profile.
+#[test]
+fn a_profile_begins_without_a_drop() {
+    let told = |drop: &str| {
+        let text = format!(
+            "{SMALLEST}[[bearing]]\ncatalogue = \"NU206\"\n[bearing.roller]\ndrop = [{drop}]\n[damping]\nratio = 0.03\n"
+        );
+        Scenario::from_toml(&text).map_err(|error| error.to_string())
+    };
+    let end = "{ at = \"4 mm\", drop = \"5 um\" }";
+    let refused = told(end).expect_err("a clearance");
+    assert!(
+        refused.contains("the first point of a profile has a drop of 5 um"),
+        "{refused}"
+    );
+    assert!(told(&format!("{{ at = \"0 mm\", drop = \"0 um\" }}, {end}")).is_ok());
+}
+
+/// Seals that rub are told, with the speed that they permit where none is given.
+#[test]
+fn seals_that_rub_are_told() {
+    let told = |keys: &str| {
+        let scenario = read(&format!(
+            "{SMALLEST}[[bearing]]\n{keys}[damping]\nratio = 0.03\n"
+        ));
+        scenario.warnings.join("\n")
+    };
+    let both = told("catalogue = \"6205-2RS1\"\n");
+    assert!(
+        both.contains("seals that rub") && both.contains("0.6 of the speed"),
+        "{both}"
+    );
+    let one = told("catalogue = \"6205-2RS1\"\nlimiting_speed = \"8500 rpm\"\n");
+    assert!(
+        one.contains("seals that rub") && !one.contains("0.6"),
+        "{one}"
+    );
+    assert!(!told("catalogue = \"6205-2Z\"\n").contains("seals"));
+}

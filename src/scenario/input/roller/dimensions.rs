@@ -4,7 +4,8 @@ use super::super::geometry::{dimensions_message, millimetres, needed};
 use super::super::identity::Printed;
 use super::RollerInput;
 use crate::bearing::{
-    ClearanceClass, Geometry, GeometryError, RollerEstimate, RollerKind, RollerLine, Rollers,
+    ClearanceClass, EstimateError, Geometry, GeometryError, RollerEstimate, RollerKind, RollerLine,
+    Rollers,
 };
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
@@ -53,7 +54,10 @@ impl RollerInput {
                     ..printed.line
                 };
                 let estimate = line.estimate();
-                Some(problems.take(estimate.map_err(|error| printed.wrong(&error)))?)
+                Some(problems.take(estimate.map_err(|error| match error {
+                    EstimateError::Geometry(error) => wrong(&error),
+                    error => printed.wrong(&error),
+                }))?)
             }
             None => None,
         };
@@ -168,7 +172,12 @@ impl RollerInput {
             known.contact_angle,
             rollers,
         );
-        problems.take(built.map_err(|error| wrong(known.kind, &error)))
+        let boundary = known.bore.zip(known.outside_diameter);
+        let checked = built.and_then(|geometry| match boundary {
+            Some((bore, outside)) => geometry.check_section([bore, outside]).map(|()| geometry),
+            None => Ok(geometry),
+        });
+        problems.take(checked.map_err(|error| wrong(&error)))
     }
 
     /// Refuses rollers that are longer than the bearing is wide, or that no bearing of this pitch circle has.
@@ -194,18 +203,13 @@ impl RollerInput {
 }
 
 /// The problem of dimensions that make no bearing.
-fn wrong(kind: RollerKind, error: &GeometryError) -> Issue {
+fn wrong(error: &GeometryError) -> Issue {
     let key = match error {
         GeometryError::RollerAngle { .. } => ".roller.contact_angle",
         GeometryError::RollerClearance { .. } => ".roller.diametral_clearance",
         GeometryError::Laminae { .. } => ".roller.laminae",
+        GeometryError::Section { .. } => ".roller.pitch_diameter",
         _ => ".roller.rollers",
     };
-    let message = match *error {
-        GeometryError::RollerAngle { rule, .. } => {
-            format!("the contact angle of {} rollers: {rule}", kind.name())
-        }
-        _ => dimensions_message("rollers", error),
-    };
-    Issue::new(key, message).against(".roller.kind")
+    Issue::new(key, dimensions_message("rollers", error)).against(".roller.kind")
 }
