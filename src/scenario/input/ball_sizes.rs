@@ -17,7 +17,8 @@ pub struct BallSizesInput {
     /// How much larger than nominal the diameter of each ball is, ball 1 first.
     #[schemars(extend("examples" = [["1 um", "0 um", "-0.5 um"]]))]
     pub oversizes: Option<Vec<Quantity<Length>>>,
-    /// Grade of ISO 3290-1, whose variation of lot diameter the diameters fill evenly by chance.
+    /// Grade of balls of ISO 3290-1, whose variation of lot diameter the diameters fill evenly by chance. Rollers have grades of
+    /// their own, ISO 12297: give the width of theirs as `variation`.
     pub grade: Option<BallGrade>,
     /// Width of the range that the diameters fill evenly by chance, for instance "0.5 um".
     #[schemars(extend("examples" = ["0.5 um"], "x-minimum" = 0.0))]
