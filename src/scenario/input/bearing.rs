@@ -266,6 +266,7 @@ impl BearingInput {
             Some(_) => (self.contact(model).without_inertia(), None),
             None => self.ball_law(&bearing, model, problems),
         };
+        self.warn_of_idle_keys(&bearing, oil.is_some(), problems);
         Some(MountedBearing {
             law,
             oil,
@@ -280,6 +281,35 @@ impl BearingInput {
             })?,
             bearing,
         })
+    }
+
+    /// Tells keys that change nothing, for the life or the film that they belong to is not told.
+    fn warn_of_idle_keys(&self, bearing: &Bearing, has_film: bool, problems: &mut Problems<'_>) {
+        let cleanliness = self.oil.as_ref().and_then(|oil| oil.contamination);
+        let idle = [
+            (".reliability", self.reliability.is_some()),
+            (".oil.contamination", cleanliness.is_some()),
+        ];
+        for (key, _) in idle.into_iter().filter(|(_, given)| *given) {
+            if bearing.dynamic_rating.is_none() {
+                problems.warn(format!(
+                    "`{}` has no effect: no life is told without `dynamic_rating`; ISO 281 gives {:.0} N by the balls",
+                    problems.path(key),
+                    bearing.geometry.dynamic_rating()
+                ));
+            }
+        }
+        let knows_film = has_film || bearing.geometry.rollers().is_some() && self.oil.is_some();
+        if self.roughness.is_some() && !knows_film {
+            problems.warn(format!(
+                "`{}` has no effect: the film ratio needs [bearing.oil]{}",
+                problems.path(".roughness"),
+                match bearing.geometry.rollers() {
+                    Some(_) => "",
+                    None => " and film = true",
+                }
+            ));
+        }
     }
 
     /// Tells what seals that rub change and no number counts.

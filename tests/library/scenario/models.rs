@@ -233,8 +233,8 @@ fn a_bearing_has_surfaces_shoulders_and_ratings() {
     let bearing = first_bearing("", "").bearing;
     assert_eq!(bearing.dynamic_rating, Some(16_600.0));
     assert_eq!((bearing.roughness, bearing.shoulder_angle), (None, None));
-    let keys = "roughness = \"0.1 um\"\nshoulder_angle = \"36 deg\"\ndynamic_rating = \"20 kN\"\n";
-    let bearing = first_bearing(keys, "").bearing;
+    let keys = "film = true\nroughness = \"0.1 um\"\nshoulder_angle = \"36 deg\"\ndynamic_rating = \"20 kN\"\n";
+    let bearing = first_bearing(keys, "[bearing.oil]\nviscosity = \"0.04 Pa s\"\n").bearing;
     assert_eq!(bearing.dynamic_rating, Some(20_000.0));
     assert_eq!(bearing.roughness, Some(0.1 / 1e6));
     assert!((bearing.shoulder_angle.unwrap() - PI / 5.0).abs() < 1e-15);
@@ -561,4 +561,47 @@ fn seals_that_rub_are_told() {
         "{one}"
     );
     assert!(!told("catalogue = \"6205-2Z\"\n").contains("seals"));
+}
+
+/// Keys of a life and a film that are not told have no effect, and that is said.
+#[test]
+fn keys_of_a_life_that_is_not_told_are_told() {
+    let told = |keys: &str, more: &str| {
+        let scenario = read(&format!(
+            "{SMALLEST}[[bearing]]\n{keys}[bearing.geometry]\nballs = 9\nball_diameter = \"9.525 mm\"\npitch_diameter = \"46 mm\"\n\
+             diametral_clearance = \"10 um\"\ngroove_factor_inner = 0.52\ngroove_factor_outer = 0.53\n{more}\
+             [damping]\nratio = 0.03\n"
+        ));
+        let idle = |warning: &&String| warning.contains("has no effect");
+        scenario
+            .warnings
+            .iter()
+            .filter(idle)
+            .cloned()
+            .collect::<Vec<_>>()
+    };
+    let keys = "reliability = 95.0\nroughness = \"0.2 um\"\n";
+    let oil =
+        "[bearing.oil]\niso_vg = 68.0\ntemperature = \"70 degC\"\ncontamination = \"normal\"\n";
+    let warnings = told(keys, oil);
+    let expected = [
+        "bearing[1].reliability",
+        "bearing[1].oil.contamination",
+        "bearing[1].roughness",
+    ];
+    assert_eq!(warnings.len(), 3, "{warnings:?}");
+    for (warning, key) in warnings.iter().zip(expected) {
+        assert!(warning.contains(key), "{warning}");
+    }
+    assert!(
+        warnings[0].contains("ISO 281 gives 19456 N by the balls"),
+        "{warnings:?}"
+    );
+    assert_eq!(
+        told(
+            &format!("dynamic_rating = \"19.5 kN\"\nfilm = true\n{keys}"),
+            oil
+        ),
+        [""; 0]
+    );
 }
