@@ -33,6 +33,11 @@ impl BearingFriction {
         }
     }
 
+    /// Whether the viscosity of its oil is known.
+    pub fn has_oil(&self) -> bool {
+        self.viscosity.is_some()
+    }
+
     /// Moment under a force of the ring in N at a shaft speed in rad/s.
     pub fn moment(&self, force: &Vector5, speed: f64) -> FrictionMoment {
         let (factors, pitch) = (&self.factors, self.pitch_diameter);

@@ -15,6 +15,9 @@ const OUTER_ROTATION: f64 = 1.2;
 /// Largest nominal contact angle of a radial bearing, 45°, with the round-off of one that was given in degrees.
 const LARGEST_RADIAL_ANGLE: f64 = std::f64::consts::FRAC_PI_4 + 1e-9;
 
+/// Part of the sum of the loads of all balls below which P is what round-off leaves: a moment alone, or a negative clearance.
+const NO_LOAD: f64 = 1e-6;
+
 /// Hours of 10⁶ revolutions at 1 rad/s.
 const HOURS_PER_MREV: f64 = 1e6 * std::f64::consts::TAU / 3600.0;
 
@@ -297,12 +300,13 @@ impl Bearing {
         Some(RatingLife::new(&self.geometry, rating, self.rotating_ring))
     }
 
-    /// All rating lives: L10r in 10⁶ revolutions, the force of the ring in N, the speed in rad/s. None without a dynamic
-    /// radial load rating.
+    /// All rating lives: L10r in 10⁶ revolutions, the force of the ring and the sum of the loads of all balls in N, the speed in
+    /// rad/s. None without a dynamic radial load rating.
     pub(super) fn rating_lives(
         &self,
         reference: f64,
         force: &Vector5,
+        carried: f64,
         speed: f64,
     ) -> Option<RatingLives> {
         let rating = self.radial_rating()?;
@@ -326,7 +330,7 @@ impl Bearing {
                 (load, (rating / load).powi(3))
             }
         };
-        let loaded = load > 0.0;
+        let loaded = load > NO_LOAD * carried;
         let basic = loaded.then_some(basic);
         Some(RatingLives {
             equivalent_load: loaded.then_some(load),

@@ -100,8 +100,8 @@ pub struct BallLine {
     /// Gyroscopic moment M_g, N m; zero where the law neglects inertia.
     #[serde(rename = "gyroscopic_moment_N_m")]
     pub gyroscopic_moment: f64,
-    /// Race that controls the ball's spin by Jones's criterion; none for an unloaded ball or a law
-    /// without inertia.
+    /// Race that would control the ball's spin by Jones's criterion, whatever `race_control` takes; none for an unloaded
+    /// ball or a law without inertia.
     pub controlling_race: Option<Race>,
     /// Slices of a roller; none of a ball.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -261,7 +261,7 @@ pub struct BearingState {
     /// Permissible static ball load of ISO 76, [`super::permissible_static_load`], over the largest
     /// one, at the race where that is less; none without load.
     pub static_safety: Option<f64>,
-    /// Rating lives in revolutions and hours; none without a dynamic load rating or load.
+    /// Rating lives in revolutions and hours, L10 and P only where a radial or axial force acts; none without a dynamic load rating or load.
     pub rating_lives: Option<RatingLives>,
     /// What fits and temperatures have done to it; none without them.
     pub(crate) fit: Option<FitState>,
@@ -275,6 +275,9 @@ pub struct BearingState {
     /// Friction moment after Palmgren, [`crate::physics::FrictionFactors`], of an oil of
     /// [`crate::physics::MINERAL_OIL_DENSITY`].
     pub friction_moment: FrictionMoment,
+    /// Whether its oil is known.
+    #[serde(skip)]
+    pub(crate) has_oil: bool,
     /// Ball-pass frequencies with the cage as the scene lets it turn, `model.cage`, Hz.
     pub ball_pass: BallPass,
     /// Ball-pass frequencies at the nominal contact angle without slip, as handbooks print them, Hz.

@@ -139,6 +139,10 @@ fn add_bearing(out: &mut Lines, number: usize, state: &BearingState) {
     let friction = &state.friction_moment;
     let [total, load, viscous] =
         [friction.total(), friction.load, friction.viscous].map(|moment| decimal(MILLI * moment));
+    let viscous = match state.has_oil {
+        true => viscous,
+        false => "not known without oil".to_owned(),
+    };
     let text = format!("{total} N mm: load {load}, viscous {viscous} (Palmgren)");
     out.line("friction", text);
     if let Some(skf) = &state.friction_moment_skf {
@@ -289,6 +293,10 @@ fn add_lives(out: &mut Lines, state: &BearingState) {
     if let (Some(basic), Some(load)) = (lives.basic, lives.equivalent_load) {
         let (life, load) = (shown(basic, lives.basic_hours), digits(load));
         out.line("life L10", format!("{life} (ISO 281, P {load} N)"));
+    } else {
+        let reason =
+            "not known: P of ISO 281 counts radial and axial forces only, and there are none";
+        out.line("life L10", reason);
     }
     let Some(modified) = &lives.modified else {
         return;

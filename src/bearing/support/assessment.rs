@@ -108,9 +108,10 @@ impl Assessment<'_> {
         let loads = balls.iter().flat_map(BallLine::rated_loads);
         let life = bearing.rating_life();
         let life = life.and_then(|rating| rating.life(loads));
+        let carried = balls.iter().map(|ball| ball.inner.load).sum();
         let loaded: Vec<_> = loaded(&balls).collect();
         BearingState {
-            rating_lives: life.and_then(|life| bearing.rating_lives(life, &force, speed)),
+            rating_lives: life.and_then(|life| bearing.rating_lives(life, &force, carried, speed)),
             fit: bearing.fit,
             preload: support.axial_force(self.unloaded),
             friction_moment_skf: skf_moment(bearing, &support.rated_contacts, &force, speed),
@@ -124,6 +125,7 @@ impl Assessment<'_> {
             life,
             static_safety: contacts.static_safety(&balls),
             friction_moment: support.friction_moment(&force, speed),
+            has_oil: support.friction.has_oil(),
             ball_pass: self.cage.ball_pass(bearing, speed),
             nominal_ball_pass: support.nominal_ball_pass(speed),
             warnings: bearing_warnings(

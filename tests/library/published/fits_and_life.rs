@@ -410,3 +410,24 @@ fn unbalance_as_people_have_it() {
         assert!(scene(wrong, "").is_err(), "{wrong}");
     }
 }
+
+/// A moment alone, or a negative clearance alone, loads the balls and leaves P of ISO 281 no force.
+#[test]
+fn no_basic_life_without_a_force() {
+    let state = |table: &str, moment: &str| {
+        let text = format!(
+            "[shaft]\nmass = \"5 kg\"\nfreedoms = \"all\"\ninertia_transverse = \"0.1 kg m^2\"\ninertia_polar = \"0.01 kg m^2\"\n\
+             [speed]\nconstant = \"3000 rpm\"\n[[bearing]]\ncatalogue = \"6206\"\n{table}\
+             [[load]]\nconstant = {{ {moment} }}\n"
+        );
+        answer(&Scenario::from_toml(&text).expect("a scenario")).bearings[0].clone()
+    };
+    let squeezed = "[bearing.geometry]\ndiametral_clearance = \"-8 um\"\n";
+    for (table, moment) in [("", "tilt_x = \"10 N m\""), (squeezed, "y = \"0 N\"")] {
+        let lives = state(table, moment).rating_lives.expect("lives");
+        assert!(lives.reference > 0.0);
+        assert_eq!((lives.basic, lives.equivalent_load), (None, None));
+    }
+    let lives = state(squeezed, "y = \"-1 N\"").rating_lives.expect("lives");
+    assert_near("P", lives.equivalent_load.expect("a load"), 1.0, 1e-6);
+}
