@@ -30,8 +30,9 @@ impl Structure {
             pairs.map(move |(support, sign)| sign * support.axial_force(sign * place))
         };
         let sum = |place: f64| spring * place + forces(place).sum::<f64>();
-        let total: f64 = forces(0.0).map(f64::abs).sum();
-        let pushed = forces(0.0).sum::<f64>();
+        let preset: Vec<f64> = forces(0.0).collect();
+        let total: f64 = preset.iter().map(|force| force.abs()).sum();
+        let pushed: f64 = preset.iter().sum();
         let place = match pushed.abs() <= ROUND_OFF * total {
             true => None,
             false => balance(sum, pushed, supports),
