@@ -41,7 +41,7 @@ pub(crate) use motion::{LONGEST_PERIOD, MotionRecorder, MotionSettings};
 pub(crate) use motion::{LevelRecorder, Rate, velocity_rate};
 #[cfg(test)]
 pub(crate) use motion::{Series, closed_curve, recognise};
-pub(crate) use noise_floor::{NoiseFloor, is_above_noise, magnitude};
+pub(crate) use noise_floor::{NoiseFloor, is_above_noise, magnitude, noise_around};
 pub(crate) use order_tracks::TrackRecorder;
 pub use order_tracks::{OrderTracks, Track, TrackPoint, TrackedOrder};
 #[cfg(test)]

@@ -69,12 +69,17 @@ const ABOVE_MEDIAN: f64 = 6.0;
 /// The amplitude of Gaussian noise in a bin is Rayleigh distributed: it exceeds k medians with the probability `2^(−k²)`, or
 /// `2^(−k²/1.5)` under the Hann window beside a median without window, 6e-8 for k = 6.
 pub(crate) fn is_above_noise(amplitudes: &[f64], bin: usize, amplitude: f64) -> bool {
+    let median = noise_around(amplitudes, bin);
+    median.is_none_or(|median| amplitude > ABOVE_MEDIAN * median)
+}
+
+/// Median of the amplitudes around a bin, if it has some.
+pub(crate) fn noise_around(amplitudes: &[f64], bin: usize) -> Option<f64> {
     let below = AROUND.filter_map(|distance| bin.checked_sub(distance));
     let places = below.chain(AROUND.map(|distance| bin + distance));
     let mut around: Vec<f64> = places.filter_map(|k| amplitudes.get(k).copied()).collect();
     around.sort_by(f64::total_cmp);
-    let median = around.get(around.len() / 2);
-    median.is_none_or(|median| amplitude > ABOVE_MEDIAN * median)
+    around.get(around.len() / 2).copied()
 }
 
 /// Largest magnitude of some values.

@@ -5,6 +5,7 @@
 mod slip;
 mod speed_estimate;
 mod turning;
+mod unnamed;
 
 use std::f64::consts::TAU;
 
@@ -22,6 +23,7 @@ use crate::simulate::{Machine, Maps, VibrationSeverity, tracked_orders};
 pub(crate) use slip::Slip;
 pub(crate) use speed_estimate::SpeedEstimate;
 pub(crate) use turning::{TachoError, Turning};
+pub(crate) use unnamed::UnnamedLine;
 
 /// Windows of a waterfall in a record.
 const WINDOWS: f64 = 48.0;
@@ -89,6 +91,12 @@ pub struct Measured {
     /// Speeds that would explain the lines, the likeliest first, where none is known.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub speed_estimates: Vec<SpeedEstimate>,
+    /// The strongest lines of envelopes of a known speed, where nothing known causes them.
+    #[serde(
+        rename = "unnamed_envelope_lines",
+        skip_serializing_if = "Vec::is_empty"
+    )]
+    pub unnamed_lines: Vec<UnnamedLine>,
     /// Statistics of every signal.
     pub statistics: Vec<ChannelStatistics>,
     /// RMS velocity of those that are or make velocities.
@@ -154,6 +162,10 @@ impl Measurement {
             }
             spectrum.forget_lines_of_noise();
         }
+        let unnamed_lines = match is_turning && !bearings.is_empty() {
+            true => unnamed::found(&spectra),
+            false => Vec::new(),
+        };
         let named = if steady.is_some() { &lines[..] } else { &[] };
         let analysis = recording.spectrum(&channels, window, named);
         let analysis = analysis.map(|found| found.without_names_of_noise());
@@ -199,6 +211,7 @@ impl Measurement {
                 .collect(),
             slips,
             speed_estimates,
+            unnamed_lines,
             statistics,
             velocity,
             severity,

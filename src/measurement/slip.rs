@@ -20,11 +20,11 @@ const LEAST_SHARE: f64 = 0.1;
 /// Bins beside a multiple of the shaft within which a line is taken for one of the shaft.
 const OF_SHAFT: f64 = 2.0;
 
-/// How a cage slips, as found from the line of a race in an envelope.
+/// How a cage slips, as found from the line of a race, or of the spin of a ball, in an envelope.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Slip {
-    /// The race whose line it is.
-    pub race: Race,
+    /// The race whose line it is; none where it is that of a ball that meets both races as it spins.
+    pub race: Option<Race>,
     /// Spectrum that it was found in.
     pub spectrum: String,
     /// Frequency of the line, multiples of the shaft.
@@ -49,7 +49,7 @@ pub(super) fn found(
 ) -> (Vec<Option<Slip>>, Vec<BearingFrequencies>) {
     let slips: Vec<_> = bearings
         .iter()
-        .map(|own| strongest(own, spectra, speed))
+        .map(|own| found_of(own, spectra, speed))
         .collect();
     let passes = bearings.iter().zip(&slips).map(|(own, found)| {
         let found = found.as_ref().map(|slip| slip.cage_slip);
@@ -63,8 +63,19 @@ pub(super) fn found(
     (slips, passes)
 }
 
-/// The slip by the line of a race that is, with its multiples, strongest in any envelope.
-fn strongest(own: &MeasuredBearing, spectra: &[EstimatedSpectrum], speed: f64) -> Option<Slip> {
+/// The slip by the lines of races; where these explain nothing, by that of the spin of a ball.
+fn found_of(own: &MeasuredBearing, spectra: &[EstimatedSpectrum], speed: f64) -> Option<Slip> {
+    let by_races = strongest(own, spectra, speed, &[Some(Race::Outer), Some(Race::Inner)]);
+    by_races.or_else(|| strongest(own, spectra, speed, &[None]))
+}
+
+/// The slip by the line of a race, or of the spin of a ball, that is, with its multiples, strongest in any envelope.
+fn strongest(
+    own: &MeasuredBearing,
+    spectra: &[EstimatedSpectrum],
+    speed: f64,
+    races: &[Option<Race>],
+) -> Option<Slip> {
     if speed == 0.0 {
         return None;
     }
@@ -87,7 +98,7 @@ fn strongest(own: &MeasuredBearing, spectra: &[EstimatedSpectrum], speed: f64) -
                 .map(|(at, value)| (at * orders, *value))
                 .collect();
             let resolution = spectrum.resolution * orders;
-            for race in [Race::Outer, Race::Inner] {
+            for &race in races {
                 let kinematic = order_of(own, race);
                 let Some((power, order, multiples)) = comb(&lines, kinematic, resolution) else {
                     continue;
@@ -121,24 +132,30 @@ fn strongest(own: &MeasuredBearing, spectra: &[EstimatedSpectrum], speed: f64) -
     best.map(|(_, slip)| slip)
 }
 
-/// Order at which the balls of a bearing that rolls pass a race.
-fn order_of(own: &MeasuredBearing, race: Race) -> f64 {
+/// Order at which the balls of a bearing that rolls pass a race, or a spot of a ball meets one of both.
+fn order_of(own: &MeasuredBearing, race: Option<Race>) -> f64 {
     let pass = own.bearing.rolling_ball_pass(0.0, TAU);
     match race {
-        Race::Outer => pass.outer,
-        Race::Inner => pass.inner,
+        Some(Race::Outer) => pass.outer,
+        Some(Race::Inner) => pass.inner,
+        None => 2.0 * pass.spin,
     }
 }
 
-/// How much slower than rolling a cage turns whose balls pass a race at an order: Z |f_ring − f_c| of it.
-fn cage_slip(own: &MeasuredBearing, race: Race, order: f64) -> f64 {
-    let rolling = own.bearing.rolling_ball_pass(0.0, TAU).cage;
-    let past = order / own.bearing.geometry.balls() as f64;
-    let cage = match race == own.bearing.rotating_ring {
+/// How much slower than rolling a cage turns whose balls pass a race at an order: Z |f_ring − f_c| of it; or spin at half an order, in
+/// proportion to |f_o − f_c|.
+fn cage_slip(own: &MeasuredBearing, race: Option<Race>, order: f64) -> f64 {
+    let rolling = own.bearing.rolling_ball_pass(0.0, TAU);
+    let balls = own.bearing.geometry.balls() as f64;
+    let past = match race {
+        Some(_) => order / balls,
+        None => order / (2.0 * rolling.spin) * rolling.outer / balls,
+    };
+    let cage = match race.unwrap_or(Race::Outer) == own.bearing.rotating_ring {
         true => 1.0 - past,
         false => past,
     };
-    1.0 - cage / rolling
+    1.0 - cage / rolling.cage
 }
 
 /// Of the lines near a place the one whose multiples are strongest: its power with them, its place by the highest of them, and which

@@ -20,8 +20,8 @@ use super::spectra::{
 };
 use super::statics::ball_pass_text;
 use super::terminal::{Lines, PER_MINUTE, digits, listed, of_bearing, shown_unit, significant};
-use crate::analysis::ChannelStatistics;
-use crate::measurement::{Measured, Slip, SpeedEstimate};
+use crate::analysis::{Axis, ChannelStatistics};
+use crate::measurement::{Measured, Slip, SpeedEstimate, UnnamedLine};
 use crate::numerics::distinct::each_once;
 use crate::physics::{Race, velocity_band};
 use crate::record::Record;
@@ -124,6 +124,9 @@ fn tell(out: &mut Lines, found: &Measured) {
             );
         }
     }
+    for line in &found.unnamed_lines {
+        out.line(&line.spectrum, unnamed_text(line));
+    }
     for estimate in &found.speed_estimates {
         out.line("speed?", estimate_text(estimate));
     }
@@ -151,9 +154,10 @@ fn tell(out: &mut Lines, found: &Measured) {
 
 /// `the line of the outer race is at 3.5480× (with 2×, 3×), and at 3.5848× if the cage rolled: cage_slip = 0.0103 ± 0.0002`.
 fn slip_text(slip: &Slip) -> String {
-    let race = match slip.race {
-        Race::Inner => "inner",
-        Race::Outer => "outer",
+    let part = match slip.race {
+        Some(Race::Inner) => "the inner race",
+        Some(Race::Outer) => "the outer race",
+        None => "a ball that spins",
     };
     let further = slip.multiples.iter().filter(|multiple| **multiple > 1);
     let further = listed(further.map(|multiple| format!("{multiple}×")));
@@ -162,15 +166,29 @@ fn slip_text(slip: &Slip) -> String {
         false => format!(" (with its {further})"),
     };
     let (order, rolling) = (slip.order, slip.kinematic_order);
-    let (part, known) = (slip.cage_slip, slip.uncertainty);
-    let says = if part < -known {
+    let (amount, known) = (slip.cage_slip, slip.uncertainty);
+    let says = if amount < -known {
         "; the cage is faster than its bearing rolls: a contact angle or a speed differs"
     } else {
         ""
     };
+    // two digits of what is uncertain, and the slip as far
+    let decimals = (1.0 - known.log10().floor()).clamp(4.0, 9.0) as usize;
     format!(
-        "the line of the {race} race is at {order:.4}×{with}, where the cage rolls at {rolling:.4}×: cage_slip = {part:.4} ± \
-         {known:.4}{says}"
+        "the line of {part} is at {order:.4}×{with}, where the cage rolls at {rolling:.4}×: cage_slip = {amount:.decimals$} ± \
+         {known:.decimals$}{says}"
+    )
+}
+
+/// `140.0 Hz, the strongest line, 6000 times the noise around it, has no name: nothing known of shaft and bearings causes it`.
+fn unnamed_text(line: &UnnamedLine) -> String {
+    let place = match line.axis {
+        Axis::Frequency => format!("{:.1} Hz", line.place),
+        Axis::Order => format!("{:.3}×", line.place),
+    };
+    let above = digits(line.above_noise);
+    format!(
+        "{place}, the strongest line, {above} times the noise around it, has no name: nothing known of shaft and bearings causes it"
     )
 }
 

@@ -128,6 +128,7 @@ fn the_slip_of_a_cage_is_measured() {
         // Z (f − f_c) with a cage at 0.98 of 0.398308
         (9.0 * (1.0 - 0.98 * 0.398_308), 0.02, "BPFI"),
         (3.584_776, 0.0, "BPFO"),
+        (2.0 * 2.356_722 * 0.992, 0.008, "2×BSF"),
     ] {
         let signal = ringing(12_000.0, 60_000, [30.0, 0.0], order);
         let options = [
@@ -154,6 +155,25 @@ fn the_slip_of_a_cage_is_measured() {
         assert_eq!(line.line.kind.to_string(), name);
         assert!((line.place - 30.0 * order).abs() < 0.1, "{}", line.place);
     }
+}
+
+#[test]
+fn a_strong_line_that_nothing_causes_is_told() {
+    let signal = ringing(12_000.0, 60_000, [30.0, 0.0], 4.23);
+    let options = [
+        ("rate", "12 kHz"),
+        ("unit", "m/s^2"),
+        ("speed", "1800 rpm"),
+        ("bearing", CWRU_6205),
+    ];
+    let found = analysed(columns(vec![("a", signal)]), &options);
+    assert_eq!(found.slips, [None]);
+    let [line] = &found.unnamed_lines[..] else {
+        panic!("{:?}", found.unnamed_lines);
+    };
+    // its second multiple is the strongest
+    assert!((line.place - 60.0 * 4.23).abs() < 0.2, "{line:?}");
+    assert!(line.above_noise > 20.0, "{line:?}");
 }
 
 #[test]
