@@ -345,3 +345,38 @@ fn the_command_prints_the_schema_of_records() {
     let committed = fs::read(root().join("scenarios/record.schema.json")).unwrap();
     assert!(done(jeffcott_in(root(), &["schema", "--record"])).stdout == committed);
 }
+
+/// Also names with signs of paths, of one name but for signs, case or unit, and beside the times of a trace.
+#[test]
+fn names_of_channels_make_names_of_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let long = "long".repeat(80);
+    let mut table = format!("t_s,x_m,acc (m/s^2),../acc [mm/s],Acc [g],{long}\n");
+    for n in 0..64 {
+        let value = (0.7 * f64::from(n)).sin();
+        let row = [f64::from(n) / 64.0, value, value, value, value, value];
+        table += &row.map(|value| value.to_string()).join(",");
+        table += "\n";
+    }
+    fs::write(folder.path().join("names.csv"), table).unwrap();
+    done(jeffcott_in(&folder, &["analyze", "names.csv"]));
+    let output = folder.path().join("output/names");
+    let document = read(output.join("record.json"));
+    let channels = document["channels"].as_array().unwrap().iter();
+    let shown: Vec<_> = channels
+        .map(|of| [&of["channel"], &of["unit"]].map(|word| word.as_str().unwrap_or_default()))
+        .collect();
+    let cut = &long[..64];
+    let expected = [
+        ["x", "m"],
+        ["acc", "m/s^2"],
+        ["acc_2", "m/s"],
+        ["Acc_3", "m/s^2"],
+        [cut, ""],
+    ];
+    assert_eq!(shown, expected);
+    for name in ["acc", "acc_2", "Acc_3", cut] {
+        let file = format!("spectrum_envelope_{name}.csv");
+        assert!(output.join(&file).is_file(), "{file}");
+    }
+}

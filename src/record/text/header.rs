@@ -36,8 +36,13 @@ impl Heading {
         }
     }
 
-    /// What the name of a column of a trace of this program says.
+    /// What the name of a column says that stands beside the times of a trace of this program; that of another one has other signs
+    /// than letters, digits and `_`.
     pub fn of_trace(name: &str) -> Self {
+        let is_of_name = |sign: char| sign.is_alphanumeric() || sign == '_';
+        if !name.chars().all(is_of_name) {
+            return Self::of(name, "");
+        }
         let column = match with_rate(name) {
             Some((quantity, unit)) => Column::number(quantity, unit),
             None => Column::from_name(name),

@@ -77,15 +77,8 @@ impl Signals {
         let (mut known, mut values, mut sources) = (Vec::new(), Vec::new(), Vec::new());
         for mut signal in signals {
             signal.bring_to(rate, start + first / rate, count, problems);
-            let alike = known.iter().filter(|other| **other == signal.channel);
-            let alike = alike.count();
+            signal.channel = distinct(signal.channel, &known);
             known.push(signal.channel);
-            if alike > 0 {
-                // names are one each, also where what is between their signs differs
-                let column = signal.channel.column();
-                let quantity = format!("{}_{}", column.quantity, alike + 1);
-                signal.channel = Channel::of_measured(Column::number(quantity, column.unit));
-            }
             values.push((signal.channel, signal.values));
             sources.push(signal.source);
         }
@@ -165,6 +158,22 @@ impl Signals {
             })
             .end()
     }
+}
+
+/// A channel, or one with a number behind its name where another has that: names are one each, also where what is between their signs,
+/// the case of letters or the unit differs, as files are named by them.
+fn distinct(channel: Channel, known: &[Channel]) -> Channel {
+    let is_taken = |one: &Channel| {
+        let mut known = known.iter();
+        known.any(|other| other.name().eq_ignore_ascii_case(&one.name()))
+    };
+    let column = channel.column();
+    let numbered = (2..).map(|number| {
+        let quantity = format!("{}_{number}", column.quantity);
+        Channel::of_measured(Column::number(quantity, column.unit.clone()))
+    });
+    let mut all = std::iter::once(channel).chain(numbered);
+    all.find(|one| !is_taken(one)).unwrap_or(channel)
 }
 
 impl Signal {

@@ -13,6 +13,8 @@ const MOST_SIGNALS: usize = 64;
 const MOST_NAMED: usize = 12;
 /// Part of a rate by which the one that is given may differ from that of the file.
 const ALMOST_THE_RATE: f64 = 1e-3;
+/// Letters of a name.
+const LONGEST_NAME: usize = 64;
 /// A number of a file above this one may be a rate in Hz.
 const SLOWEST: f64 = 100.0;
 
@@ -140,11 +142,11 @@ impl<'a> SignalReader<'a> {
         let ranks = known.iter().map(|(_, channel)| rank(channel));
         let most = ranks.max_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         let has_run = known.iter().any(|(_, channel)| is_of_run(channel));
-        let (chosen, others): (Vec<_>, Vec<_>) =
-            known.into_iter().partition(|(_, channel)| match has_run {
-                true => is_of_run(channel),
-                false => Some(rank(channel)) == most,
-            });
+        let (chosen, others): (Vec<_>, Vec<_>) = known.into_iter().partition(|(_, channel)| {
+            // beside columns of a run there may be others
+            let is_of_other = !has_run || native(channel).is_none();
+            is_of_run(channel) || (is_of_other && Some(rank(channel)) == most)
+        });
         let left_out = others
             .iter()
             .filter(|(_, channel)| native(channel).is_none());
@@ -197,7 +199,7 @@ impl<'a> SignalReader<'a> {
         }
         let symbol = known.map_or_else(|| unit.clone(), |(_, symbol)| symbol.to_owned());
         let column = match native_column(&channel).filter(|_| input.name.is_none()) {
-            Some(column) if column.unit == symbol => column,
+            Some(column) if column.unit == symbol && is_identifier(&column.quantity) => column,
             _ => Column::number(identifier(name), symbol),
         };
         let either = |given: &Option<String>, own: &Option<String>| {
@@ -306,16 +308,23 @@ fn native(channel: &RecordChannel) -> Option<Channel> {
     Channel::of_column(&native_column(channel)?)
 }
 
-/// A name of letters, digits and `_`, as columns have.
+/// A name of letters, digits and `_`, as columns and files have, and of a length that files may have.
 fn identifier(name: &str) -> String {
     let words = name.split(|sign: char| !sign.is_ascii_alphanumeric());
     let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
-    let joined = words.join("_");
+    let mut joined = words.join("_");
+    joined.truncate(LONGEST_NAME);
     match joined.chars().next() {
         None => "signal".to_owned(),
         Some(first) if first.is_ascii_digit() => format!("c{joined}"),
         Some(_) => joined,
     }
+}
+
+/// Whether a name may be that of a file.
+fn is_identifier(name: &str) -> bool {
+    let is_of_name = |sign: char| sign.is_ascii_alphanumeric() || sign == '_';
+    name.len() <= LONGEST_NAME && name.chars().all(is_of_name)
 }
 
 #[cfg(test)]
