@@ -112,7 +112,7 @@ impl Arguments {
     /// Shows what a file holds, also where people want quiet.
     fn list(&self, file: &Path, name: &str) -> Result<Answer, Failure> {
         let record = Record::open(file).map_err(|error| wrong(error.problem))?;
-        warn(name, &record.warnings);
+        warn(name, record.warnings.iter().chain(&record.missing()));
         if !self.common.json {
             terminal::print(&listed_record(name, &record).text(false))?;
         }

@@ -35,6 +35,7 @@ use bytes::Bytes;
 pub use error::{Problem, RecordError};
 pub(crate) use even::{at_even_times, between, bridge, on_line};
 pub use form::Form;
+pub(crate) use sampling::Gaps;
 pub use sampling::Sampling;
 
 /// Most channels of a file.
@@ -158,7 +159,7 @@ impl Record {
         Ok(record)
     }
 
-    /// Makes names unique and counts missing samples.
+    /// Makes names unique.
     fn check(&mut self) -> Result<(), Problem> {
         if self
             .channels
@@ -186,14 +187,19 @@ impl Record {
                     format!("the times of `{name}` do not rise at row {row}: its rate is unknown");
                 self.warnings.push(text);
             }
-            let missing = channel.samples.iter().filter(|it| !it.is_finite()).count();
-            if missing > 0 {
-                let name = &channel.name;
-                let text = format!("of the samples of `{name}`, {missing} are missing or infinite");
-                self.warnings.push(text);
-            }
         }
         Ok(())
+    }
+
+    /// What is to be told of samples that are missing.
+    pub fn missing(&self) -> Vec<String> {
+        let told = |channel: &RecordChannel| {
+            let missing = channel.samples.iter().filter(|it| !it.is_finite());
+            let (missing, name) = (missing.count(), &channel.name);
+            let text = format!("of the samples of `{name}`, {missing} are missing or infinite");
+            (missing > 0).then_some(text)
+        };
+        self.channels.iter().filter_map(told).collect()
     }
 
     /// A channel by its name.

@@ -284,11 +284,12 @@ const MOST_LISTED: usize = 40;
 pub fn record_json(name: &str, record: &Record) -> Value {
     let numbers: BTreeMap<_, _> = record.numbers.iter().cloned().collect();
     let texts: BTreeMap<_, _> = record.texts.iter().cloned().collect();
+    let warnings = [&record.warnings[..], &record.missing()].concat();
     json!({
         "file": name,
         "channels": record.list().records(),
         "numbers": numbers,
         "texts": texts,
-        "warnings": record.warnings,
+        "warnings": warnings,
     })
 }

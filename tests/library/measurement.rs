@@ -157,6 +157,67 @@ fn the_slip_of_a_cage_is_measured() {
     }
 }
 
+/// Warnings, first time, rate and RMS of the first channel of a table.
+fn of_table(table: &str, options: &[(&str, &str)]) -> (Vec<String>, [f64; 3]) {
+    let record = Record::from_bytes(table.as_bytes(), "made.csv").unwrap();
+    let file = describe_record(record, "made.csv", "{}", &settings(options));
+    let file = file.unwrap_or_else(|error| panic!("{error}"));
+    let (start, rate) = (file.measurement.start, file.measurement.rate);
+    let rms = file.measurement.analyse().statistics[0].moments.rms();
+    (file.about.warnings, [start, rate, rms])
+}
+
+/// A table at 1 kHz of a tone of an RMS of one, and a channel that lacks some samples.
+fn table(rows: impl Iterator<Item = u32>, lacks: impl Fn(u32) -> bool) -> String {
+    let row = |n: u32| {
+        let tone = 2f64.sqrt() * (TAU * 0.05 * f64::from(n)).sin();
+        let other = if lacks(n) { f64::NAN } else { tone };
+        format!("{},{other},{tone}\n", f64::from(n) * 1e-3)
+    };
+    let rows: String = rows.map(row).collect();
+    format!("time [s],b [g],a [g]\n{rows}")
+}
+
+/// The rate is that between the gaps; a part beside them has none, and of a long one nothing is made.
+#[test]
+fn a_gap_in_the_times_is_no_other_rate() {
+    let gap = table((0..1000).chain(1040..3000), |_| false);
+    let (warnings, [_, rate, _]) = of_table(&gap, &[]);
+    assert!((rate - 1000.0).abs() < 1e-6, "{rate}");
+    assert!(warnings[0].contains("from 0.999 to 1.04 s 40 samples of `b` are missing"));
+    for part in [("start", "1.04 s"), ("duration", "0.9 s")] {
+        let (warnings, [_, _, rms]) = of_table(&gap, &[part]);
+        assert_eq!(warnings, [""; 0]);
+        assert!((rms / 9.80665 - 1.0).abs() < 1e-6, "{rms}");
+    }
+    let (warnings, _) = of_table(&gap, &[("rate", "1 kHz")]);
+    assert!(warnings[0].contains("lacks 40 samples"), "{warnings:?}");
+    let long = table((0..1000).chain(900_000_000..900_001_000), |_| false);
+    let record = Record::from_bytes(long.as_bytes(), "made.csv").unwrap();
+    let error = described(record, &[]).unwrap_err().to_string();
+    assert!(error.contains("--start \"900000 s\""), "{error}");
+    let (_, [start, ..]) = of_table(&long, &[("start", "900000 s")]);
+    assert!((start - 900_000.0).abs() < 1e-6, "{start}");
+}
+
+#[test]
+fn where_samples_are_missing_at_the_ends_nothing_is_analysed() {
+    let lacking = table(0..1000, |n| !(200..900).contains(&n));
+    let of_b = [("channel", "b")];
+    let (warnings, [start, _, rms]) = of_table(&lacking, &of_b);
+    assert!((rms / 9.80665 - 1.0).abs() < 1e-6 && (start - 0.2).abs() < 1e-9);
+    assert_eq!(warnings.len(), 1, "{warnings:?}");
+    assert!(warnings[0].contains("the first 200 samples of `b` are missing"));
+    let part = [("start", "0.3 s"), ("duration", "0.5 s"), of_b[0]];
+    assert_eq!(of_table(&lacking, &part).0, [""; 0]);
+    // nor beside a channel of speed that is not known there
+    let speed = lacking.replace("b [g]", "b [rpm]").replace(",-", ",");
+    let options = [("channel", "a"), ("speed", "b")];
+    let (warnings, [start, ..]) = of_table(&speed, &options);
+    assert!((start - 0.199).abs() < 1e-9, "{start} {warnings:?}");
+    assert!(warnings[1].contains("up to 0.901 s"), "{warnings:?}");
+}
+
 #[test]
 fn a_strong_line_that_nothing_causes_is_told() {
     let signal = ringing(12_000.0, 60_000, [30.0, 0.0], 4.23);

@@ -250,7 +250,7 @@ fn structs_with_a_name_and_data_are_channels_of_that_name() {
 fn missing_samples_are_counted_and_functions_of_frequency_left_out() {
     let gaps = record("gaps.csv");
     assert!(gaps.channel("b").unwrap().samples[7].is_nan());
-    assert_eq!(gaps.warnings.len(), 1);
+    assert_eq!(gaps.missing().len(), 1);
     let response = record("response.uff");
     assert_eq!((response.channels.len(), response.warnings.len()), (1, 1));
     let whole = Record::from_bytes(b"a,b\n1,2\n3,4\n5,6\n7,", "a.csv").unwrap();

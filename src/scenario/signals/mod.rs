@@ -1,6 +1,7 @@
 //! The channels of a record as signals in SI units at one rate, and how the shaft turned.
 
 mod reader;
+mod sampled;
 mod turning;
 
 use super::Issue;
@@ -13,11 +14,14 @@ use crate::measurement::Turning;
 use crate::record::{Record, between, on_line};
 use crate::table::{Column, Table};
 use reader::{Signal, SignalReader};
+use turning::TurningSource;
 
 /// Part of a rate by which two are the same.
 const SAME_RATE: f64 = 1e-6;
 /// Part of a sample by which a time may be beside it.
 const ON_SAMPLE: f64 = 1e-3;
+/// Times in s without bounds.
+const ALWAYS: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 /// Fewest samples that are analysed.
 const FEWEST: usize = 16;
 
@@ -52,23 +56,40 @@ impl Signals {
             });
             signals.push(read?);
         }
-        let mut found = Self::joined(signals, problems)?;
+        let last = signals.iter().map(Signal::end).fold(0.0, f64::max);
+        let slowest = signals.iter().map(|one| one.rate);
+        let near = 1.5 / slowest.fold(f64::INFINITY, f64::min);
+        let known = turning.as_ref().map_or(ALWAYS, TurningSource::known);
+        let mut found = Self::joined(signals, known, problems)?;
+        let end = found.start + found.length() as f64 / found.rate;
+        let duration = si(&input.record.duration).unwrap_or(f64::INFINITY);
+        let asked = si(&input.record.start).unwrap_or(found.start) + duration;
+        if last.min(asked) > end + near {
+            problems.warn(format!(
+                "one of the channels ends before the others: the record is analysed up to {} s",
+                significant(end)
+            ));
+        }
         found.cut(&input.record, problems)?;
         found.turning = turning?.at_samples(&mut found, problems)?;
         Some(found)
     }
 
-    /// Signals at the samples of the fastest that all have in common.
-    fn joined(signals: Vec<Signal>, problems: &mut Problems<'_>) -> Option<Self> {
+    /// Signals at the samples of the fastest that all have in common, between two times.
+    fn joined(
+        signals: Vec<Signal>,
+        [from, to]: [f64; 2],
+        problems: &mut Problems<'_>,
+    ) -> Option<Self> {
         let faster = |a: &&Signal, b: &&Signal| a.rate.total_cmp(&b.rate);
         let fastest = signals.iter().rev().max_by(faster)?;
         let (rate, start) = (fastest.rate, fastest.start);
         let ends = signals.iter().map(|one| {
             let from = one.start - start;
-            [from, from + (one.values.len() - 1) as f64 / one.rate]
+            [from, one.end() - start]
         });
         let common = ends.fold(
-            [0.0, f64::INFINITY],
+            [f64::max(from - start, 0.0), to - start],
             |[from, to]: [f64; 2], [start, end]| [from.max(start), to.min(end)],
         );
         let [first, end] = [common[0] * rate - ON_SAMPLE, common[1] * rate + ON_SAMPLE];
@@ -177,6 +198,11 @@ fn distinct(channel: Channel, known: &[Channel]) -> Channel {
 }
 
 impl Signal {
+    /// Time of the last sample, s.
+    fn end(&self) -> f64 {
+        self.start + (self.values.len() - 1) as f64 / self.rate
+    }
+
     /// Brings it to so many samples at another rate, the first at a time in s: of its own rate those that it has, else between them.
     fn bring_to(&mut self, rate: f64, start: f64, count: usize, problems: &mut Problems<'_>) {
         let first = (start - self.start) * self.rate;

@@ -1,18 +1,17 @@
 //! Channels of a record become signals in SI units.
 
+use super::sampled::SampledValues;
 use super::{Issue, Problems};
 use crate::analysis::Channel;
-use crate::record::{Record, RecordChannel, Sampling, at_even_times, bridge};
+use crate::record::{Record, RecordChannel};
 use crate::scenario::input::{RecordInput, RecordSpeedInput, SignalInput};
-use crate::scenario::quantity::{sensor_unit, si, significant};
+use crate::scenario::quantity::sensor_unit;
 use crate::table::Column;
 
 /// Most channels that are analysed at a time.
 const MOST_SIGNALS: usize = 64;
 /// Channels that a message names at most.
 const MOST_NAMED: usize = 12;
-/// Part of a rate by which the one that is given may differ from that of the file.
-const ALMOST_THE_RATE: f64 = 1e-3;
 /// Letters of a name.
 const LONGEST_NAME: usize = 64;
 /// A number of a file above this one may be a rate in Hz.
@@ -32,7 +31,7 @@ pub(super) struct Signal {
 
 /// Reads the channels of a record one after the other.
 pub(super) struct SignalReader<'a> {
-    input: &'a RecordInput,
+    pub(super) input: &'a RecordInput,
     channels: Vec<Option<RecordChannel>>,
     /// Names of all, as in the file.
     pub names: Vec<String>,
@@ -192,7 +191,11 @@ impl<'a> SignalReader<'a> {
             ));
         }
         let scale = input.scale.or(self.input.scale).unwrap_or(1.0);
-        let (rate, start, mut values) = self.sampled(&mut channel, input, problems)?;
+        let SampledValues {
+            rate,
+            start,
+            mut values,
+        } = self.sampled(&mut channel, input, problems)?;
         for value in &mut values {
             let in_unit = scale * *value + input.offset;
             *value = known.as_ref().map_or(in_unit, |(unit, _)| unit.si(in_unit));
@@ -216,65 +219,8 @@ impl<'a> SignalReader<'a> {
         })
     }
 
-    /// Rate, time of the first sample and samples at equal times, none of them missing.
-    fn sampled(
-        &self,
-        channel: &mut RecordChannel,
-        input: &SignalInput,
-        problems: &mut Problems<'_>,
-    ) -> Option<(f64, f64, Vec<f64>)> {
-        let name = &channel.name;
-        let given = si(&input.rate).or(si(&self.input.rate));
-        let mut values = std::mem::take(&mut channel.samples);
-        let missing = bridge(&mut values);
-        if missing == values.len() {
-            let message = format!("all samples of `{name}` are missing");
-            problems.refuse(Issue::new(".column", message).help("leave it out"));
-            return None;
-        }
-        if missing > 0 {
-            problems.warn(format!(
-                "missing samples of `{name}`, {missing}, are bridged by straight lines"
-            ));
-        }
-        Some(match (&channel.sampling, given) {
-            (Sampling::Even { rate, start }, None) => (*rate, *start, values),
-            (Sampling::Even { rate, start }, Some(given)) => {
-                if (given / rate - 1.0).abs() > ALMOST_THE_RATE {
-                    problems.warn(format!(
-                        "the file says that `{name}` has {} samples a second, and {} are taken as given",
-                        significant(*rate),
-                        significant(given)
-                    ));
-                }
-                (given, *start, values)
-            }
-            (_, Some(given)) => (given, 0.0, values),
-            (Sampling::Times(times), None) => {
-                let (first, last) = (times[0], times[times.len() - 1]);
-                let rate = (times.len() - 1) as f64 / (last - first);
-                problems.warn(format!(
-                    "`{name}` was sampled at uneven times: it is brought to the mean rate of {} Hz on straight lines, which damps \
-                     what is above about a fifth of it; give the `rate` if the times are inexact and the samples even",
-                    significant(rate)
-                ));
-                (rate, first, at_even_times(times, &values, rate))
-            }
-            (Sampling::Unknown, None) => {
-                problems.refuse(self.no_rate(name));
-                return None;
-            }
-            (Sampling::Unordered(row), None) => {
-                let message = format!("its times do not rise at row {row} of `{name}`");
-                let help = "mend them, or give the `rate` if the samples are even";
-                problems.refuse(Issue::new("", message).help(help));
-                return None;
-            }
-        })
-    }
-
     /// The rate of a channel is not known; a number of the file may be it.
-    fn no_rate(&self, name: &str) -> Issue {
+    pub(super) fn no_rate(&self, name: &str) -> Issue {
         let message = format!("the file does not say how many samples a second `{name}` has");
         let offered = self.number(&["rate", "sr", "fs", "freq"], SLOWEST);
         Issue::new("", message).help(match offered {

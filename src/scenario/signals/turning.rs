@@ -1,7 +1,7 @@
 //! What the speed of a record follows from.
 
 use super::reader::{Signal, SignalReader};
-use super::{Issue, Problems, Signals};
+use super::{ALWAYS, Issue, Problems, Signals};
 use crate::analysis::Channel;
 use crate::measurement::{TachoError, Turning};
 use crate::scenario::input::{RecordSpeedInput, SignalInput};
@@ -24,6 +24,19 @@ pub(super) enum TurningSource {
 }
 
 impl TurningSource {
+    /// The times in s between which it is known, to a sample of its own.
+    pub fn known(&self) -> [f64; 2] {
+        let signals = match self {
+            Self::Unknown | Self::Constant(_) => vec![],
+            Self::Speed(signal) | Self::Tacho(signal, _) => vec![signal],
+            Self::Run { angle, speed } => vec![angle, speed],
+        };
+        signals.into_iter().fold(ALWAYS, |[from, to], signal| {
+            let step = 1.0 / signal.rate;
+            [from.max(signal.start - step), to.min(signal.end() + step)]
+        })
+    }
+
     /// How the shaft turned at the samples; what lies before the first and behind the last pulse of a tacho is left out.
     pub fn at_samples(
         self,
