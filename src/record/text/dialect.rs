@@ -206,26 +206,42 @@ impl Dialect {
     }
 }
 
-/// Says of the last line what in it is not a number, written as most of it can be read.
+/// Says of the first line what in it is not a number, written as most of all lines can be read; lines above that have fewer numbers than
+/// most are no rows.
 fn no_rows(lines: &[&[u8]]) -> Problem {
-    let mut last = lines.iter().enumerate().rev();
-    let Some((place, line)) = last.find(|(_, line)| !is_passed(line)) else {
+    let filled = lines.iter().enumerate();
+    let filled: Vec<_> = filled.filter(|(_, line)| !is_passed(line)).collect();
+    if filled.is_empty() {
         return Problem::Unfit("it holds nothing but empty lines and comments".to_owned());
+    }
+    let is_number = |dialect: &Dialect, cell: &[u8]| dialect.value(cell).is_some();
+    let numbers = |dialect: &Dialect| -> Vec<usize> {
+        let cells = filled.iter().map(|(_, line)| dialect.cells(line));
+        let numbers = cells.map(|cells| cells.filter(|cell| is_number(dialect, cell)).count());
+        numbers.collect()
     };
-    let numbers = |it: &&Dialect| {
-        it.cells(line)
-            .filter(|cell| it.value(cell).is_some())
-            .count()
-    };
-    let dialect = DIALECTS.iter().max_by_key(numbers).unwrap_or(&DIALECTS[0]);
-    let mut cells = dialect.cells(line).enumerate();
-    let cell = cells.find(|(_, cell)| dialect.value(cell).is_none());
-    let (column, cell) = cell.unwrap_or((0, line));
+    let all = |dialect: &&Dialect| numbers(dialect).iter().sum::<usize>();
+    let dialect = DIALECTS
+        .iter()
+        .rev()
+        .max_by_key(all)
+        .unwrap_or(&DIALECTS[0]);
+    let counts = numbers(dialect);
+    let mut sorted = counts.clone();
+    sorted.sort_unstable();
+    let usual = sorted[sorted.len() / 2];
+    let rows = filled.iter().zip(counts);
+    let mut rows = rows.skip_while(|(_, count)| *count < usual);
+    let wrong = rows.find_map(|((place, line), _)| {
+        let mut cells = dialect.cells(line).enumerate();
+        let (column, cell) = cells.find(|(_, cell)| !is_number(dialect, cell))?;
+        Some((*place, no_number(cell, column)))
+    });
     let needed = "rows with equally many numbers are needed, with commas, semicolons, tabs or blanks between them";
-    Problem::line(
-        place as u64 + 1,
-        format!("{}; {needed}", no_number(cell, column)),
-    )
+    match wrong {
+        Some((place, what)) => Problem::line(place as u64 + 1, format!("{what}; {needed}")),
+        None => Problem::Unfit(needed.to_owned()),
+    }
 }
 
 /// Whether a line is empty or a comment.
