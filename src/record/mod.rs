@@ -37,6 +37,7 @@ pub(crate) use even::{at_even_times, between, bridge, on_line};
 pub use form::Form;
 pub(crate) use sampling::Gaps;
 pub use sampling::Sampling;
+pub(crate) use unit::in_brackets;
 
 /// Most channels of a file.
 const MOST_CHANNELS: usize = 4096;

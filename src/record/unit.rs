@@ -12,6 +12,17 @@ const UNITS: [(&str, &str); 2] = [
     ),
 ];
 
+/// What stands in brackets at the end of a name and may be meant as a unit: all in square ones, in round ones what begins with a unit
+/// in letters of any case.
+pub(crate) fn in_brackets(name: &str) -> Option<&str> {
+    let within = |open, close| Some(name.trim().strip_suffix(close)?.rsplit_once(open)?.1);
+    let begins_with_unit = |text: &&str| {
+        let word = text.split([' ', '/', '*', '^']).next().unwrap_or_default();
+        is_unit(word) || is_unit(&word.to_lowercase())
+    };
+    within('[', ']').or_else(|| within('(', ')').filter(begins_with_unit))
+}
+
 /// A header as name and unit; the whole of it is the name where no unit is recognised.
 pub(super) fn split(header: &str) -> (&str, Option<&str>) {
     let header = header.trim();
@@ -62,4 +73,23 @@ pub(super) fn per_second(unit: &str) -> Option<f64> {
         "h" | "hr" => 1.0 / 3600.0,
         _ => return None,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_may_be_meant_as_a_unit_is_told_from_other_words() {
+        for (name, expected) in [
+            ("d [um pk-pk]", Some("um pk-pk")),
+            ("v (mm/s rms)", Some("mm/s rms")),
+            ("a (MM/S^2)", Some("MM/S^2")),
+            ("b [DE]", Some("DE")),
+            ("b (DE)", None),
+            ("b", None),
+        ] {
+            assert_eq!(in_brackets(name), expected, "{name}");
+        }
+    }
 }

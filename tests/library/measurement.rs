@@ -201,6 +201,16 @@ fn a_gap_in_the_times_is_no_other_rate() {
 }
 
 #[test]
+fn a_unit_that_is_not_understood_is_told() {
+    let rms = table(0..100, |_| false).replace("b [g]", "b [mm/s rms]");
+    let (warnings, _) = of_table(&rms, &[]);
+    assert_eq!(warnings.len(), 1, "{warnings:?}");
+    assert!(warnings[0].contains("`mm/s rms`") && warnings[0].contains("--unit"));
+    let unit = [("unit", "mm/s"), ("channel", "b [mm/s rms]")];
+    assert_eq!(of_table(&rms, &unit).0, [""; 0]);
+}
+
+#[test]
 fn where_samples_are_missing_at_the_ends_nothing_is_analysed() {
     let lacking = table(0..1000, |n| !(200..900).contains(&n));
     let of_b = [("channel", "b")];

@@ -3,7 +3,7 @@
 use super::sampled::SampledValues;
 use super::{Issue, Problems};
 use crate::analysis::Channel;
-use crate::record::{Record, RecordChannel};
+use crate::record::{Record, RecordChannel, in_brackets};
 use crate::scenario::input::{RecordInput, RecordSpeedInput, SignalInput};
 use crate::scenario::quantity::sensor_unit;
 use crate::table::Column;
@@ -188,6 +188,13 @@ impl<'a> SignalReader<'a> {
         if known.is_none() && !unit.is_empty() {
             problems.warn(format!(
                 "`{unit}`, the unit of `{name}`, is not known: values stay in it, and make no velocity"
+            ));
+        }
+        if let Some(text) = in_brackets(&channel.name).filter(|_| unit.is_empty()) {
+            problems.warn(format!(
+                "`{text}` in the name of `{}` is not understood as a unit: its values are taken as bare numbers; give it, as in --unit \
+                 \"mm/s\", or `unit` in [[record.channel]]",
+                channel.name
             ));
         }
         let scale = input.scale.or(self.input.scale).unwrap_or(1.0);
