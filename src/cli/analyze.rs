@@ -7,8 +7,8 @@ use std::time::Instant;
 use super::jobs::{Answer, Answers, Common, Failure, Folders, name_of, wrong};
 use super::{Outcome, terminal};
 use crate::ask::{AnalyzeQuestion, record_setting};
-use crate::record::Record;
 use crate::report::{listed_record, record_json};
+use crate::scenario::open_record;
 
 /// Finds out what is in records of sensors: spectra, envelopes, orders, names of lines, slip, vibration.
 ///
@@ -25,7 +25,7 @@ use crate::report::{listed_record, record_json};
                   record.html and, last, record.json.\n\n\
                   Exit code: 0 done, 1 a result could not be written, 2 a file or the command line is wrong.")]
 pub struct Arguments {
-    /// Records, or files .toml that describe them
+    /// Records, or files .toml that describe them; "-" is standard input
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Show the channels of the files, and write nothing
@@ -111,7 +111,7 @@ impl Arguments {
 
     /// Shows what a file holds, also where people want quiet.
     fn list(&self, file: &Path, name: &str) -> Result<Answer, Failure> {
-        let record = Record::open(file).map_err(|error| wrong(error.problem))?;
+        let record = open_record(file).map_err(|error| wrong(error.problem))?;
         warn(name, record.warnings.iter().chain(&record.missing()));
         if !self.common.json {
             terminal::print(&listed_record(name, &record).text(false))?;

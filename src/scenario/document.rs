@@ -69,12 +69,7 @@ impl Document {
     /// brace.
     pub fn open(path: &Path) -> Result<Self, ScenarioError> {
         if path == Path::new(STDIN) {
-            let text = text_of(path)?;
-            let format = match text.trim_start().starts_with('{') {
-                true => Format::Json,
-                false => Format::Toml,
-            };
-            return Self::parse(&text, STDIN_NAME, format);
+            return Self::of_input(&text_of(path)?);
         }
         let extension = path.extension().and_then(|end| end.to_str());
         match extension.map(str::to_ascii_lowercase).as_deref() {
@@ -82,6 +77,15 @@ impl Document {
             Some("json") => Self::open_as(path, Format::Json),
             _ => Err(unreadable(path, "a scenario file ends in .toml or .json")),
         }
+    }
+
+    /// Reads the text of standard input.
+    pub fn of_input(text: &str) -> Result<Self, ScenarioError> {
+        let format = match text.trim_start().starts_with('{') {
+            true => Format::Json,
+            false => Format::Toml,
+        };
+        Self::parse(text, STDIN_NAME, format)
     }
 
     /// Reads a file in a language.

@@ -71,7 +71,7 @@ pub(crate) use open::OpenScenario;
 pub use problems::{Issue, ScenarioError};
 use record_file::check_record;
 pub(crate) use record_file::{
-    MeasuredFile, RecordDescription, describe_record, load_record, record_schema,
+    MeasuredFile, RecordDescription, describe_record, load_record, open_record, record_schema,
 };
 pub(crate) use removed::way_left;
 pub use schema::schema;

@@ -1,12 +1,13 @@
 //! Files that describe a record, and records that a command line describes: two doors to one description.
 
 use std::f64::consts::TAU;
+use std::io::{self, Read};
 use std::path::Path;
 use std::sync::LazyLock;
 
 use serde_json::Value;
 
-use super::document::{Document, FileKind};
+use super::document::{Document, FileKind, STDIN, STDIN_NAME};
 use super::input::{Output, RecordFileInput, Recorded, Turning as Turns, build_spectra};
 use super::problems::Problems;
 use super::schema::schema_of;
@@ -16,7 +17,7 @@ use crate::analysis::{
     Axis, Channel, Detrend, Scaling, Segment, SpectrumKind, SpectrumRequest, Window,
 };
 use crate::measurement::{Measurement, Turning};
-use crate::record::Record;
+use crate::record::{Problem, Record, RecordError};
 use crate::rotor::Freedoms;
 use crate::table::Table;
 
@@ -56,7 +57,8 @@ pub fn record_schema() -> &'static Value {
 }
 
 /// Reads and checks a file .toml or .json that describes a record, with some values in place of its own, and the record that it names;
-/// any other file is a record, of which a description as JSON says what it does not.
+/// any other file is a record, of which a description as JSON says what it does not. Of standard input, `-`, what it holds tells
+/// which of them it is.
 ///
 /// # Errors
 /// [`ScenarioError`] with everything that is wrong.
@@ -65,6 +67,9 @@ pub fn load_record(
     description: &str,
     settings: &[String],
 ) -> Result<MeasuredFile, ScenarioError> {
+    if path == Path::new(STDIN) {
+        return load_input(description, settings);
+    }
     if ["toml", "json"]
         .iter()
         .any(|ending| path.extension() == Some(ending.as_ref()))
@@ -77,6 +82,55 @@ pub fn load_record(
         Ok(record) => check(&document, Some(record)),
         Err(error) => Err(document.refused(Issue::new("", error.problem.to_string()))),
     }
+}
+
+/// A description, or a record of which one as JSON says what it does not, from standard input.
+fn load_input(description: &str, settings: &[String]) -> Result<MeasuredFile, ScenarioError> {
+    let document = Document::parse(description, STDIN_NAME, Format::Json)?.with(settings)?;
+    let refused = |problem: String| document.refused(Issue::new("", problem));
+    let bytes = input_bytes().map_err(|error| refused(Problem::Read(error).to_string()))?;
+    if let Some(text) = description_in(&bytes) {
+        return check_record(&Document::of_input(text)?.with(settings)?);
+    }
+    match Record::from_bytes(&bytes, STDIN_NAME) {
+        Ok(record) => check(&document, Some(record)),
+        Err(error) => Err(refused(error.problem.to_string())),
+    }
+}
+
+/// The record in a file, or in standard input of `-`.
+///
+/// # Errors
+/// It cannot be read as a record.
+pub fn open_record(path: &Path) -> Result<Record, RecordError> {
+    if path != Path::new(STDIN) {
+        return Record::open(path);
+    }
+    let name = STDIN_NAME.to_owned();
+    match input_bytes() {
+        Ok(bytes) => Record::from_bytes(&bytes, STDIN_NAME),
+        Err(error) => Err(RecordError {
+            name,
+            problem: Problem::Read(error),
+        }),
+    }
+}
+
+fn input_bytes() -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    io::stdin().read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// The text of a description of a record, which is JSON or has a table `[record]`; none of the bytes of a record.
+fn description_in(bytes: &[u8]) -> Option<&str> {
+    let text = std::str::from_utf8(bytes).ok()?;
+    let is_table = |line: &str| {
+        ["[record]", "[[record."]
+            .iter()
+            .any(|it| line.starts_with(it))
+    };
+    (text.trim_start().starts_with('{') || text.lines().any(is_table)).then_some(text)
 }
 
 /// A record of a name, of which a description as JSON and the settings say what its file does not.

@@ -50,6 +50,21 @@ fn a_scenario_comes_from_standard_input_in_either_language() {
 }
 
 #[test]
+fn a_record_or_its_description_comes_from_standard_input() {
+    let folder = tempfile::tempdir().unwrap();
+    let rows = (0..64).map(|n| format!("{},{}\n", f64::from(n) / 64.0, n % 7));
+    let table = format!("time [s],a [g]\n{}", rows.collect::<String>());
+    fs::write(folder.path().join("a.csv"), &table).unwrap();
+    let list = done(fed(folder.path(), &["analyze", "-", "--list"], &table));
+    assert!(text(&list.stdout).contains(" a "), "{list:?}");
+    for input in [&table, "[record]\nfile = \"a.csv\"\n"] {
+        done(fed(folder.path(), &["analyze", "-"], input));
+        let document = folder.path().join("output/stdin/record.json");
+        fs::remove_file(document).unwrap();
+    }
+}
+
+#[test]
 fn quiet_says_nothing_and_verbose_says_how() {
     let folder = folder_with("a.toml", &scenario());
     let quiet = done(jeffcott_in(&folder, &["run", "a.toml", "-q"]));
