@@ -14,7 +14,7 @@ use serde::Serialize;
 use crate::analysis::{
     Axis, BearingFrequencies, Channel, ChannelLevel, ChannelStatistics, EstimatedSpectrum,
     LevelRecorder, Line, LineSurfaces, Peak, Recording, SampleGrid, Sources, Spectrum,
-    SpectrumRequest, TrackRecorder, WaterfallRecorder, Window, causes, estimate,
+    SpectrumKind, SpectrumRequest, TrackRecorder, WaterfallRecorder, Window, causes, estimate,
 };
 use crate::bearing::Bearing;
 use crate::physics::{BallPass, velocity_band};
@@ -25,6 +25,8 @@ pub(crate) use speed_estimate::SpeedEstimate;
 pub(crate) use turning::{TachoError, Turning};
 pub(crate) use unnamed::UnnamedLine;
 
+/// Part of the RMS of a channel below which its envelope is round-off.
+const ROUND_OFF: f64 = 1e-9;
 /// Windows of a waterfall in a record.
 const WINDOWS: f64 = 48.0;
 /// Revolutions of the windows of order tracks, at most, and in parts of all.
@@ -150,6 +152,8 @@ impl Measurement {
         let recording = Recording::of_columns(grid, start, signals);
         let mut warnings = Vec::new();
         let mut spectra = estimated(&recording, &requests, &mut warnings);
+        let statistics = statistics(&recording, &channels);
+        silence_round_off(&mut spectra, &statistics);
 
         // the lines of a speed that changes are known over orders, of a shaft of 1 Hz
         let unit = steady.unwrap_or(if is_turning { TAU } else { 0.0 });
@@ -177,7 +181,6 @@ impl Measurement {
             true => Vec::new(),
         };
 
-        let statistics = statistics(&recording, &channels);
         let mean = speed.map(|[mean, ..]| mean);
         let velocity = velocities(&recording, &channels, rate, mean);
         let severity = machine.and_then(|machine| {
@@ -258,6 +261,20 @@ fn estimated(
         }
     }
     found
+}
+
+/// Sets envelopes to zero that are the round-off of their channels.
+fn silence_round_off(spectra: &mut [EstimatedSpectrum], statistics: &[ChannelStatistics]) {
+    let rms = |channel: Channel| {
+        let mut all = statistics.iter();
+        let own = all.find(|of| of.channel == channel);
+        own.map_or(0.0, |of| of.moments.rms())
+    };
+    for spectrum in spectra {
+        if matches!(spectrum.request.kind, SpectrumKind::Envelope { .. }) {
+            spectrum.silence_below(|channel| ROUND_OFF * rms(channel));
+        }
+    }
 }
 
 /// The lines of shaft and bearings at a frequency of the shaft in Hz: which of them a machine has, nobody knows before.

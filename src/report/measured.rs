@@ -20,7 +20,7 @@ use super::spectra::{
 };
 use super::statics::ball_pass_text;
 use super::terminal::{Lines, PER_MINUTE, digits, listed, of_bearing, shown_unit, significant};
-use crate::analysis::{Axis, ChannelStatistics};
+use crate::analysis::{Axis, ChannelStatistics, Spectrum};
 use crate::measurement::{Measured, Slip, SpeedEstimate, UnnamedLine};
 use crate::numerics::distinct::each_once;
 use crate::physics::{Race, velocity_band};
@@ -147,9 +147,24 @@ fn tell(out: &mut Lines, found: &Measured) {
             .find(|level| level.channel == *channel);
         out.more(level.map_or_else(String::new, |of| rms_text(&of.level)));
     }
+    out.each(
+        "spectrum",
+        found
+            .spectrum
+            .as_ref()
+            .and_then(|of| part_text(of, samples, found.rate)),
+    );
     for unit in each_once(found.peaks.iter().map(|peak| peak.channel.unit())) {
         add_peaks(out, &found.peaks, found.spectrum.as_ref(), unit);
     }
+}
+
+/// `peaks are those of the last 2.5600 s, from 117.44 s on`; none where the spectrum is of nearly all samples.
+fn part_text(spectrum: &Spectrum, samples: usize, rate: f64) -> Option<String> {
+    let is_part = (spectrum.length as f64) < NEARLY_ALL * samples as f64;
+    let seconds = digits(spectrum.length as f64 / rate);
+    let start = digits(spectrum.start);
+    is_part.then(|| format!("peaks are those of the last {seconds} s, from {start} s on"))
 }
 
 /// `the line of the outer race is at 3.5480× (with 2×, 3×), and at 3.5848× if the cage rolled: cage_slip = 0.0103 ± 0.0002`.
@@ -277,6 +292,8 @@ pub fn listed_record(name: &str, record: &Record) -> Lines {
     out
 }
 
+/// Part of the samples that a spectrum of nearly all rests on.
+const NEARLY_ALL: f64 = 0.9;
 /// Numbers and texts that are listed of a file.
 const MOST_LISTED: usize = 40;
 

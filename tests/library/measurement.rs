@@ -228,6 +228,21 @@ fn where_samples_are_missing_at_the_ends_nothing_is_analysed() {
     assert!(warnings[1].contains("up to 0.901 s"), "{warnings:?}");
 }
 
+/// A tone has a steady envelope: what round-off leaves of it has no lines.
+#[test]
+fn round_off_is_no_line() {
+    let tone = (0..4000)
+        .map(|n| (TAU * 0.1 * f64::from(n)).sin())
+        .collect();
+    let options = [
+        ("rate", "2 kHz"),
+        ("speed", "1800 rpm"),
+        ("bearing", CWRU_6205),
+    ];
+    let found = analysed(columns(vec![("a", tone)]), &options);
+    assert!(found.spectra[0].lines.is_empty() && found.unnamed_lines.is_empty());
+}
+
 #[test]
 fn a_strong_line_that_nothing_causes_is_told() {
     let signal = ringing(12_000.0, 60_000, [30.0, 0.0], 4.23);

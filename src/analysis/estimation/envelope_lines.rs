@@ -1,7 +1,7 @@
 //! Named lines of an envelope spectrum.
 
 use super::{Axis, EnvelopeLine, EstimatedSpectrum, SpectrumKind, SpectrumQuantity};
-use crate::analysis::{Line, Precision, Window, is_above_noise, nearest_cause};
+use crate::analysis::{Channel, Line, Precision, Window, is_above_noise, magnitude, nearest_cause};
 
 /// Lines sought in a column, the strongest.
 const MOST_LINES: usize = 12;
@@ -88,6 +88,18 @@ impl EstimatedSpectrum {
         });
         loud.map(|(bin, value)| (bin * self.resolution, value))
             .collect()
+    }
+
+    /// Sets columns to zero whose amplitudes are all below a least one of their channel: what round-off leaves of a steady envelope.
+    pub(crate) fn silence_below(&mut self, least: impl Fn(Channel) -> f64) {
+        for index in 0..self.columns.len() {
+            let SpectrumQuantity::Value(channel) = self.columns[index].quantity else {
+                continue;
+            };
+            if magnitude(&self.amplitudes(index)) < least(channel) {
+                self.columns[index].values.fill(0.0);
+            }
+        }
     }
 
     /// Takes the lines away that are no higher than the noise around them.
