@@ -152,10 +152,10 @@ pub(super) fn check_on_shaft(position: f64, scenario: &Scenario) -> Result<(), I
     let Some(shaft) = &scenario.question.rotor.flexible else {
         return Ok(());
     };
-    let [left, right] = shaft.ends();
-    if (left..=right).contains(&position) {
+    if shaft.reaches(position) {
         return Ok(());
     }
+    let [left, right] = shaft.ends();
     let message = format!(
         "{:.1} mm lies off the shaft, which reaches from {:.1} to {:.1} mm",
         1e3 * position,

@@ -120,6 +120,18 @@ impl FlexibleShaft {
         [left, left + self.length()]
     }
 
+    /// Whether a position in m lies on it, up to the round-off of lengths that add up.
+    pub(crate) fn reaches(&self, position: f64) -> bool {
+        let [left, right] = self.ends();
+        let slack = self.slack();
+        (left - slack..=right + slack).contains(&position)
+    }
+
+    /// Distance within which two positions are the same, m.
+    pub(crate) fn slack(&self) -> f64 {
+        SAME_NODE * self.length()
+    }
+
     /// Position of its middle, m; of given matrices that of the node next to it.
     pub(crate) fn middle(&self) -> f64 {
         let [left, right] = self.ends();

@@ -117,8 +117,7 @@ pub fn check_position(
         return;
     }
     let [left, right] = shaft.ends();
-    let slack = 1e-9 * (right - left);
-    if !(left - slack..=right + slack).contains(&position) {
+    if !shaft.reaches(position) {
         let message = format!(
             "{:.1} mm lies off the shaft, which reaches from {:.1} to {:.1} mm",
             1e3 * position,
@@ -134,7 +133,7 @@ pub fn check_position(
     }
     let mesh = shaft.matrices.as_ref();
     let nearest = mesh.map(|mesh| mesh.nodes[mesh.node_at(position)]);
-    if let Some(nearest) = nearest.filter(|nearest| (nearest - position).abs() > slack) {
+    if let Some(nearest) = nearest.filter(|nearest| (nearest - position).abs() > shaft.slack()) {
         let message = format!(
             "no node of the shaft's matrices lies at {:.3} mm: the nearest one is at {:.3} mm",
             1e3 * position,
