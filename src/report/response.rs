@@ -102,11 +102,11 @@ pub fn response_findings(
 fn text(title: &str, variable: &Variable, branches: &[Response]) -> Lines {
     let mut out = Lines::titled(title);
     for (number, branch) in branches.iter().enumerate() {
-        let stable = branch.points.iter().filter(|point| point.stable).count();
         let text = format!(
-            "{} × the period, {} motions, {stable} of them stable; {}",
+            "{} × the period, {} motions, {}; {}",
             branch.multiple,
             branch.points.len(),
+            stability(branch),
             branch.end
         );
         out.line(&format!("branch {}", number + 1), text);
@@ -130,6 +130,16 @@ fn text(title: &str, variable: &Variable, branches: &[Response]) -> Lines {
         }
     }
     out
+}
+
+/// How many motions of a branch are stable, and how many neutral where any is.
+fn stability(branch: &Response) -> String {
+    let count = |is: fn(&&ResponsePoint) -> bool| branch.points.iter().filter(is).count();
+    let stable = count(|point| point.stable);
+    match count(|point| point.neutral) {
+        0 => format!("{stable} of them stable"),
+        neutral => format!("{stable} of them stable and {neutral} neutral"),
+    }
 }
 
 /// A motion, and what happens there.
@@ -171,7 +181,8 @@ fn table(
     table = table
         .column(variable_column(variable), |(.., point)| point.value)
         .number("period", "s", |(.., point)| point.period)
-        .count("stable", |(.., point)| f64::from(point.stable));
+        .count("stable", |(.., point)| f64::from(point.stable))
+        .count("neutral", |(.., point)| f64::from(point.neutral));
     // every motion has the columns of the first
     let Some(first) = branches.first().and_then(|branch| branch.points.first()) else {
         return table.end();

@@ -18,8 +18,8 @@ use crate::integrate::Counters;
 use crate::keys;
 use crate::rotor::{CageMotion, Rotor, RotorDefinition};
 use crate::shooting::{
-    Branch, BranchEnd, BranchPoint, Continuation, ReturnMap, SpecialKind, Unrefined, follow,
-    follow_doubled,
+    Branch, BranchEnd, BranchPoint, Continuation, ReturnMap, SpecialKind, Stability, Unrefined,
+    follow, follow_doubled,
 };
 use crate::simulate::{Model, speed_warnings};
 
@@ -119,6 +119,8 @@ pub struct ResponsePoint {
     pub multiplier_errors: Vec<f64>,
     /// Whether neighbouring motions come closer.
     pub stable: bool,
+    /// Whether they neither do nor go away, as far as the errors of the multipliers tell.
+    pub neutral: bool,
 }
 
 /// Where a branch turns or its motion changes its kind.
@@ -312,16 +314,22 @@ fn response_point(
     map.set(point.parameter)?;
     let sampled = sampled(map, &point.states, question.model, true)?;
     let channels = Channel::of_motion(&question.model.rotor);
+    let multiplier_errors = match question.model.verify {
+        true => multiplier_errors(map, point, question.tolerance()).unwrap_or_default(),
+        false => Vec::new(),
+    };
+    let stability = match multiplier_errors.is_empty() {
+        true => map.stability(&point.multipliers, &point.slopes),
+        false => point.multipliers.stability(&multiplier_errors),
+    };
     Ok(ResponsePoint {
         value: question.value(point.parameter),
         period: map.periods.circle.period,
         ranges: ranges(&channels, &map.periods.circle, &sampled),
         multipliers: point.multipliers.values(),
-        multiplier_errors: match question.model.verify {
-            true => multiplier_errors(map, point, question.tolerance()).unwrap_or_default(),
-            false => Vec::new(),
-        },
-        stable: point.multipliers.is_stable(),
+        multiplier_errors,
+        stable: stability == Stability::Stable,
+        neutral: stability == Stability::Neutral,
     })
 }
 

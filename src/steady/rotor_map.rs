@@ -6,13 +6,12 @@ use nalgebra::{DMatrix, DVector};
 
 use super::SteadyError;
 use super::periods::Periods;
-use super::search::Found;
 use crate::integrate::{
     Counters, Grid, IntegrateError, Integration, Prepared, Scaling, Settings, Shifted, States,
     System, linear_variation, variation,
 };
 use crate::rotor::{HarmonicMotion, MotionScale, Rotor, RotorDefinition};
-use crate::shooting::{Circle, Image, MapError, ReturnMap, Slopes, Stability};
+use crate::shooting::{Circle, Image, MapError, Multipliers, ReturnMap, Slopes, Stability};
 use crate::simulate::reference_settings;
 
 /// Slopes are integrated at least this exactly where the signs of multipliers along a branch rest on them,
@@ -215,13 +214,13 @@ impl<'a> RotorMap<'a> {
     }
 
     /// Whether neighbouring motions come closer, as far as the tolerance of the slopes tells.
-    pub fn stability(&self, found: &Found) -> Stability {
+    pub fn stability(&self, multipliers: &Multipliers, slopes: &[DMatrix<f64>]) -> Stability {
         let tolerance = match self.rotor.is_linear() {
             true => 0.0,
             false => self.solver.slopes.tolerance,
         };
-        let error = MULTIPLIER_FACTOR * tolerance + self.multiplier_round_off(&found.slopes);
-        found.multipliers.stability(&vec![error; self.size()])
+        let error = MULTIPLIER_FACTOR * tolerance + self.multiplier_round_off(slopes);
+        multipliers.stability(&vec![error; self.size()])
     }
 
     /// Round-off of multipliers: what solving for eigenvalues makes of that of the slopes, which are products of as many

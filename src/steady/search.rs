@@ -54,7 +54,10 @@ pub(super) fn search(
     single: Located,
 ) -> Result<(Found, Option<Multipliers>), SteadyError> {
     let single = finished(map, single)?;
-    let stable = !matches!(map.stability(&single), Stability::Unstable(_));
+    let stable = !matches!(
+        map.stability(&single.multipliers, &single.slopes),
+        Stability::Unstable(_)
+    );
     if asked.is_torus() || multiple == Some(1) || (stable && multiple.is_none()) {
         return Ok((single, None));
     }

@@ -110,7 +110,7 @@ fn answer(
     let noise = error.max(NOISE * solver.settings.tolerance);
     let stability = match &measured {
         Some(error) => found.multipliers.stability(&error.multipliers),
-        None => map.stability(&found),
+        None => map.stability(&found.multipliers, &found.slopes),
     };
     let mut warnings = peak_warnings(&map, &trajectories)?;
     warnings.extend(assembled_warnings(&question.model.rotor, &map.rotor));

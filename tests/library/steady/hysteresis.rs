@@ -6,7 +6,10 @@ use std::sync::atomic::{AtomicBool, AtomicU64};
 
 use crate::bearing::MountedBearing;
 use crate::rotor::load::{Harmonic, HarmonicRate};
-use crate::rotor::{CageMotion, Damping, Freedoms, Load, LoadKind, Rotor, RotorDefinition};
+use crate::rotor::{
+    CageMotion, Damping, ElementLaw, ForceElement, Freedoms, LinearLaw, Load, LoadKind, Rotor,
+    RotorDefinition,
+};
 use crate::shooting::SpecialKind;
 use crate::simulate::Model;
 use crate::steady::{Response, ResponsePoint, ResponseQuestion, response};
@@ -209,6 +212,46 @@ fn every_multiplier_of_a_branch_has_an_error_where_it_is_verified() {
             let count = if verify { point.multipliers.len() } else { 0 };
             assert_eq!(errors.len(), count);
             assert!(errors.iter().all(|error| 0.0 < *error && *error < 1e-5));
+        }
+    }
+}
+
+/// On a spring without damping every multiplier has magnitude 1, and no motion of the branch is stable or not stable by chance.
+#[test]
+fn motions_without_damping_are_neutral_along_a_branch() {
+    let springs = ([1e6, 1e6, 0.0, 0.0, 0.0], [0.0; 2]);
+    let undamped = |speed: f64| {
+        let mut shaft = shaft(Freedoms::Radial);
+        shaft.eccentricity = 1e-5;
+        let spring = ForceElement {
+            position: Some(0.0),
+            housing_of: None,
+            housing: None,
+            law: ElementLaw::Linear(Box::new(LinearLaw::new(springs, ([0.0; 5], [0.0; 2])))),
+        };
+        RotorDefinition {
+            speed,
+            elements: vec![spring],
+            damping: Damping::Undamped,
+            ..rotor(shaft, Vec::new())
+        }
+    };
+    for verify in [true, false] {
+        let mut model = model(undamped(314.0), 1.0, 1e4);
+        model.verify = verify;
+        let question = ResponseQuestion {
+            model: &model,
+            family: &|speed| Ok(undamped(speed)),
+            range: [314.0, 330.0],
+            multiple: 1,
+            points: 1000,
+            doubled: false,
+            stop: &AtomicBool::new(false),
+            integrated: &AtomicU64::new(0),
+        };
+        let branches = response(&question, &mut |_| {}).expect("a branch");
+        for point in &branches[0].points {
+            assert!(point.neutral && !point.stable, "{verify}, {}", point.value);
         }
     }
 }
