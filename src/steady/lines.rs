@@ -6,6 +6,7 @@ use std::f64::consts::TAU;
 use nalgebra::{Complex, DMatrix};
 use serde::Serialize;
 
+use super::extremes::extremes;
 use super::periods::Periods;
 use crate::analysis::{Channel, Line, fourier_coefficients, nearest_cause};
 use crate::rotor::{CageMotion, Rotor, Sample};
@@ -191,7 +192,7 @@ pub struct MotionRange {
     pub channel: Channel,
     /// Its mean, in its unit.
     pub mean: f64,
-    /// Distance of its extremes.
+    /// Distance of its extremes: of a motion that repeats those between the samples, of two frequencies those of the samples.
     pub peak_to_peak: f64,
     /// Root mean square about the mean.
     pub rms: f64,
@@ -219,10 +220,14 @@ pub(super) fn ranges(
     let range = |channel: &Channel| {
         let all = &around * values(*channel, sampled);
         let mean = all.mean();
+        let [lowest, highest] = match nodes {
+            1 => extremes(all.as_slice()),
+            _ => [all.min(), all.max()],
+        };
         MotionRange {
             channel: *channel,
             mean,
-            peak_to_peak: all.max() - all.min(),
+            peak_to_peak: highest - lowest,
             rms: all.map(|value| (value - mean).powi(2)).mean().sqrt(),
         }
     };

@@ -4,6 +4,7 @@
 //! [`steady`] finds the motion of a scene, `response` follows it along a parameter.
 
 mod error;
+mod extremes;
 mod lines;
 mod measured;
 mod orbit;
