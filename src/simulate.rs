@@ -38,7 +38,7 @@ pub(crate) use severity::Machine;
 pub(crate) use severity::VibrationSeverity;
 pub(crate) use spalls::SpallPassage;
 pub(crate) use tables::TableUse;
-pub(crate) use warnings::{PROMISE, assembled_warnings, speed_warnings};
+pub(crate) use warnings::{PROMISE, assembled_warnings, range_warnings, speed_warnings};
 pub use watch::{Monitor, SimulateError, TraceSink};
 
 use crate::analysis::Motion;

@@ -7,7 +7,7 @@ use super::{LinearLaw, dot};
 use crate::bearing::{Matrix5, Vector5};
 
 /// Stiffness and damping over the speed, `F = K(ω) u + C(ω) u̇`. Between the rows they follow monotone cubics, beyond the
-/// first and the last row the coefficients of that row are kept.
+/// first and the last row the coefficients of that row are kept, those of a single row at all speeds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CoefficientTable {
     /// First and last speed, rad/s.
@@ -28,15 +28,23 @@ impl CoefficientTable {
         speeds: &[f64],
         [stiffness, damping]: [Vec<Vec<f64>>; 2],
     ) -> Result<Self, SeriesError> {
+        // a series has two rows
+        let twice = |row: &[f64], apart: f64| match row {
+            [only] => vec![*only, only + apart],
+            rows => rows.to_vec(),
+        };
         let series = |columns: Vec<Vec<f64>>| {
             let columns = columns.into_iter().enumerate();
-            let columns = columns.map(|(axis, values)| SeriesComponent { axis, values });
-            let (speeds, columns) = (speeds.to_vec(), columns.collect());
+            let columns = columns.map(|(axis, values)| SeriesComponent {
+                axis,
+                values: twice(&values, 0.0),
+            });
+            let (speeds, columns) = (twice(speeds, 1.0), columns.collect());
             Series::new(speeds, columns, Interpolation::MonotoneCubic)
         };
         let (stiffness, damping) = (series(stiffness)?, series(damping)?);
         Ok(Self {
-            speeds: [speeds[0], stiffness.end()],
+            speeds: [speeds[0], speeds[speeds.len() - 1]],
             stiffness,
             damping,
         })

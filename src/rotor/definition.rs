@@ -16,6 +16,9 @@ use crate::physics::Race;
 /// Standard acceleration of gravity, m/s² (ISO 80000-3).
 pub const STANDARD_GRAVITY: f64 = 9.806_65;
 
+/// Part of a speed by which round-off of its unit may take it beyond another one.
+const SAME_SPEED: f64 = 1e-9;
+
 /// Number of freedoms of the inner ring: x, y, z, θx, θy.
 pub const FREEDOMS: usize = 5;
 
@@ -290,25 +293,24 @@ impl RotorDefinition {
         }
     }
 
-    /// What the reader should know where the speed leaves the table of an element.
-    pub(crate) fn beyond_tables(&self) -> Vec<String> {
+    /// Lowest and highest speed that the shaft is meant for, rad/s.
+    pub(crate) fn speed_range(&self) -> [f64; 2] {
         let points = self.speed_points.iter().map(|point| point.speed);
-        let lowest = points.fold(self.speed, f64::min);
-        let highest = self.highest_speed();
+        [points.fold(self.speed, f64::min), self.highest_speed()]
+    }
+
+    /// What the reader should know where speeds between two, in rad/s, leave the table of an element.
+    pub(crate) fn beyond_tables(&self, [lowest, highest]: [f64; 2]) -> Vec<String> {
         let elements = (1..).zip(&self.elements);
-        let beyond = elements.filter_map(|(number, own)| {
-            let ElementLaw::OverSpeed(table) = &own.law else {
-                return None;
-            };
-            let [first, last] = table.speeds();
-            let speed = if highest > last { highest } else { lowest };
-            (highest > last || lowest < first).then(|| {
-                let [speed, first, last] = [speed, first, last].map(|own| own * 60.0 / TAU);
-                format!(
-                    "the coefficients of element {number} reach from {first:.0} to {last:.0} rpm, and the speed goes to {speed:.0} \
-                     rpm: beyond the table those of its nearest row are kept"
-                )
-            })
+        let tables = elements.filter_map(|(number, own)| match &own.law {
+            ElementLaw::OverSpeed(table) => Some((number, table.speeds())),
+            _ => None,
+        });
+        let beyond = tables.flat_map(|(number, [first, last])| {
+            let below = (lowest < first * (1.0 - SAME_SPEED)).then_some(lowest);
+            let above = (highest > last * (1.0 + SAME_SPEED)).then_some(highest);
+            let speeds = below.into_iter().chain(above);
+            speeds.map(move |speed| beyond_table(number, [first, last], speed))
         });
         beyond.collect()
     }
@@ -337,4 +339,17 @@ impl RotorDefinition {
             ..self.clone()
         }
     }
+}
+
+/// That the coefficients of an element, known between two speeds, are kept at one beyond, all in rad/s.
+fn beyond_table(number: usize, known: [f64; 2], speed: f64) -> String {
+    let [first, last, speed] = [known[0], known[1], speed].map(|own| own * 60.0 / TAU);
+    let known = match first == last {
+        true => format!("are known at {first:.0} rpm only"),
+        false => format!("reach from {first:.0} to {last:.0} rpm"),
+    };
+    format!(
+        "the coefficients of element {number} {known}, and the speed goes to {speed:.0} rpm: beyond the table those of its nearest \
+         row are kept"
+    )
 }

@@ -151,7 +151,7 @@ fn from_ross(bearing: &Value) -> Result<Columns, String> {
     Ok(columns)
 }
 
-/// The law of columns, which are alike in length or constant.
+/// The law of columns, which are alike in length or constant: over the speed, where there is one.
 fn law(mut columns: Columns) -> Result<ElementLaw, String> {
     let speeds = columns.remove("speed").unwrap_or_default();
     let rows = speeds.len().max(1);
@@ -181,7 +181,7 @@ fn law(mut columns: Columns) -> Result<ElementLaw, String> {
             pair[1], pair[0]
         ));
     }
-    if rows == 1 {
+    if speeds.is_empty() {
         let [k, c] = [&stiffness, &damping].map(|own| {
             (
                 [own[0][0], own[3][0], own[4][0], 0.0, 0.0],

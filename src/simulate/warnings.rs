@@ -73,27 +73,41 @@ pub(super) fn warnings(
     warnings
 }
 
-/// Warnings of the highest speed of a shaft before anything moves; none where it cannot be assembled.
+/// Warnings of the speeds of a shaft before anything moves; none where it cannot be assembled.
 pub(crate) fn speed_warnings(definition: &RotorDefinition) -> Vec<String> {
-    let rotor = Rotor::assemble(definition);
-    rotor.map_or_else(
-        |_| Vec::new(),
-        |rotor| {
-            let unconstrained = unconstrained_warning(&rotor).into_iter();
-            let others = assembled_warnings(definition, &rotor);
-            unconstrained.chain(others).collect()
-        },
-    )
+    warnings_between(definition, definition.speed_range())
 }
 
-/// Warnings of the highest speed of an assembled shaft.
+/// Warnings of a shaft that is looked at between two speeds in rad/s: those of the higher, and of what the range leaves; none
+/// where it cannot be assembled there.
+pub(crate) fn range_warnings(definition: &RotorDefinition, range: [f64; 2]) -> Vec<String> {
+    warnings_between(&definition.at_constant_speed(range[1]), range)
+}
+
+fn warnings_between(definition: &RotorDefinition, range: [f64; 2]) -> Vec<String> {
+    let Ok(rotor) = Rotor::assemble(definition) else {
+        return Vec::new();
+    };
+    let unconstrained = unconstrained_warning(&rotor).into_iter();
+    let others = of_highest_speed(definition, &rotor).into_iter();
+    let all = unconstrained.chain(definition.beyond_tables(range));
+    all.chain(others).collect()
+}
+
+/// Warnings of the speeds of an assembled shaft.
 pub(crate) fn assembled_warnings(definition: &RotorDefinition, rotor: &Rotor) -> Vec<String> {
     let unbalance = unbalance(definition, rotor).into_iter();
     let inertia = inertia_left_out(rotor).into_iter();
     let doubtful = unbalance.chain(overdamped(definition)).chain(inertia);
     let doubtful = doubtful.chain(base_left_out(definition));
-    let tables = definition.beyond_tables();
-    doubtful.chain(tables).chain(bearings(rotor)).collect()
+    let tables = definition.beyond_tables(definition.speed_range());
+    let others = of_highest_speed(definition, rotor);
+    tables.into_iter().chain(others).collect()
+}
+
+/// Warnings of the highest speed of an assembled shaft.
+fn of_highest_speed(definition: &RotorDefinition, rotor: &Rotor) -> Vec<String> {
+    doubtful.chain(bearings(rotor)).collect()
 }
 
 /// A damping ratio that no shaft on rolling bearings has: most often percent.

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use crate::numerics::digits::to_digits;
 use crate::rotor::{Rotor, RotorDefinition, RotorError, Whirl};
-use crate::simulate::{Model, Run, RunUp, finer_modes, speed_warnings};
+use crate::simulate::{Model, Run, RunUp, finer_modes, range_warnings};
 
 pub use super::critical_speeds::CriticalSpeed;
 use super::critical_speeds::critical_speeds;
@@ -243,8 +243,8 @@ impl CampbellQuestion {
         for critical in &mut campbell.critical_speeds {
             critical.reduction_error = reduced.reduction_error(critical)?;
         }
-        let fastest = speed_warnings(&self.rotor.at_constant_speed(self.to));
-        campbell.warnings = self.rotor.warnings_with(fastest);
+        let of_range = range_warnings(&self.rotor, [self.from, self.to]);
+        campbell.warnings = self.rotor.warnings_with(of_range);
         Ok(campbell)
     }
 

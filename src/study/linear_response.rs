@@ -129,11 +129,20 @@ impl LinearResponseQuestion {
         for pickup in 0..self.at.len() {
             solver.add_resonances(pickup, &looked_at, &mut resonances)?;
         }
-        let fastest = match self.by {
-            Some(_) => self.rotor.speed,
-            None => self.range[1],
+        let speeds = match self.by {
+            Some(_) => [self.rotor.speed; 2],
+            None => self.range,
         };
-        let warnings = speed_warnings(&self.rotor.at_constant_speed(fastest));
+        let mut warnings = range_warnings(&self.rotor, speeds);
+        warnings.extend(unstable(&growing));
+        for resonance in resonances
+            .iter()
+            .filter(|own| self.by.is_none() && !own.is_unbounded())
+        {
+            let rotor = at_speed(&solver.rotor, resonance.peak)?;
+            excursions.push((resonance.peak, rotor.linear_model().excursions()));
+        }
+        warnings.extend(beyond_clearances(excursions));
         Ok(LinearResponse {
             points,
             resonances,

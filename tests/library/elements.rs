@@ -12,6 +12,7 @@ use crate::rotor::{Coupling, ElementLaw, Rotor, Works};
 use crate::scenario::{Scenario, ScenarioError, load};
 use crate::simulate::RecordedRun;
 use crate::steady::{Steady, SteadyQuestion, steady};
+use crate::study::campbell::CampbellQuestion;
 use crate::tests::support::{assert_near, scenario};
 
 const SPRING: &str = "[[element]]\nlinear = { stiffness = { x = \"1 N/um\", y = \"1 N/um\" }, damping = { x = \"40 N s/m\", y = \
@@ -308,6 +309,49 @@ fn coefficients_follow_the_speed() {
             .any(|text| text.contains("beyond the table"));
         assert_eq!(said, speed > 300.0, "{:?}", scene.warnings);
     }
+}
+
+/// A diagram that begins below a table and ends above it says both, and that of a single row is known at its speed only.
+#[test]
+fn speeds_on_either_side_of_a_table_are_told() {
+    let dir = tempfile::tempdir().expect("a folder");
+    let said = |rows: &str, [from, to]: [f64; 2]| -> Vec<String> {
+        let table = format!("speed_rad_s,kxx_N_m,kyy_N_m,cxx_N_s_m,cyy_N_s_m\n{rows}");
+        std::fs::write(dir.path().join("journal.csv"), table).expect("a table");
+        let elements = ["[[element]]\ncoefficients = \"journal.csv\"\n"];
+        let scene = loaded(dir.path(), &laval("1 um", 150.0, &elements));
+        let scene = scene.unwrap_or_else(|error| panic!("{}", error.render(false)));
+        let question = CampbellQuestion {
+            rotor: scene.question.rotor,
+            from,
+            to,
+            count: 5,
+            orders: vec![1.0],
+        };
+        let found = question.solve().unwrap_or_else(|error| panic!("{error}"));
+        let beyond = |text: &String| text.contains("beyond the table");
+        found.warnings.into_iter().filter(beyond).collect()
+    };
+    let rows = "100,1e6,1e6,100,100\n200,2e6,2e6,100,100\n";
+    for (range, ends) in [
+        ([100.0, 200.0], &[][..]),
+        ([50.0, 200.0], &["goes to 477 rpm"]),
+        ([50.0, 300.0], &["goes to 477 rpm", "goes to 2865 rpm"]),
+    ] {
+        let told = said(rows, range);
+        assert_eq!(told.len(), ends.len(), "{told:?}");
+        for (text, end) in told.iter().zip(ends) {
+            assert!(
+                text.contains("from 955 to 1910 rpm") && text.contains(end),
+                "{text}"
+            );
+        }
+    }
+    let told = said("150,1e6,1e6,100,100\n", [150.0, 300.0]);
+    let [only] = &told[..] else {
+        panic!("{told:?}");
+    };
+    assert!(only.contains("known at 1432 rpm only"), "{only}");
 }
 
 /// What `bearing.save` of ROSS writes, in versions before 3 and from 3 on, with its defaults.

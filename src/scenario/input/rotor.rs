@@ -81,7 +81,7 @@ impl ScenarioInput {
         };
         let housings = rotor.housings().into_iter().map(|(place, _)| place);
         element::check_housings(&rotor.elements, &housings.collect::<Vec<_>>(), problems);
-        for warning in rotor.beyond_tables() {
+        for warning in rotor.beyond_tables(rotor.speed_range()) {
             problems.warn(warning);
         }
         if rotor.flexible.is_none() {
