@@ -65,14 +65,27 @@ const CRITICALLY_DAMPED: f64 = 2.5;
 impl Resonance {
     /// Separation margin from an operating speed in rad/s, and the margin that is asked for, as parts of that speed.
     ///
+/// Amplification factor above which the amplitude of a peak is that of where it was looked for, as without damping.
+const UNBOUNDED: f64 = 0.1 / FOUND;
+
     /// ```text
     /// below:  min(0.17 (1 − 1/(AF − 1.5)), 0.16)      above:  min(0.10 + 0.17 (1 − 1/(AF − 1.5)), 0.26)
     /// ```
     ///
+    /// Whether nothing bounds the amplitude, as without damping: the one that was found says nothing.
+    pub fn is_unbounded(&self) -> bool {
+        let unbounded = |factor: f64| factor > UNBOUNDED;
+        !self.amplitude.is_finite() || self.amplification.is_some_and(unbounded)
+    }
+
     /// and none where AF < 2.5. Source: API Standard 617, 7th edition (2002), chapter 1, 2.6.2.10.
     pub fn separation(&self, operating: f64) -> (f64, Option<f64>) {
         let margin = (self.peak - operating).abs() / operating;
-        let asked = self.amplification.map(|factor| {
+        let factor = match self.is_unbounded() {
+            true => Some(f64::INFINITY),
+            false => self.amplification,
+        };
+        let asked = factor.map(|factor| {
             let part = 0.17 * (1.0 - 1.0 / (factor - 1.5));
             match factor {
                 factor if factor < CRITICALLY_DAMPED => 0.0,

@@ -35,6 +35,8 @@ pub fn linear_response_findings(
             .iter()
             .filter_map(|own| told.too_near(own)),
     );
+    let unbounded = response.resonances.iter().filter(|own| own.is_unbounded());
+    warnings.extend(unbounded.map(|own| told.unbounded(own)));
     let found = json!({
         "at": question.at.iter().enumerate().map(|(index, own)| told.point(index, own)).collect::<Value>(),
         "by": question.by.map_or_else(|| json!("unbalance"), |own| point_json(&own)),
@@ -110,6 +112,11 @@ fn point_json(pickup: &Pickup) -> Value {
     json!({ "position_m": pickup.position, "direction": FREEDOM_NAMES[pickup.axis] })
 }
 
+/// A number of a resonance; none of one whose amplitude is unbounded.
+fn bounded(own: &Resonance, number: Option<f64>) -> Option<f64> {
+    number.filter(|_| !own.is_unbounded())
+}
+
 /// What is told of a response.
 struct Told<'a> {
     question: &'a LinearResponseQuestion,
@@ -160,11 +167,24 @@ impl Told<'_> {
         json!({
             "column": self.name(own.pickup),
             (self.first_column().name()): self.own_unit(own.peak),
-            "amplitude": own.amplitude,
-            "amplification_factor": own.amplification,
+            "amplitude": bounded(own, Some(own.amplitude)),
+            "amplification_factor": bounded(own, own.amplification),
+            "unbounded": own.is_unbounded(),
             "separation_margin": margin,
             "separation_margin_asked": asked,
         })
+    }
+
+    /// That an amplitude has no bound.
+    fn unbounded(&self, own: &Resonance) -> String {
+        let peak = match self.question.by {
+            Some(_) => format!("{:.4} Hz", own.peak / TAU),
+            None => format!("{:.1} 1/min", PER_MINUTE * own.peak),
+        };
+        format!(
+            "the resonance of {} at {peak} is undamped: its amplitude is unbounded",
+            place(&self.question.at[own.pickup])
+        )
     }
 
     /// A warning where a resonance is nearer to the operating speeds than API 617 asks.
@@ -257,8 +277,10 @@ impl Told<'_> {
             .word("column", |own| self.name(own.pickup))
             .word("place", |own| place(&self.question.at[own.pickup]))
             .column(self.first_column(), |own| self.own_unit(own.peak))
-            .column(amplitude, |own| own.amplitude)
-            .number("amplification_factor", "", |own| own.amplification);
+            .column(amplitude, |own| bounded(own, Some(own.amplitude)))
+            .number("amplification_factor", "", |own| {
+                bounded(own, own.amplification)
+            });
         if !by_force {
             shown.push(("margin", "separation_margin".to_owned()));
             shown.push(("margin by\nAPI 617", "separation_margin_asked".to_owned()));
