@@ -98,11 +98,42 @@ impl Rotor {
         let tangent = support.tangent(&motion.displacement, seen);
         attachment.add_stiffness(&tangent.stiffness, by_place);
         if support.is_damped() {
-            let place = [motion.displacement, motion.rate];
-            let damping = |[place, rate]: &[Vector5; 2]| support.damped_force(place, rate, seen)[1];
-            let [damped_place, damped_rate] = self.damping_slopes(&place, damping);
-            attachment.add_stiffness(&damped_place, by_place);
-            attachment.add_stiffness(&damped_rate, by_rate);
+            self.add_damping_slopes(bearing, motion, [by_place, by_rate]);
+        }
+    }
+
+    /// Adds the slopes of the damping of a bearing's contacts in a motion, by place and by rate of all coordinates.
+    fn add_damping_slopes(
+        &self,
+        bearing: &AttachedBearing<'_>,
+        motion: &ElementMotion,
+        sums: [&mut DMatrix<f64>; 2],
+    ) {
+        let (support, seen) = (bearing.support, &motion.rotation);
+        let place = [motion.displacement, motion.rate];
+        let damping = |[place, rate]: &[Vector5; 2]| support.damped_force(place, rate, seen)[1];
+        let slopes = self.damping_slopes(&place, damping);
+        for (sum, slopes) in sums.into_iter().zip(slopes) {
+            bearing.attachment.add_stiffness(&slopes, sum);
+        }
+    }
+
+    /// Adds the slopes of the damping of all contacts at rest at the static equilibrium.
+    pub(super) fn add_contact_damping(&self, slopes: &mut [DMatrix<f64>; 2]) {
+        let rotation = self.excitation.speed.at(0.0);
+        let still = vec![0.0; self.start.rest.len()];
+        let at = Instant {
+            place: &self.start.rest,
+            velocity: &still,
+            rest: &self.start.rest,
+            rotation: &rotation,
+            phases: self.elements.phases(&rotation),
+        };
+        for (bearing, motion) in self.elements.bearings_at(&at) {
+            if bearing.support.is_damped() {
+                let [by_place, by_rate] = slopes;
+                self.add_damping_slopes(&bearing, &motion, [by_place, by_rate]);
+            }
         }
     }
 

@@ -43,6 +43,7 @@ mod separation;
 mod shaft_shapes;
 mod speed_profile;
 mod squeeze_film;
+mod stability;
 mod static_search;
 mod structure;
 mod surface_passing;
@@ -84,6 +85,7 @@ pub(crate) use shaft_shapes::ShaftShape;
 pub use speed_profile::{Rotation, SpeedPoint, SpeedProfile};
 pub use squeeze_film::SqueezeFilm;
 pub use tabulation::Tabulation;
+pub(crate) use stability::GrowingMotion;
 pub use unbalance::PlaneUnbalance;
 pub use unconstrained::{UnconstrainedError, check_constraints, unconstrained_warning};
 

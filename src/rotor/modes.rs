@@ -78,7 +78,7 @@ pub struct Mode {
 }
 
 /// A damping ratio below this is round-off: beside modes of some MHz the eigenvalue of one of 16 Hz errs by 5e-8 of itself.
-const UNDAMPED: f64 = 1e-6;
+pub(super) const UNDAMPED: f64 = 1e-6;
 
 impl Mode {
     /// Frequency of the damped free vibration, Im λ/2π, Hz.
@@ -293,7 +293,7 @@ fn most_shrunk(mut matrix: DMatrix<Complex<f64>>, count: usize) -> DMatrix<Compl
 
 /// Matrix A of `d/dt (ω₀ u, u̇) = A (ω₀ u, u̇)` with u = Lᵀ q: in these units, ω₀ the highest frequency of a freedom
 /// by itself, its entries are of one size, and its eigenvalues lose no digits.
-fn state_matrix([stiffness, rate]: &[DMatrix<f64>; 2]) -> DMatrix<f64> {
+pub(super) fn state_matrix([stiffness, rate]: &[DMatrix<f64>; 2]) -> DMatrix<f64> {
     let dofs = rate.nrows();
     let unit = match stiffness.diagonal().amax().sqrt() {
         0.0 => 1.0,

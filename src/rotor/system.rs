@@ -148,11 +148,15 @@ impl Rotor {
         self.energy || self.is_driven()
     }
 
-    /// Whether the forces of all bearings are linear in displacement and rate, with coefficients that do not change.
+    /// Whether the equations are linear: all forces, and nothing but the motion is integrated.
     pub(crate) fn is_linear(&self) -> bool {
+        !self.is_augmented() && self.has_linear_forces()
+    }
+
+    /// Whether all forces are linear in displacement and rate, with coefficients that do not change.
+    pub(crate) fn has_linear_forces(&self) -> bool {
         let linear = |support: &Support| !support.follows_cage() && !support.is_damped();
-        let only_bearings = self.elements.laws().next().is_none();
-        !self.is_augmented() && only_bearings && self.elements.supports().all(linear)
+        self.elements.laws().next().is_none() && self.elements.supports().all(linear)
     }
 
     /// Index of the first work among the states.

@@ -9,7 +9,7 @@ use crate::analysis::{Channel, Motion};
 use crate::bearing::{ContactLaw, Support};
 use crate::integrate::{Method, Stiffness};
 use crate::physics::{Race, ball_mass, centrifugal_force, nominal_cage_speed};
-use crate::rotor::{Damping, Rotor, RotorDefinition, unconstrained_warning};
+use crate::rotor::{Damping, GrowingMotion, Rotor, RotorDefinition, unconstrained_warning};
 
 /// Balance quality grade of ISO 21940-11 beyond all that it lists but rigidly mounted marine engines, mm/s.
 const COARSEST_BALANCE: f64 = 100.0;
@@ -69,7 +69,11 @@ pub(super) fn warnings(
     let stiffness = passes.main.stiffness().filter(|_| method_use.is_none());
     warnings.extend(stiffness.as_ref().map(stiff));
     warnings.extend(assembled_warnings(&model.rotor, rotor));
-    warnings.extend(motion.and_then(not_settled));
+    let growing = rotor.steady_from(0.0).and_then(|_| rotor.growing_motion());
+    warnings.extend(growing.map(|growing| not_stable(rotor, growing)));
+    let grows_for_ever = growing.is_some() && rotor.has_linear_forces();
+    let settling = motion.filter(|_| !grows_for_ever);
+    warnings.extend(settling.and_then(not_settled));
     warnings
 }
 
@@ -96,10 +100,6 @@ fn warnings_between(definition: &RotorDefinition, range: [f64; 2]) -> Vec<String
 
 /// Warnings of the speeds of an assembled shaft.
 pub(crate) fn assembled_warnings(definition: &RotorDefinition, rotor: &Rotor) -> Vec<String> {
-    let unbalance = unbalance(definition, rotor).into_iter();
-    let inertia = inertia_left_out(rotor).into_iter();
-    let doubtful = unbalance.chain(overdamped(definition)).chain(inertia);
-    let doubtful = doubtful.chain(base_left_out(definition));
     let tables = definition.beyond_tables(definition.speed_range());
     let others = of_highest_speed(definition, rotor);
     tables.into_iter().chain(others).collect()
@@ -107,6 +107,10 @@ pub(crate) fn assembled_warnings(definition: &RotorDefinition, rotor: &Rotor) ->
 
 /// Warnings of the highest speed of an assembled shaft.
 fn of_highest_speed(definition: &RotorDefinition, rotor: &Rotor) -> Vec<String> {
+    let unbalance = unbalance(definition, rotor).into_iter();
+    let inertia = inertia_left_out(rotor).into_iter();
+    let doubtful = unbalance.chain(overdamped(definition)).chain(inertia);
+    let doubtful = doubtful.chain(base_left_out(definition));
     doubtful.chain(bearings(rotor)).collect()
 }
 
@@ -199,6 +203,18 @@ fn stiff(stiffness: &Stiffness) -> String {
         "the problem is stiff: from t = {:.3e} s on stability held the step at {:.1e} s (largest eigenvalue \
          {:.1e} 1/s); method = \"rodas\" in [integrator] may take longer ones",
         stiffness.time, stiffness.step, stiffness.eigenvalue
+    )
+}
+
+/// An equilibrium that free motions lead away from.
+fn not_stable(rotor: &Rotor, growing: GrowingMotion) -> String {
+    let outcome = match rotor.has_linear_forces() {
+        true => "all forces are linear, and the motion grows for ever",
+        false => "the motion leaves this equilibrium, and may settle to an orbit about it",
+    };
+    format!(
+        "the shaft is not stable at its static equilibrium at {:.0} rpm: {growing}; {outcome}",
+        rotor.speed() * 60.0 / TAU
     )
 }
 

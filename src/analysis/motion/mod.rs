@@ -28,6 +28,8 @@ use section::{NODES, Node};
 
 /// A motion below this part of the displacement is round-off.
 const REST: f64 = 1e-9;
+/// A motion beyond it in m, or m/s, has no bounds: no shaft goes so far or so fast.
+const BEYOND_BOUNDS: f64 = 1e6;
 /// Samples that the orbit keeps: the last ones.
 const ORBIT: usize = 8192;
 
@@ -123,9 +125,12 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// Whether the motion has settled: it repeats, or its statistics hardly move; not known of an irregular or random one,
+    /// Whether the motion has settled: it repeats, or its statistics hardly move, not where it grows beyond all bounds; not known of an irregular or random one,
     /// whose statistics move by themselves, and of a record without a drift.
     pub fn has_settled(&self) -> Option<bool> {
+        if self.recognition.kind == Kind::Diverging {
+            return Some(false);
+        }
         let drift = self.drift.as_ref()?;
         match self.recognition.kind {
             Kind::Irregular { .. } => None,
@@ -246,12 +251,15 @@ impl MotionRecorder {
         let displacement = self.largest(|axis| of_axis(axis).rms());
         let mean = self.largest(|axis| of_axis(axis).mean().abs());
         let resting = displacement <= REST * mean;
+        let bounded = self.is_bounded(|axis| [of_axis(axis), self.rates[axis]]);
         let at_once = |kind| Recognition {
             kind,
             distances: Vec::new(),
             curves: Vec::new(),
         };
-        let recognition = if resting {
+        let recognition = if !bounded {
+            at_once(Kind::Diverging)
+        } else if resting {
             at_once(Kind::Rest)
         } else if self.settings.kind {
             recognise(&self.series(displacement))
@@ -285,7 +293,7 @@ impl MotionRecorder {
                 })
                 .collect(),
             recognition,
-            drift: drift.filter(|_| !resting),
+            drift: drift.filter(|_| bounded && !resting),
             sections: self.sections.into_iter().map(Section::of_last).collect(),
             rate: self.settings.rate,
             orbit: self.orbit.into(),
@@ -297,6 +305,16 @@ impl MotionRecorder {
         let axes = self.settings.freedoms.axes().iter();
         axes.map(|axis| self.settings.levers[*axis] * of_freedom(*axis))
             .fold(0.0, f64::max)
+    }
+
+    /// Whether all freedoms that move have finite displacements and rates, of a size that a shaft can have.
+    fn is_bounded(&self, of_freedom: impl Fn(usize) -> [Moments; 2]) -> bool {
+        let mut axes = self.settings.freedoms.axes().iter();
+        axes.all(|axis| {
+            let mut all = of_freedom(*axis).into_iter();
+            // what is not a number is not below the bound either
+            all.all(|own| own.mean().abs() < BEYOND_BOUNDS && own.rms() < BEYOND_BOUNDS)
+        })
     }
 
     /// The sections' points in parts of the motion.

@@ -133,10 +133,10 @@ impl Moments {
         self.highest.max(-self.lowest).max(0.0)
     }
 
-    /// Whether there is a vibration, above round-off where a floor of it is known.
+    /// Whether there is a vibration of finite moments, above round-off where a floor of it is known.
     fn vibrates(&self) -> bool {
         let rms = self.rms();
-        rms > 0.0 && rms >= self.floor
+        rms > 0.0 && rms >= self.floor && self.powers.iter().all(|power| power.is_finite())
     }
 
     /// Peak over RMS; none without vibration.

@@ -43,6 +43,8 @@ pub struct Series {
 pub enum Kind {
     /// There is none.
     Rest,
+    /// It grows beyond all bounds.
+    Diverging,
     /// It repeats after a number of cycles of a section.
     Periodic {
         /// The section.

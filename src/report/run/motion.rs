@@ -89,6 +89,7 @@ pub(in crate::report) fn add_severity(out: &mut Lines, severity: &VibrationSever
 fn kind(kind: &Kind) -> String {
     match kind {
         Kind::Rest => "none".to_owned(),
+        Kind::Diverging => "grows beyond all bounds".to_owned(),
         Kind::Periodic {
             section,
             cycles,

@@ -4,7 +4,7 @@ use std::f64::consts::{SQRT_2, TAU};
 
 use crate::analysis::{Channel, Kind, SectionKind};
 use crate::bearing::{ContactLaw, MountedBearing};
-use crate::rotor::{Damping, RotorDefinition};
+use crate::rotor::{Damping, ElementLaw, ForceElement, LinearLaw, RotorDefinition};
 use crate::simulate::{Analyses, Model, MotionAnalysis, Run, Sampling};
 
 use crate::tests::support::{assert_near, model, settings, thrust_rotor, try_run};
@@ -129,5 +129,44 @@ fn points_between_samples_stand_on_the_trace() {
             assert_near("cycles", cycles, cycles.round(), 1e-9 * cycles);
         }
         assert!(section.interpolation[0] < 1e-6 * amplitude);
+    }
+}
+
+/// A linear rotor whose free vibration grows is warned of, and no advice makes it settle; a motion that grew beyond what a
+/// shaft can do is of no other kind.
+#[test]
+fn a_motion_that_grows_for_ever_is_called_so() {
+    let driven = |duration: f64| {
+        let mut definition = unbalanced();
+        definition.bearings.clear();
+        let springs = ([1e6, 1e6, 1e6, 1e4, 1e4], [0.0; 2]);
+        let dampers = ([-400.0, -400.0, 400.0, 1.0, 1.0], [0.0; 2]);
+        definition.elements = vec![ForceElement {
+            position: Some(0.0),
+            housing_of: None,
+            housing: None,
+            law: ElementLaw::Linear(Box::new(LinearLaw::new(springs, dampers))),
+        }];
+        definition.damping = Damping::Undamped;
+        described(definition, 0.5 * duration, duration)
+    };
+    let about = |run: &Run, words: &str| run.warnings.iter().any(|text| text.contains(words));
+    for (duration, diverging) in [(0.1, false), (2.0, true)] {
+        let run = driven(duration);
+        assert!(
+            about(&run, "not stable at its static equilibrium"),
+            "{:?}",
+            run.warnings
+        );
+        assert!(about(&run, "grows for ever"), "{:?}", run.warnings);
+        assert!(!about(&run, "make `settle`"), "{:?}", run.warnings);
+        let motion = run.motion.expect("a description");
+        assert_ne!(motion.has_settled(), Some(true), "{duration}");
+        assert_eq!(
+            motion.recognition.kind == Kind::Diverging,
+            diverging,
+            "{:?}",
+            motion.recognition.kind
+        );
     }
 }
