@@ -142,6 +142,16 @@ impl Elements {
             .filter_map(|own| Some((&own.attachment, own.element.law()?)))
     }
 
+    /// The laws of force with a clearance, m, and their numbers among the elements of the scene, from 1.
+    pub fn clearances(&self) -> impl Iterator<Item = (usize, &Attachment, f64)> {
+        // behind the bearings
+        let behind = self.all.iter().skip(self.bearings().count());
+        behind.zip(1..).filter_map(|(own, number)| {
+            let clearance = own.element.law()?.clearance()?;
+            Some((number, &own.attachment, clearance))
+        })
+    }
+
     /// The other laws of force with their motions at an instant.
     pub fn laws_at<'a>(
         &'a self,

@@ -91,6 +91,11 @@ pub(super) trait ForceLaw: fmt::Debug + Send + Sync {
         None
     }
 
+    /// Distance from the middle up to which the shaft moves freely, m; none of a law without such a gap.
+    fn clearance(&self) -> Option<f64> {
+        self.wall()
+    }
+
     /// How far past its event surface a displacement is, m; none of a law without one. The force is proportional to it.
     fn past_event(&self, _displacement: &Vector5) -> Option<f64> {
         None

@@ -79,13 +79,14 @@ pub use motion::Rotor;
 pub use motion_scale::MotionScale;
 pub use observation::{BallContacts, MOST_BEARINGS, Sample};
 pub(crate) use point::Attachment;
+pub(crate) use receptance::Excursion;
 pub use receptance::Pickup;
 pub use rub::Rub;
 pub(crate) use shaft_shapes::ShaftShape;
 pub use speed_profile::{Rotation, SpeedPoint, SpeedProfile};
 pub use squeeze_film::SqueezeFilm;
-pub use tabulation::Tabulation;
 pub(crate) use stability::GrowingMotion;
+pub use tabulation::Tabulation;
 pub use unbalance::PlaneUnbalance;
 pub use unconstrained::{UnconstrainedError, check_constraints, unconstrained_warning};
 

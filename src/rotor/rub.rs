@@ -123,6 +123,10 @@ impl ForceLaw for Rub {
         contact.map_or(0.0, |own| self.radius * own.friction[0] * own.normal)
     }
 
+    fn clearance(&self) -> Option<f64> {
+        Some(self.clearance)
+    }
+
     fn past_event(&self, displacement: &Vector5) -> Option<f64> {
         Some(displacement[0].hypot(displacement[1]) - self.clearance)
     }

@@ -1,14 +1,14 @@
 //! The response of the linearised shaft: to a harmonic force at a point over its frequency, or to its unbalances over the speed.
 
-use std::f64::consts::FRAC_1_SQRT_2;
+use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 
 use nalgebra::Complex;
 
 use super::campbell::CampbellQuestion;
 use super::resonance_places::{Place, between};
 use crate::numerics::root::root;
-use crate::rotor::{Pickup, Rotor, RotorDefinition, RotorError};
-use crate::simulate::{finer_modes, speed_warnings};
+use crate::rotor::{Excursion, GrowingMotion, Pickup, Rotor, RotorDefinition, RotorError};
+use crate::simulate::{finer_modes, range_warnings};
 
 /// A question about the linear response.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,14 +25,17 @@ pub struct LinearResponseQuestion {
     pub count: usize,
 }
 
-/// An angular frequency of the force, or a speed, rad/s, with the motion of every pickup; none at an undamped resonance.
-type Point = (f64, Option<Vec<Complex<f64>>>);
+/// Angular frequency of the force, or speed, rad/s, with the motion of every pickup; none at an undamped resonance.
+pub type Motions = (f64, Option<Vec<Complex<f64>>>);
+
+/// Speed, rad/s, with the free motion that grows there, if any.
+type Growing = (f64, Option<GrowingMotion>);
 
 /// Motions of some pickups as complex amplitudes, m and rad, or of a force per N or N m.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LinearResponse {
-    /// Angular frequencies of the force, or speeds, rad/s, with the motion of every pickup; none at an undamped resonance.
-    pub points: Vec<Point>,
+    /// Of every frequency or speed.
+    pub points: Vec<Motions>,
     /// Resonances, by pickup and speed or frequency.
     pub resonances: Vec<Resonance>,
     /// Of a shaft that bends: largest difference from the response with fewer modes of bending, of the largest motion of the
@@ -59,25 +62,25 @@ pub struct Resonance {
     pub amplification: Option<f64>,
 }
 
+/// Amplification factor above which the amplitude of a peak is that of where it was looked for, as without damping.
+const UNBOUNDED: f64 = 0.1 / FOUND;
+
 /// Amplification factor below which a resonance counts as critically damped.
 const CRITICALLY_DAMPED: f64 = 2.5;
 
 impl Resonance {
-    /// Separation margin from an operating speed in rad/s, and the margin that is asked for, as parts of that speed.
-    ///
-/// Amplification factor above which the amplitude of a peak is that of where it was looked for, as without damping.
-const UNBOUNDED: f64 = 0.1 / FOUND;
-
-    /// ```text
-    /// below:  min(0.17 (1 − 1/(AF − 1.5)), 0.16)      above:  min(0.10 + 0.17 (1 − 1/(AF − 1.5)), 0.26)
-    /// ```
-    ///
     /// Whether nothing bounds the amplitude, as without damping: the one that was found says nothing.
     pub fn is_unbounded(&self) -> bool {
         let unbounded = |factor: f64| factor > UNBOUNDED;
         !self.amplitude.is_finite() || self.amplification.is_some_and(unbounded)
     }
 
+    /// Separation margin from an operating speed in rad/s, and the margin that is asked for, as parts of that speed.
+    ///
+    /// ```text
+    /// below:  min(0.17 (1 − 1/(AF − 1.5)), 0.16)      above:  min(0.10 + 0.17 (1 − 1/(AF − 1.5)), 0.26)
+    /// ```
+    ///
     /// and none where AF < 2.5. Source: API Standard 617, 7th edition (2002), chapter 1, 2.6.2.10.
     pub fn separation(&self, operating: f64) -> (f64, Option<f64>) {
         let margin = (self.peak - operating).abs() / operating;
@@ -129,10 +132,11 @@ impl LinearResponseQuestion {
         let coarse = Solver::new(self, false)?;
         let finer = coarse.modes.map(|_| Solver::new(self, true)).transpose()?;
         let solver = finer.as_ref().unwrap_or(&coarse);
-        let points = self
-            .values()
-            .map(|value| Ok((value, solver.motions(value)?)));
-        let points = points.collect::<Result<Vec<_>, _>>()?;
+        let Followed {
+            points,
+            growing,
+            mut excursions,
+        } = solver.followed(self.values())?;
         let reduction_error = match &finer {
             Some(_) => Some(self.difference(&coarse, &points)?),
             None => None,
@@ -180,7 +184,7 @@ impl LinearResponseQuestion {
     fn difference(
         &self,
         solver: &Solver<'_>,
-        points: &[Point],
+        points: &[Motions],
     ) -> Result<f64, LinearResponseError> {
         let mut sizes = vec![[0.0_f64; 2]; self.at.len()];
         for (value, found) in points {
@@ -194,6 +198,16 @@ impl LinearResponseQuestion {
         let parts = sizes.into_iter().filter(|[_, size]| *size > 0.0);
         Ok(parts.map(|[apart, size]| apart / size).fold(0.0, f64::max))
     }
+}
+
+/// What is found along a range.
+struct Followed {
+    /// At every frequency of the force, or speed.
+    points: Vec<Motions>,
+    /// At every speed of the shaft.
+    growing: Vec<Growing>,
+    /// At every speed of a shaft that its unbalances move.
+    excursions: Vec<(f64, Vec<Excursion>)>,
 }
 
 /// A question with so many modes of bending.
@@ -235,15 +249,43 @@ impl<'a> Solver<'a> {
         }
     }
 
+    /// Follows the question over frequencies of the force, or speeds, in rad/s.
+    fn followed(&self, values: impl Iterator<Item = f64>) -> Result<Followed, LinearResponseError> {
+        let (mut points, mut growing, mut excursions) = (Vec::new(), Vec::new(), Vec::new());
+        let at_force = self.question.by.map(|_| &self.assembled);
+        growing.extend(at_force.map(|rotor| (rotor.speed(), rotor.growing_motion())));
+        for value in values {
+            match at_force {
+                Some(rotor) => points.push((value, self.motions_of(rotor, value))),
+                None => {
+                    let rotor = at_speed(&self.rotor, value)?;
+                    points.push((value, self.motions_of(&rotor, value)));
+                    growing.push((value, rotor.growing_motion()));
+                    excursions.push((value, rotor.linear_model().excursions()));
+                }
+            }
+        }
+        Ok(Followed {
+            points,
+            growing,
+            excursions,
+        })
+    }
+
     /// Motions of all pickups at a frequency of the force, or a speed, in rad/s.
     fn motions(&self, value: f64) -> Result<Option<Vec<Complex<f64>>>, LinearResponseError> {
-        let at = &self.question.at;
         Ok(match self.question.by {
-            Some(by) => self.assembled.linear_model().to_force(value, by, at),
-            None => at_speed(&self.rotor, value)?
-                .linear_model()
-                .to_unbalance(at),
+            Some(_) => self.motions_of(&self.assembled, value),
+            None => self.motions_of(&at_speed(&self.rotor, value)?, value),
         })
+    }
+
+    fn motions_of(&self, rotor: &Rotor, value: f64) -> Option<Vec<Complex<f64>>> {
+        let (model, at) = (rotor.linear_model(), &self.question.at);
+        match self.question.by {
+            Some(by) => model.to_force(value, by, at),
+            None => model.to_unbalance(at),
+        }
     }
 
     /// Amplitude of a pickup; infinite at an undamped resonance.
@@ -253,7 +295,7 @@ impl<'a> Solver<'a> {
     }
 
     /// The points with further ones about the modes, by which no peak is missed that is sharper than the grid.
-    fn with_resonances(&self, points: &[Point]) -> Result<Vec<Point>, LinearResponseError> {
+    fn with_resonances(&self, points: &[Motions]) -> Result<Vec<Motions>, LinearResponseError> {
         let values: Vec<f64> = points.iter().map(|(value, _)| *value).collect();
         let places = between(&values, &self.resonance_places());
         let further = places
@@ -291,7 +333,7 @@ impl<'a> Solver<'a> {
     fn add_resonances(
         &self,
         pickup: usize,
-        points: &[Point],
+        points: &[Motions],
         resonances: &mut Vec<Resonance>,
     ) -> Result<(), LinearResponseError> {
         let amplitudes = points.iter().map(|(value, motions)| {
@@ -391,4 +433,55 @@ const FOUND: f64 = 1e-7;
 fn at_speed(rotor: &RotorDefinition, speed: f64) -> Result<Rotor, LinearResponseError> {
     Rotor::assemble(&rotor.at_constant_speed(speed))
         .map_err(|source| LinearResponseError::Rotor { speed, source })
+}
+
+/// Where the linearised shaft has no steady response, as free motions grow there.
+fn unstable(growing: &[Growing]) -> Option<String> {
+    let known = growing
+        .iter()
+        .filter_map(|(speed, own)| Some((*speed, (*own)?)));
+    let (worst, motion) = known.min_by(|a, b| {
+        let [a, b] = [a, b].map(|(_, motion)| motion.damping_ratio());
+        a.total_cmp(&b)
+    })?;
+    let ranges = growing.chunk_by(|a, b| a.1.is_some() == b.1.is_some());
+    let ranges = ranges.filter(|range| range[0].1.is_some()).map(|range| {
+        let [first, last] = [range[0], range[range.len() - 1]].map(|(speed, _)| in_rpm(speed));
+        match first == last {
+            true => format!("at {first} rpm"),
+            false => format!("from {first} to {last} rpm"),
+        }
+    });
+    Some(format!(
+        "the linearised shaft is not stable {}: at {} rpm {motion}; the response told there is no motion that it settles to",
+        ranges.collect::<Vec<_>>().join(", "),
+        in_rpm(worst)
+    ))
+}
+
+/// Elements whose clearance the response exceeds, of which it knows nothing.
+fn beyond_clearances(mut excursions: Vec<(f64, Vec<Excursion>)>) -> Vec<String> {
+    excursions.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let elements = excursions.first().map_or(0, |(_, own)| own.len());
+    let told = (0..elements).filter_map(|index| {
+        let of_element = excursions.iter().filter_map(|(speed, own)| Some((*speed, own.get(index)?)));
+        let beyond = of_element.filter(|(_, own)| own.distance > own.clearance);
+        let beyond: Vec<_> = beyond.collect();
+        let (first, own) = beyond.first()?;
+        let farthest = beyond.iter().max_by(|a, b| a.1.distance.total_cmp(&b.1.distance))?;
+        let [distance, clearance] = [farthest.1.distance, own.clearance].map(|own| 1e6 * own);
+        Some(format!(
+            "from {} rpm on the response takes the shaft beyond the clearance of element {}, {clearance:.1} µm: at {} rpm {distance:.1} \
+             µm from its middle; the linear response knows no clearance, `run` and `steady` do",
+            in_rpm(*first),
+            own.element,
+            in_rpm(farthest.0)
+        ))
+    });
+    told.collect()
+}
+
+/// A speed in rpm, to a tenth.
+fn in_rpm(speed: f64) -> String {
+    format!("{:.1}", speed * 60.0 / TAU)
 }

@@ -321,3 +321,79 @@ fn separation_margins_are_those_of_api_617() {
         assert_near("asked", due.expect("a factor"), asked, 1e-12);
     }
 }
+
+/// `λ² m + c λ + k − iκ = 0`: a cross-coupled stiffness κ drives a forward whirl from κ > c ω_n on, at every speed alike. A
+/// force as well as the unbalances is warned of.
+#[test]
+fn an_unstable_shaft_has_no_steady_response() {
+    let crossed = |crossing: &str| {
+        let springs =
+            format!("y = \"1 N/um\", xy = \"{crossing} N/um\", yx = \"-{crossing} N/um\" }}");
+        LAVAL.replace("y = \"1 N/um\" }", &springs)
+    };
+    let told = |crossing: &str, by: Option<Pickup>| {
+        let found = asked(&crossed(crossing), across(0.0), by, [100.0, 900.0]);
+        let about = |text: &String| text.contains("not stable");
+        found.warnings.into_iter().find(about)
+    };
+    let by = Some(across(0.0)[0]);
+    let limit = 200.0 * f64::sqrt(2e5) / 1e6;
+    assert_eq!(told(&(0.99 * limit).to_string(), None), None);
+    // Re λ of (1.2 ω_n c i − k)/m with the damping in it, by the square root of a complex number
+    let crossing = 1.2 * limit;
+    let decay = 200.0 / 10.0;
+    let root = Complex::new(decay * decay - 2e5, 1e6 * crossing / 5.0).sqrt();
+    let eigenvalue = root - decay;
+    let ratio = format!("{:.2e}", -eigenvalue.re / eigenvalue.norm());
+    for (by, range) in [(None, "from 954.9 to 8594.4 rpm"), (by, "at 2864.8 rpm")] {
+        let warning = told(&crossing.to_string(), by).expect("a warning");
+        for part in [range, &ratio, "no motion that it settles to"] {
+            assert!(warning.contains(part), "{part} in {warning}");
+        }
+    }
+}
+
+/// `k/m = ω²` without damping: the peak is wherever it was looked for last, and says so.
+#[test]
+fn an_undamped_resonance_is_unbounded() {
+    let undamped = LAVAL.replace(", damping = { x = \"200 N s/m\", y = \"200 N s/m\" }", "");
+    for (text, unbounded) in [(undamped.as_str(), true), (LAVAL, false)] {
+        let found = asked(text, across(0.0), None, [100.0, 900.0]);
+        assert_eq!(found.resonances.len(), 2);
+        for resonance in &found.resonances {
+            assert_eq!(resonance.is_unbounded(), unbounded, "{resonance:?}");
+        }
+    }
+}
+
+/// A circular whirl of 10 µm times ω²/|D| about the middle of a stator: it leaves the clearance where the closed form does.
+#[test]
+fn a_response_beyond_a_clearance_is_told() {
+    let stator = |clearance: &str| {
+        format!(
+            "{LAVAL}[[element]]\n[element.rub]\nclearance = \"{clearance}\"\nstiffness = \"2 N/um\"\nfriction = 0.05\n\
+             shaft_diameter = \"40 mm\"\n"
+        )
+    };
+    let told = |clearance: &str| {
+        let found = asked(&stator(clearance), across(0.0), None, [100.0, 900.0]);
+        let about = |text: &String| text.contains("clearance");
+        found.warnings.into_iter().find(about)
+    };
+    assert_eq!(told("150 um"), None);
+    let whirl = |omega: f64| 5e-5 * omega * omega / dynamic(omega).norm();
+    let first = (0..=100)
+        .map(|k| 100.0 + 8.0 * f64::from(k))
+        .find(|omega| whirl(*omega) > 6e-5);
+    let first = first.expect("a speed") * 60.0 / TAU;
+    let (natural, ratio) = (f64::sqrt(2e5), 200.0 / (2.0 * f64::sqrt(5e6)));
+    let peak = 1e6 * whirl(natural / (1.0 - 2.0 * ratio * ratio).sqrt());
+    let warning = told("60 um").expect("a warning");
+    for part in [
+        format!("from {first:.1} rpm on"),
+        format!("{peak:.1} µm from its middle"),
+        "element 2, 60.0 µm".to_owned(),
+    ] {
+        assert!(warning.contains(&part), "{part} in {warning}");
+    }
+}
