@@ -32,7 +32,7 @@ pub enum Whirl {
     Backward,
     /// Along a line, neither way by more than a twentieth.
     Straight,
-    /// Along the shaft's axis.
+    /// Along the shaft's axis, of shaft or housings.
     Axial,
 }
 
@@ -253,8 +253,10 @@ impl Rotor {
             forward += (at(first) + turned).norm_sqr();
             backward += (at(first) - turned).norm_sqr();
         }
-        let [_, _, z, ..] = self.structure.shaft.coordinates;
-        [forward, backward, at(z).norm_sqr()]
+        let bodies = self.structure.bodies.iter().map(|body| &body.point);
+        let all = bodies.chain([&self.structure.shaft]);
+        let axial = all.map(|point| at(point.coordinates[2]).norm_sqr()).sum();
+        [forward, backward, axial]
     }
 
     /// The Hermitian form of [`Mode::forward_share`]'s F − B.
