@@ -140,17 +140,26 @@ impl Branch {
     /// How the shaft goes round in it at most of its speeds; of as many that where it goes round most clearly.
     pub fn whirl(&self) -> Whirl {
         let known = self.modes.iter().flatten();
-        let known: Vec<_> = known.map(|mode| (mode.whirl(), mode.forward_share().abs())).collect();
+        let known: Vec<_> = known
+            .map(|mode| (mode.whirl(), mode.forward_share().abs()))
+            .collect();
         let often = |whirl: &Whirl| {
             let own = known.iter().filter(|(other, _)| other == whirl);
             let clearest = own.clone().map(|(_, share)| *share).fold(0.0, f64::max);
             (own.count(), clearest)
         };
-        let [first, others @ ..] = [Whirl::Straight, Whirl::Axial, Whirl::Backward, Whirl::Forward];
-        others.into_iter().fold(first, |most, whirl| match often(&whirl) > often(&most) {
-            true => whirl,
-            false => most,
-        })
+        let [first, others @ ..] = [
+            Whirl::Straight,
+            Whirl::Axial,
+            Whirl::Backward,
+            Whirl::Forward,
+        ];
+        others
+            .into_iter()
+            .fold(first, |most, whirl| match often(&whirl) > often(&most) {
+                true => whirl,
+                false => most,
+            })
     }
 }
 

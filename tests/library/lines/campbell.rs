@@ -269,3 +269,23 @@ fn a_slow_shaft_has_the_modes_of_its_highest_order() {
     }
     assert!(found.frequency_error().expect("an error") < 1e-2);
 }
+
+/// A housing that nothing but its own spring holds along z vibrates along it, whatever the shaft does at the size of round-off.
+#[test]
+fn a_housing_that_moves_along_the_axis_is_axial() {
+    let text = "[shaft]\nmass = \"5 kg\"\nfreedoms = \"all\"\ninertia_transverse = \"0.02 kg m^2\"\ninertia_polar = \"0.03 kg m^2\"\n\
+                [speed]\nconstant = \"300 rad/s\"\n[[element]]\nposition = \"-100 mm\"\nlinear = { stiffness = { x = \"20 N/um\", y = \
+                \"30 N/um\", z = \"10 N/um\" } }\n[[element]]\nposition = \"150 mm\"\nlinear = { stiffness = { x = \"10 N/um\", y = \
+                \"30 N/um\" } }\n[element.housing]\nmass = \"5 kg\"\nstiffness = { x = \"20 N/um\", y = \"50 N/um\", z = \"30 N/um\" }\n";
+    let found = solved(scenario(text).question.rotor, 600.0, &[1.0]);
+    for frequency in [f64::sqrt(3e7 / 5.0) / TAU, f64::sqrt(1e7 / 5.0) / TAU] {
+        let near = |mode: &Mode| (mode.damped_frequency() / frequency - 1.0).abs() < 1e-6;
+        let mut own = found.branches.iter();
+        let own = own.find(|branch| branch.modes.iter().flatten().all(near));
+        assert_eq!(
+            own.expect("a branch").whirl(),
+            Whirl::Axial,
+            "{frequency} Hz"
+        );
+    }
+}
