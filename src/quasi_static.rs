@@ -129,18 +129,23 @@ pub(crate) fn answer_on(
         .map(|bearing| bearing.friction_moment.total());
     let friction = moments.sum();
     let arm = Support::largest(supports, Geometry::lever);
+    // a freedom that the shaft lacks is judged only where something holds it
+    let judged = std::array::from_fn(|axis| {
+        let resisted = equilibrium.stiffness[(axis, axis)] != 0.0;
+        free[axis] && (resisted || rotor.shaft.freedoms.moves(axis))
+    });
     Ok(QuasiStatic {
         displacement: equilibrium.displacement,
         force: equilibrium.force,
         free,
         stiffness: equilibrium.stiffness,
-        condition: condition(&equilibrium.stiffness, &free, arm),
+        condition: condition(&equilibrium.stiffness, &judged, arm),
         residual: equilibrium.residual,
         displacement_error: equilibrium.displacement_error,
         newton_steps: equilibrium.newton_steps,
         twist: question.torsion.map(|torsion| torsion.twist(friction)),
         warnings: rotor.warnings_with(
-            unconstrained(&equilibrium.stiffness, &free)
+            unconstrained(&equilibrium.stiffness, &judged)
                 .into_iter()
                 .chain(warnings(supports, &bearings)),
         ),
@@ -148,10 +153,10 @@ pub(crate) fn answer_on(
     })
 }
 
-/// Largest over smallest singular value of K of the free freedoms; 1 where there are none.
-fn condition(stiffness: &Matrix5, free: &[bool; FREEDOMS], arm: f64) -> f64 {
+/// Largest over smallest singular value of K of the freedoms that are judged; 1 where there are none.
+fn condition(stiffness: &Matrix5, judged: &[bool; FREEDOMS], arm: f64) -> f64 {
     let lengths = [1.0, 1.0, 1.0, arm, arm];
-    let axes: Vec<usize> = (0..FREEDOMS).filter(|&axis| free[axis]).collect();
+    let axes: Vec<usize> = (0..FREEDOMS).filter(|&axis| judged[axis]).collect();
     if axes.is_empty() {
         // held all around: nothing is solved for
         return 1.0;
@@ -168,10 +173,10 @@ fn condition(stiffness: &Matrix5, free: &[bool; FREEDOMS], arm: f64) -> f64 {
     }
 }
 
-/// Free freedoms that meet no resistance.
-fn unconstrained(stiffness: &Matrix5, free: &[bool; FREEDOMS]) -> Option<String> {
+/// Freedoms that are judged and meet no resistance.
+fn unconstrained(stiffness: &Matrix5, judged: &[bool; FREEDOMS]) -> Option<String> {
     let names: Vec<&str> = (0..FREEDOMS)
-        .filter(|&axis| free[axis] && stiffness[(axis, axis)] == 0.0)
+        .filter(|&axis| judged[axis] && stiffness[(axis, axis)] == 0.0)
         .map(|axis| FREEDOM_NAMES[axis])
         .collect();
     (!names.is_empty()).then(|| {

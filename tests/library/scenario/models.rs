@@ -605,3 +605,13 @@ fn keys_of_a_life_that_is_not_told_are_told() {
         [""; 0]
     );
 }
+
+/// A shaft that moves across its axis only is judged by what holds it there.
+#[test]
+fn freedoms_that_a_shaft_lacks_do_not_make_its_stiffness_singular() {
+    let text = "[shaft]\nmass = \"5 kg\"\nfreedoms = \"radial\"\n[[element]]\nlinear = { stiffness = { x = \"1 N/um\", y = \"4 N/um\" } }\n\
+                [speed]\nconstant = \"500 rad/s\"\n";
+    let found = quasi_static(&read(text).question).expect("an answer");
+    assert!((found.condition - 4.0).abs() < 1e-12, "{}", found.condition);
+    assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+}
