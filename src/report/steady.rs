@@ -157,6 +157,8 @@ fn tips(lines: &SteadyLines, index: usize) -> impl Iterator<Item = Point> {
     moving(lines).map(move |line| (line.frequency, MICRO * line.amplitude[index]))
 }
 
+/// Part of the strongest line below which another one is round-off, and not shown.
+const ROUND_OFF: f64 = 1e-13;
 /// Lines and multipliers shown.
 const LINES: usize = 8;
 const MULTIPLIERS: usize = 4;
@@ -276,6 +278,9 @@ fn add_lines(out: &mut Lines, steady: &Steady, speed: f64, causes: &[Line]) {
     });
     let mut strongest: Vec<_> = moving.collect();
     strongest.sort_by(|a, b| b.2.amplitude[b.0].total_cmp(&a.2.amplitude[a.0]));
+    let height = |(index, _, line): &(usize, &str, &SteadyLine)| line.amplitude[*index];
+    let least = ROUND_OFF * strongest.first().map_or(0.0, height);
+    strongest.retain(|own| height(own) > least);
     let rows = strongest
         .into_iter()
         .take(LINES)
