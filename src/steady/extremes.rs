@@ -59,7 +59,7 @@ fn highest(samples: &[f64], sign: f64, at: impl Fn(f64) -> f64) -> f64 {
     let bound = |index: usize| {
         let [before, own, after] = [count - 1, 0, 1].map(|step| value(index + step));
         let bends = own >= before && own >= after;
-        bends.then(|| own + RISE * (2.0 * own - before - after))
+        bends.then_some(own + RISE * (2.0 * own - before - after))
     };
     let peaks = (0..count).filter_map(|index| Some((index, bound(index)?)));
     let peaks = peaks.filter(|(_, bound)| *bound > top);
