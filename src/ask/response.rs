@@ -7,7 +7,7 @@ use super::{AskError, motion};
 use crate::report::{Findings, ResponseError, response_findings};
 use crate::scenario::{Issue, OpenScenario, Scenario};
 use crate::simulate::Model;
-use crate::steady::{self, Response, response, response_warnings};
+use crate::steady::{self, response, response_warnings};
 use crate::study::Variable;
 
 /// A number of a scenario and its two ends, as they are written there.
@@ -36,10 +36,6 @@ pub struct ResponseQuestion<'a> {
     /// Whether motions of doubled period are followed, too.
     pub doubled: bool,
 }
-
-/// Tolerance of the motion that the first one is measured by, relative to that asked for: branches are integrated with a
-/// tenth of it.
-const REFERENCE: f64 = 0.01;
 
 impl<'a> ResponseQuestion<'a> {
     /// Motions a branch has at most, where nothing else is asked for.
@@ -101,7 +97,7 @@ impl<'a> ResponseQuestion<'a> {
         };
         let branches = response(&question, reached).map_err(AskError::failed)?;
         let warnings = response_warnings(&question, &branches);
-        let error = self.error(&branches, stop, integrated)?;
+        let error = ResponseError::largest(&branches, self.model.integrator.tolerance);
         let variable = &self.variable;
         Ok(response_findings(
             self.scenario,
@@ -110,37 +106,5 @@ impl<'a> ResponseQuestion<'a> {
             error,
             &warnings,
         ))
-    }
-
-    /// How far the first motion is from one found by itself at a hundredth of the tolerance; none where the scenario asks for
-    /// no measurement, or that motion is not found.
-    fn error(
-        &self,
-        branches: &[Response],
-        stop: &AtomicBool,
-        integrated: &AtomicU64,
-    ) -> Result<Option<ResponseError>, AskError> {
-        let first = branches.first().and_then(|branch| branch.points.first());
-        let Some(first) = first.filter(|_| self.model.verify) else {
-            return Ok(None);
-        };
-        let mut model = self.model.clone();
-        model.rotor = self.number.rotor(first.value)?;
-        model.verify = false;
-        model.integrator.tolerance *= REFERENCE;
-        let reference = steady::SteadyQuestion {
-            model: &model,
-            multiple: (self.multiple > 1).then_some(self.multiple),
-            stop,
-            integrated,
-        };
-        match steady::steady(&reference) {
-            Err(error) if error.is_interrupted() => Err(AskError::failed(error)),
-            Err(_) => Ok(None),
-            Ok(found) => {
-                let tolerances = [self.model, &model].map(|model| model.integrator.tolerance);
-                Ok(ResponseError::between(first, &found.ranges, tolerances))
-            }
-        }
     }
 }

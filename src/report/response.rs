@@ -14,8 +14,8 @@ use crate::steady::{MotionRange, Response, ResponsePoint};
 use crate::study::Variable;
 use crate::table::Table;
 
-/// Error of the first motion of a response: the largest difference of a mean or peak-to-peak range of a displacement from that
-/// of a motion found more exactly.
+/// Error of the motions of a response: of that where it is largest beside the motion, the largest difference of a mean or
+/// peak-to-peak range of a displacement from that of a motion found more exactly.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct ResponseError {
     /// Value of the parameter.
@@ -30,29 +30,17 @@ pub struct ResponseError {
 }
 
 impl ResponseError {
-    /// The distance of a motion from the ranges of one found more exactly, both with their tolerances; none where nothing moves.
-    pub fn between(
-        motion: &ResponsePoint,
-        exact: &[MotionRange],
-        [tolerance, reference_tolerance]: [f64; 2],
-    ) -> Option<Self> {
-        let (mut displacement, mut size) = (0.0_f64, 0.0_f64);
-        for (range, exact) in motion.ranges.iter().zip(exact) {
-            if range.channel.unit() == "m" {
-                let apart = [
-                    range.mean - exact.mean,
-                    range.peak_to_peak - exact.peak_to_peak,
-                ];
-                displacement = displacement.max(apart[0].abs()).max(apart[1].abs());
-                size = size.max(exact.peak_to_peak);
-            }
-        }
-        (size > 0.0).then(|| Self {
-            value: motion.value,
-            displacement_m: displacement,
-            relative: displacement / size,
+    /// The largest error of the motions of some branches, with the tolerance that was asked for; none where none was measured.
+    pub fn largest(branches: &[Response], tolerance: f64) -> Option<Self> {
+        let points = branches.iter().flat_map(|branch| &branch.points);
+        let measured = points.filter_map(|point| Some((point.value, point.range_error?)));
+        let (value, largest) = measured.max_by(|a, b| a.1.relative.total_cmp(&b.1.relative))?;
+        Some(Self {
+            value,
+            displacement_m: largest.displacement,
+            relative: largest.relative,
             tolerance,
-            reference_tolerance,
+            reference_tolerance: largest.reference_tolerance,
         })
     }
 

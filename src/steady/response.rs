@@ -101,6 +101,47 @@ impl ResponseQuestion<'_> {
     }
 }
 
+/// Distance of the ranges of a motion from those of the same one found again at a tenth of the tolerance, with the round-off
+/// that both share.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RangeError {
+    /// Largest difference of a mean or a peak-to-peak range of a displacement, m.
+    pub displacement: f64,
+    /// The same relative to the largest peak-to-peak range.
+    pub relative: f64,
+    /// Tolerance of the motion that was found again.
+    pub reference_tolerance: f64,
+}
+
+impl RangeError {
+    /// Of a motion whose smallest change over a period is such a part of a departure from it: what a state errs by, by
+    /// round-off, is so much more; none where nothing moves.
+    fn between(
+        ranges: &[MotionRange],
+        exact: &[MotionRange],
+        (round_off, change): (f64, f64),
+        reference_tolerance: f64,
+    ) -> Option<Self> {
+        let (mut displacement, mut size, mut mean) = (0.0_f64, 0.0_f64, 0.0_f64);
+        let pairs = ranges.iter().zip(exact);
+        for (range, exact) in pairs.filter(|(range, _)| range.channel.unit() == "m") {
+            let apart = [
+                range.mean - exact.mean,
+                range.peak_to_peak - exact.peak_to_peak,
+            ];
+            displacement = displacement.max(apart[0].abs()).max(apart[1].abs());
+            size = size.max(exact.peak_to_peak);
+            mean = mean.max(exact.mean.abs());
+        }
+        displacement += round_off + f64::EPSILON * (mean + size / change.min(1.0));
+        (size > 0.0).then(|| Self {
+            displacement,
+            relative: displacement / size,
+            reference_tolerance,
+        })
+    }
+}
+
 /// A motion of a branch.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ResponsePoint {
@@ -117,6 +158,9 @@ pub struct ResponsePoint {
     pub multipliers: Vec<Complex<f64>>,
     /// Error of every multiplier, in their order; none where it was not measured or the motion not found again.
     pub multiplier_errors: Vec<f64>,
+    /// Error of the ranges; none where it was not measured or the motion not found again.
+    #[serde(skip)]
+    pub range_error: Option<RangeError>,
     /// Whether neighbouring motions come closer.
     pub stable: bool,
     /// Whether they neither do nor go away, as far as the errors of the multipliers tell.
@@ -314,10 +358,12 @@ fn response_point(
     map.set(point.parameter)?;
     let sampled = sampled(map, &point.states, question.model, true)?;
     let channels = Channel::of_motion(&question.model.rotor);
-    let multiplier_errors = match question.model.verify {
-        true => multiplier_errors(map, point, question.tolerance()).unwrap_or_default(),
-        false => Vec::new(),
+    let ranges = ranges(&channels, &map.periods.circle, &sampled);
+    let measured = match question.model.verify {
+        true => measured_point(map, point, &ranges, question),
+        false => None,
     };
+    let (multiplier_errors, range_error) = measured.unwrap_or_default();
     let stability = match multiplier_errors.is_empty() {
         true => map.stability(&point.multipliers, &point.slopes),
         false => point.multipliers.stability(&multiplier_errors),
@@ -325,26 +371,43 @@ fn response_point(
     Ok(ResponsePoint {
         value: question.value(point.parameter),
         period: map.periods.circle.period,
-        ranges: ranges(&channels, &map.periods.circle, &sampled),
+        ranges,
         multipliers: point.multipliers.values(),
         multiplier_errors,
+        range_error,
         stable: stability == Stability::Stable,
         neutral: stability == Stability::Neutral,
     })
 }
 
-/// Distances of the multipliers of a motion from those of the same one found again at a tenth of the tolerance; none
-/// where it is not found again, as where two motions meet.
-fn multiplier_errors(
+/// Errors of the multipliers of a motion and of its ranges: their distances from those of the same one found again at a tenth of
+/// the tolerance; none where it is not found again, as where two motions meet.
+fn measured_point(
     map: &mut RotorMap<'_>,
     point: &BranchPoint,
-    tolerance: f64,
-) -> Option<Vec<f64>> {
+    ranges: &[MotionRange],
+    question: &ResponseQuestion<'_>,
+) -> Option<(Vec<f64>, Option<RangeError>)> {
     let asked = map.solver;
     map.solver = asked.reference();
-    let again = found_again(map, &point.states, &point.slopes, tolerance);
+    let tolerance = map.solver.settings.tolerance;
+    let again = found_again(map, &point.states, &point.slopes, question.tolerance());
+    let again = again.ok().map(|(states, multipliers)| {
+        let sampled = sampled(map, &states, question.model, false);
+        (sampled, multipliers)
+    });
     map.solver = asked;
-    let (_, multipliers) = again.ok()?;
+    let (sampled, multipliers) = again?;
     let round_off = map.multiplier_round_off(&point.slopes);
-    Some(point.multipliers.distances(&multipliers, round_off))
+    let errors = point.multipliers.distances(&multipliers, round_off);
+    let changes = point.multipliers.values().into_iter();
+    let change = changes.map(|own| (1.0 - own).norm()).fold(1.0, f64::min);
+    let channels = ranges.iter().map(|range| range.channel);
+    let range_error = sampled.ok().and_then(|sampled| {
+        let channels: Vec<_> = channels.collect();
+        let exact = self::ranges(&channels, &map.periods.circle, &sampled);
+        let round_off = (map.rotor.displacement_round_off(), change);
+        RangeError::between(ranges, &exact, round_off, tolerance)
+    });
+    Some((errors, range_error))
 }

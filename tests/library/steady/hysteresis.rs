@@ -216,42 +216,66 @@ fn every_multiplier_of_a_branch_has_an_error_where_it_is_verified() {
     }
 }
 
+/// 5 kg, 10 µm beside the axis, on 1 N/µm and a damper in N s/m.
+fn laval(speed: f64, damper: f64) -> RotorDefinition {
+    let along = |coefficient: f64| ([coefficient, coefficient, 0.0, 0.0, 0.0], [0.0; 2]);
+    let mut shaft = shaft(Freedoms::Radial);
+    shaft.eccentricity = 1e-5;
+    let spring = ForceElement {
+        position: Some(0.0),
+        housing_of: None,
+        housing: None,
+        law: ElementLaw::Linear(Box::new(LinearLaw::new(along(1e6), along(damper)))),
+    };
+    RotorDefinition {
+        speed,
+        elements: vec![spring],
+        damping: Damping::Undamped,
+        ..rotor(shaft, Vec::new())
+    }
+}
+
+fn laval_branch(damper: f64, range: [f64; 2], verify: bool) -> Response {
+    let mut model = model(laval(range[0], damper), 1.0, 1e4);
+    model.verify = verify;
+    let question = ResponseQuestion {
+        model: &model,
+        family: &|speed| Ok(laval(speed, damper)),
+        range,
+        multiple: 1,
+        points: 1000,
+        doubled: false,
+        stop: &AtomicBool::new(false),
+        integrated: &AtomicU64::new(0),
+    };
+    let mut branches = response(&question, &mut |_| {}).expect("a branch");
+    branches.swap_remove(0)
+}
+
 /// On a spring without damping every multiplier has magnitude 1, and no motion of the branch is stable or not stable by chance.
 #[test]
 fn motions_without_damping_are_neutral_along_a_branch() {
-    let springs = ([1e6, 1e6, 0.0, 0.0, 0.0], [0.0; 2]);
-    let undamped = |speed: f64| {
-        let mut shaft = shaft(Freedoms::Radial);
-        shaft.eccentricity = 1e-5;
-        let spring = ForceElement {
-            position: Some(0.0),
-            housing_of: None,
-            housing: None,
-            law: ElementLaw::Linear(Box::new(LinearLaw::new(springs, ([0.0; 5], [0.0; 2])))),
-        };
-        RotorDefinition {
-            speed,
-            elements: vec![spring],
-            damping: Damping::Undamped,
-            ..rotor(shaft, Vec::new())
-        }
-    };
     for verify in [true, false] {
-        let mut model = model(undamped(314.0), 1.0, 1e4);
-        model.verify = verify;
-        let question = ResponseQuestion {
-            model: &model,
-            family: &|speed| Ok(undamped(speed)),
-            range: [314.0, 330.0],
-            multiple: 1,
-            points: 1000,
-            doubled: false,
-            stop: &AtomicBool::new(false),
-            integrated: &AtomicU64::new(0),
-        };
-        let branches = response(&question, &mut |_| {}).expect("a branch");
-        for point in &branches[0].points {
+        for point in laval_branch(0.0, [314.0, 330.0], verify).points {
             assert!(point.neutral && !point.stable, "{verify}, {}", point.value);
         }
+    }
+}
+
+/// Peak to peak is twice `m e ω²/|D|`, between samples: within the error that is told of every motion, which is never below
+/// round-off.
+#[test]
+fn ranges_of_a_branch_are_known_to_their_errors() {
+    for point in laval_branch(40.0, [400.0, 500.0], true).points {
+        let omega = point.value;
+        let dynamic = (1e6 - 5.0 * omega * omega).hypot(40.0 * omega);
+        let expected = 2.0 * 5e-5 * omega * omega / dynamic;
+        let error = point.range_error.expect("a measured error");
+        assert!(error.relative >= f64::EPSILON, "{error:?}");
+        let missed = (point.ranges[0].peak_to_peak - expected).abs();
+        assert!(
+            missed <= 3.0 * error.displacement,
+            "{missed:e} at {omega}: {error:?}"
+        );
     }
 }
