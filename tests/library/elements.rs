@@ -327,6 +327,7 @@ fn speeds_on_either_side_of_a_table_are_told() {
             to,
             count: 5,
             orders: vec![1.0],
+            highest_frequency: None,
         };
         let found = question.solve().unwrap_or_else(|error| panic!("{error}"));
         let beyond = |text: &String| text.contains("beyond the table");
