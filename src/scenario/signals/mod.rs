@@ -186,7 +186,7 @@ impl Signals {
 fn distinct(channel: Channel, known: &[Channel]) -> Channel {
     let is_taken = |one: &Channel| {
         let mut known = known.iter();
-        known.any(|other| other.name().eq_ignore_ascii_case(&one.name()))
+        known.any(|other| other.name().eq_ignore_ascii_case(one.name()))
     };
     let column = channel.column();
     let numbered = (2..).map(|number| {
