@@ -86,7 +86,7 @@ fn a_response_writes_its_branches() {
     let mut rows = table.lines();
     let header = rows.next().expect("a header");
     assert!(
-        header.starts_with("branch,multiple,speed_constant_rad_s,period_s,stable,x_mean_m"),
+        header.starts_with("branch,multiple,speed_constant_rad_s,period_s,stable,neutral,x_mean_m"),
         "{header}"
     );
     assert!(
