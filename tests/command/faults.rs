@@ -189,7 +189,7 @@ fn a_spall_of_the_inner_race_is_found() {
     assert_eq!(found["cage_slip"][0]["race"], "inner");
 }
 
-/// Its lines beside that of the outer race are not taken for a cage that slips.
+/// Its lines beside that of the outer race are not taken for a cage that slips: by its own spin it rolls.
 #[test]
 fn a_spall_of_a_ball_is_found() {
     let folder = tempfile::tempdir().unwrap();
@@ -201,7 +201,13 @@ fn a_spall_of_a_ball_is_found() {
         ["2×BSF", "cage"].iter().all(|line| names.contains(line)),
         "{names:?}"
     );
-    assert!(found["cage_slip"][0].is_null(), "{}", found["cage_slip"]);
+    let slip = &found["cage_slip"][0];
+    let [cage_slip, uncertainty] =
+        ["cage_slip", "uncertainty"].map(|key| slip[key].as_f64().unwrap());
+    assert!(
+        slip["race"].is_null() && cage_slip.abs() < uncertainty,
+        "{slip}"
+    );
 }
 
 /// By a sensor of displacement.

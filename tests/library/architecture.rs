@@ -46,7 +46,7 @@ const LIBRARIES: [(&str, &[&str]); 19] = [
     ("clap_mangen", &["cli"]),
     ("ctrlc", &["cli"]),
     ("indicatif", &["cli"]),
-    ("toml", &["scenario"]),
+    ("toml", &["record", "scenario"]),
     ("jsonc_parser", &["scenario"]),
     ("annotate_snippets", &["scenario"]),
 ];
