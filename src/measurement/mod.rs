@@ -2,6 +2,7 @@
 //!
 //! The samples become a [`Recording`], of which everything else is made by the code that runs are analysed by.
 
+mod marks;
 mod slip;
 mod speed_estimate;
 mod turning;

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::marks::Marks;
 use crate::analysis::Channel;
 
 /// Part of its mean by which a speed may change and count as constant.
@@ -18,6 +19,8 @@ const LEVELS: [f64; 2] = [0.4, 0.6];
 
 /// Most pulses that are missed in a row.
 const MOST_MISSED: f64 = 2.0;
+/// Part of all pulses up to which pulses are missed; where more intervals are long, the marks are uneven.
+const MOST_MISSES: f64 = 0.1;
 /// Parts by which intervals between pulses may differ about one with missed pulses, and by which that one may differ from a
 /// multiple of them.
 const ALIKE: f64 = 0.2;
@@ -78,6 +81,7 @@ impl Turning {
     /// is the cubic through those of both ends with the slopes of the pulses around them. An interval twice or three times as
     /// long as those before and after it, which are alike, has missed pulses, which are put in. Of pulses whose places are not
     /// known to a small part of the interval between them, as at a low rate or of many pulses a revolution, some are passed over.
+    /// Marks that stand unevenly around the shaft are found by the pulses of several revolutions.
     ///
     /// # Errors
     /// [`TachoError`] of fewer than three pulses.
@@ -92,11 +96,11 @@ impl Turning {
             let pulses = places.len();
             return Err(TachoError { pulses });
         };
-        let step = TAU / pulses_per_revolution;
+        let marks = Marks::of_pulses(&places, pulses_per_revolution);
         let kept = far_enough_apart(&places, known);
         let pulses: Vec<(f64, f64)> = kept
             .iter()
-            .map(|pulse| (places[*pulse], step * *pulse as f64))
+            .map(|pulse| (places[*pulse], marks.angle(*pulse)))
             .collect();
         let range = first.ceil() as usize..last.floor() as usize + 1;
         let (mut angle, mut speed) = (Vec::new(), Vec::new());
@@ -274,6 +278,9 @@ fn with_missed(pulses: Vec<f64>) -> (Vec<f64>, Vec<f64>) {
             missed.extend(between);
         }
     }
+    if missed.len() as f64 > MOST_MISSES * pulses.len() as f64 {
+        return (pulses, Vec::new());
+    }
     let mut all = [pulses, missed.clone()].concat();
     all.sort_by(f64::total_cmp);
     (all, missed)
@@ -301,6 +308,27 @@ mod tests {
         assert_eq!(places, [40.0, 71.0, 72.0]);
         let speed = found.turning.steady().expect("a steady speed");
         assert!((speed / (25.0 * TAU) - 1.0).abs() < 1e-9, "{speed}");
+    }
+
+    /// Two slots of a constant speed, 0.3 and 0.33 of a revolution apart: they are no missed pulses, and no changing speed.
+    #[test]
+    fn uneven_slots_are_no_changing_speed() {
+        for apart in [0.3, 1.0 / 3.0] {
+            let tacho = |n: u32| {
+                let turned = 25.013 * f64::from(n) / 5000.0 + 0.2;
+                f64::from(turned.fract() < 0.03 || (turned - apart).fract() < 0.03)
+            };
+            let tacho: Vec<f64> = (0..40_000).map(tacho).collect();
+            let found = Turning::from_tacho(&tacho, 2.0, 5000.0).expect("pulses");
+            assert!(found.missed.is_empty());
+            let speed = found.turning.steady().expect("a steady speed");
+            assert!((speed / (25.013 * TAU) - 1.0).abs() < 1e-4, "{speed}");
+            let Turning::Measured { speed, .. } = &found.turning else {
+                panic!("it was measured");
+            };
+            let [_, lowest, highest] = mean_and_range(speed);
+            assert!(highest - lowest < 0.02 * highest, "{lowest} {highest}");
+        }
     }
 
     /// A shaft that starts has long intervals, and has missed nothing.
