@@ -143,7 +143,7 @@ impl Files {
                 }
             };
             if let Err(message) = folders.take(&folder, file) {
-                refuse(&message);
+                refuse(&format!("{name}: {message}"));
             }
             let job = Job {
                 file: file.clone(),
@@ -172,8 +172,7 @@ impl Folders {
         match self.0.insert(folder.to_owned(), file.to_owned()) {
             None => Ok(()),
             Some(other) => Err(format!(
-                "{} and {} would both write to {}; rename one or run them apart",
-                name_of(file),
+                "{} would be written to {}, too; rename one or run them apart",
                 other.display(),
                 folder.display()
             )),

@@ -334,7 +334,7 @@ fn records_of_one_name_are_not_written_over_each_other() {
     let output = jeffcott_in(root(), &["analyze", &records[0], &records[1], "--out", out]);
     assert_eq!(output.status.code(), Some(2), "{}", told(&output));
     assert!(
-        told(&output).contains("would both write to"),
+        told(&output).contains("would be written to"),
         "{}",
         told(&output)
     );

@@ -182,7 +182,7 @@ fn two_files_of_one_name_are_refused() {
         .output();
     let output = output.expect("the command starts");
     assert_eq!(output.status.code(), Some(2));
-    assert!(text(&output.stderr).contains("would both write to"));
+    assert!(text(&output.stderr).contains("would be written to"));
 }
 
 #[test]
