@@ -109,7 +109,7 @@ impl Transform {
     }
 
     /// X at any index: periodic in N, and conjugate at the negative.
-    fn bin(&self, k: isize) -> Complex<f64> {
+    pub fn bin(&self, k: isize) -> Complex<f64> {
         if let Some(bin) = usize::try_from(k).ok().and_then(|k| self.bins.get(k)) {
             return *bin;
         }

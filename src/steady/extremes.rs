@@ -4,15 +4,15 @@ use std::f64::consts::TAU;
 
 use nalgebra::Complex;
 
-use crate::analysis::fourier_coefficients;
+use crate::analysis::Transform;
+use crate::numerics::root::root;
 
 /// Part of the largest coefficient below which another one is round-off.
 const ROUND_OFF: f64 = 1e-17;
 /// A curve rises above its highest sample by about an eighth of the second difference there: beyond this part it does not.
 const RISE: f64 = 0.5;
-/// Steps of a search between three samples by the golden section: to 1e-9 of their distance, where a peak is flat.
-const STEPS: usize = 43;
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
+/// Part of the distance of samples to which the place of a peak is found: there the curve is flat.
+const FOUND: f64 = 1e-8;
 
 /// Lowest and highest value of the trigonometric polynomial through the samples of a period; not numbers where a sample is
 /// none. Of quantities that are not smooth it is as exact as samples so far apart are.
@@ -20,72 +20,66 @@ pub(super) fn extremes(samples: &[f64]) -> [f64; 2] {
     if samples.iter().any(|value| !value.is_finite()) {
         return [f64::NAN; 2];
     }
-    let complex: Vec<_> = samples.iter().copied().map(Complex::from).collect();
-    let coefficients = fourier_coefficients(&complex);
-    let half = samples.len() / 2;
-    let largest = coefficients
-        .iter()
-        .map(|own| own.norm())
-        .fold(0.0, f64::max);
-    // of a real curve, both of a pair at once; the coefficient of half the sampling rate stands for itself
-    let lines = coefficients[..=half].iter().enumerate();
-    let lines = lines.map(|(k, own)| {
-        let pair = if k == 0 || 2 * k == samples.len() {
-            1.0
-        } else {
-            2.0
-        };
-        (k as f64 * TAU / samples.len() as f64, pair * own)
-    });
-    let lines: Vec<_> = lines
-        .filter(|(_, own)| own.norm() > ROUND_OFF * largest)
-        .collect();
-    [-1.0, 1.0].map(|sign| {
-        let at = |place: f64| -> f64 {
-            let parts = lines.iter();
-            sign * parts
-                .map(|(turn, own)| (own * Complex::cis(turn * place)).re)
-                .sum::<f64>()
-        };
-        sign * highest(samples, sign, at)
-    })
+    let series = Series::through(samples);
+    [-1.0, 1.0].map(|sign| sign * series.highest(samples, sign))
 }
 
-/// Highest value of a curve through samples of a period, `sign` times as large, at places counted in samples.
-fn highest(samples: &[f64], sign: f64, at: impl Fn(f64) -> f64) -> f64 {
-    let count = samples.len();
-    let value = |index: usize| sign * samples[index % count];
-    let top = (0..count).map(value).fold(f64::NEG_INFINITY, f64::max);
-    let bound = |index: usize| {
-        let [before, own, after] = [count - 1, 0, 1].map(|step| value(index + step));
-        let bends = own >= before && own >= after;
-        bends.then_some(own + RISE * (2.0 * own - before - after))
-    };
-    let peaks = (0..count).filter_map(|index| Some((index, bound(index)?)));
-    let peaks = peaks.filter(|(_, bound)| *bound > top);
-    // what is not smooth may swing farther between its samples than it bends
-    let heights = peaks.map(|(index, bound)| searched(&at, index as f64).min(bound));
-    heights.fold(top, f64::max)
+/// A trigonometric polynomial over places that are counted in samples.
+struct Series {
+    /// Angle a sample, and coefficient, of all that count.
+    lines: Vec<(f64, Complex<f64>)>,
 }
 
-/// Highest value within a sample of a place, by the golden section.
-fn searched(at: impl Fn(f64) -> f64, place: f64) -> f64 {
-    let (mut low, mut high) = (place - 1.0, place + 1.0);
-    let inner = |low: f64, high: f64| [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
-    let mut places = inner(low, high);
-    let mut heights = places.map(&at);
-    for _ in 0..STEPS {
-        if heights[0] > heights[1] {
-            high = places[1];
-            places = [inner(low, high)[0], places[0]];
-            heights = [at(places[0]), heights[0]];
-        } else {
-            low = places[0];
-            places = [places[1], inner(low, high)[1]];
-            heights = [heights[1], at(places[1])];
-        }
+impl Series {
+    /// The one through samples of a period.
+    fn through(samples: &[f64]) -> Self {
+        let count = samples.len();
+        let transform = Transform::new(samples.to_vec());
+        let lines = (0..=count / 2).map(|k| {
+            // both of a pair at once; the coefficient of half the sampling rate stands for itself
+            let pair = if k == 0 || 2 * k == count { 1.0 } else { 2.0 };
+            (
+                k as f64 * TAU / count as f64,
+                pair * transform.bin(k as isize),
+            )
+        });
+        let mut lines: Vec<_> = lines.collect();
+        let largest = lines.iter().map(|(_, own)| own.norm()).fold(0.0, f64::max);
+        lines.retain(|(_, own)| own.norm() > ROUND_OFF * largest);
+        Self { lines }
     }
-    heights[0].max(heights[1])
+
+    /// Value and slope at a place.
+    fn at(&self, place: f64) -> [f64; 2] {
+        self.lines
+            .iter()
+            .fold([0.0; 2], |[value, slope], (turn, own)| {
+                let turned = own * Complex::cis(turn * place);
+                [value + turned.re, slope - turn * turned.im]
+            })
+    }
+
+    /// Highest value of the curve, `sign` times as large, through its samples.
+    fn highest(&self, samples: &[f64], sign: f64) -> f64 {
+        let count = samples.len();
+        let value = |index: usize| sign * samples[index % count];
+        let top = (0..count).map(value).fold(f64::NEG_INFINITY, f64::max);
+        let bound = |index: usize| {
+            let [before, own, after] = [count - 1, 0, 1].map(|step| value(index + step));
+            let bends = own >= before && own >= after;
+            bends.then_some(own + RISE * (2.0 * own - before - after))
+        };
+        let peaks = (0..count).filter_map(|index| Some((index, bound(index)?)));
+        let peaks = peaks.filter(|(_, bound)| *bound > top);
+        let heights = peaks.filter_map(|(index, bound)| {
+            let ends = [index as f64 - 1.0, index as f64 + 1.0];
+            let slope = |place: f64| sign * self.at(place)[1];
+            let peak = root(slope, ends, ends.map(slope), FOUND)?;
+            // what is not smooth may swing farther between its samples than it bends
+            Some((sign * self.at(peak)[0]).min(bound))
+        });
+        heights.fold(top, f64::max)
+    }
 }
 
 #[cfg(test)]
