@@ -1,12 +1,16 @@
 //! Bearings by their designation: what catalogues print, and what is known of their inside.
 
+mod designation;
 mod file;
 mod kind;
 
+pub(crate) use designation::Suffixes;
 pub(crate) use file::read;
 
 use std::collections::BTreeMap;
 use std::sync::{LazyLock, OnceLock};
+
+use designation::{ROLLER_SUFFIXES, normal, suffixes};
 
 use super::{Bearing, BearingError, CatalogueLine, ClearanceClass, FreePosition, RollerLine};
 use crate::physics::SkfFriction;
@@ -77,69 +81,6 @@ fn all_balls(file: &Catalogue) -> impl Iterator<Item = &CatalogueEntry> {
 pub(crate) enum Found<'a> {
     Balls(&'a CatalogueEntry),
     Rollers(&'a RollerEntry),
-}
-
-/// Suffixes that change neither balls nor races: seals and shields, cages, tolerances, snap rings, greases, quality of
-/// electric motors, and names of makers.
-const SUFFIXES: &str = "2RS1 2RS2 2RSR 2RSH 2RSL 2RSD 2RS 2HRS 2BRS 2RZ 2RU 2RD 2RK 2ZR 2Z RS1 RS2 RSR RSH RSL RS HRS RZ RU RD ZZ ZR ZNR Z DDU DDW DD DU VV \
-    LLU LLB LLH LLC LU LB EE TN9 TNH TVH TVP TYN TN JEM JN J MA M EM QE6 NR N P6 P5 P4 P2 P0 GJN WT HT MT33 MT47 LHT23 5K 2AS";
-
-/// Those of them that name seals whose lips rub.
-const RUBBING_SEALS: &str =
-    "2RS1 2RS2 2RSR 2RSH 2RS 2HRS RS1 RS2 RSR RSH RS HRS DDU DD DU LLU LU EE";
-
-/// Suffixes of roller bearings that change neither rollers nor races of these designations: designs, cages, grooves for
-/// oil. A tapered bore, K, is another bearing: its clearance differs.
-const ROLLER_SUFFIXES: &str = "ECP ECJ ECML ECM ECPH EC ETN9 ET EW E1 E CC CJ CA CW33 W33 W20 TVP2 TVPB TVPA XL J2 JR J A Q RHR R MB MA M C";
-
-/// Makers whose names come before or after designations.
-const MAKERS: &str =
-    "SKF FAG INA NSK NTN SNR KOYO JTEKT NACHI TIMKEN MRC RHP NKE ZVL ZKL FKL FYH ORS GMN KBC URB";
-
-/// Capital letters without blanks, and without the name of a maker before them.
-fn normal(designation: &str) -> String {
-    let letters = designation.chars().filter(|c| !c.is_whitespace());
-    let normal = letters.collect::<String>().to_uppercase();
-    let mut makers = MAKERS.split_whitespace();
-    let named = makers.find_map(|maker| normal.strip_prefix(maker));
-    let number = named.map(|rest| rest.trim_start_matches(['-', '_']));
-    let is_name = |rest: &&str| {
-        let digits = rest.strip_prefix("NU").unwrap_or(rest);
-        digits.starts_with(|c: char| c.is_ascii_digit())
-    };
-    let number = number.filter(is_name);
-    number.map(str::to_owned).unwrap_or(normal)
-}
-
-/// What the suffixes of a designation say.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) struct Suffixes {
-    /// Class of the clearance that they name.
-    pub class: Option<ClearanceClass>,
-    /// Whether they name seals whose lips rub.
-    pub rubs: bool,
-}
-
-/// What suffixes say, or the part of them that is neither known nor `more`.
-fn suffixes<'a>(mut rest: &'a str, more: &str) -> Result<Suffixes, &'a str> {
-    let mut said = Suffixes::default();
-    loop {
-        rest = rest.trim_start_matches(['-', '/', '.', ',', '_', '(', ')']);
-        if rest.is_empty() {
-            return Ok(said);
-        }
-        let named = ClearanceClass::ALL
-            .into_iter()
-            .find(|class| rest.starts_with(class.name()));
-        let known = [SUFFIXES, MAKERS, more].into_iter();
-        let known = known.flat_map(str::split_whitespace);
-        let known = known.filter(|known| rest.starts_with(known));
-        let longest = known.max_by_key(|known| known.len());
-        let suffix = named.map(ClearanceClass::name).or(longest).ok_or(rest)?;
-        said.class = named.or(said.class);
-        said.rubs |= RUBBING_SEALS.split_whitespace().any(|seal| seal == suffix);
-        rest = &rest[suffix.len()..];
-    }
 }
 
 /// The bearing of a designation, that of balls where there are two, and what its suffixes say;
