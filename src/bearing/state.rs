@@ -261,7 +261,8 @@ pub struct BearingState {
     /// Permissible static ball load of ISO 76, [`super::permissible_static_load`], over the largest
     /// one, at the race where that is less; none without load.
     pub static_safety: Option<f64>,
-    /// Rating lives in revolutions and hours, L10 and P only where a radial or axial force acts; none without a dynamic load rating or load.
+    /// Rating lives in revolutions and hours, L10 and P only where a radial or axial force acts; none without a dynamic load
+    /// rating or load.
     pub rating_lives: Option<RatingLives>,
     /// What fits and temperatures have done to it; none without them.
     pub(crate) fit: Option<FitState>,

@@ -152,9 +152,11 @@ impl LinearResponseQuestion {
         };
         let mut warnings = range_warnings(&self.rotor, speeds);
         warnings.extend(unstable(&growing));
+        // by a force, and without clearances, nothing is known of excursions
+        let has_gaps = excursions.iter().any(|(_, own)| !own.is_empty());
         for resonance in resonances
             .iter()
-            .filter(|own| self.by.is_none() && !own.is_unbounded())
+            .filter(|own| has_gaps && !own.is_unbounded())
         {
             let rotor = at_speed(&solver.rotor, resonance.peak)?;
             excursions.push((resonance.peak, rotor.linear_model().excursions()));

@@ -11,6 +11,13 @@ use crate::scenario::{ScenarioError, describe_record};
 
 /// The bearing of the drive end of the Case Western Reserve rig: multiples of the shaft are published.
 const CWRU_6205: &str = "9, 0.3126 in, 1.537 in";
+/// A sensor beside it at 12 kHz.
+const BESIDE_CWRU_6205: [(&str, &str); 4] = [
+    ("rate", "12 kHz"),
+    ("unit", "m/s^2"),
+    ("speed", "1800 rpm"),
+    ("bearing", CWRU_6205),
+];
 
 fn settings(options: &[(&str, &str)]) -> Vec<String> {
     let setting = |(name, value): &(&str, &str)| record_setting(name, &[(*value).to_owned()]);
@@ -131,13 +138,7 @@ fn the_slip_of_a_cage_is_measured() {
         (2.0 * 2.356_722 * 0.992, 0.008, "2×BSF"),
     ] {
         let signal = ringing(12_000.0, 60_000, [30.0, 0.0], order);
-        let options = [
-            ("rate", "12 kHz"),
-            ("unit", "m/s^2"),
-            ("speed", "1800 rpm"),
-            ("bearing", CWRU_6205),
-        ];
-        let found = analysed(columns(vec![("a", signal)]), &options);
+        let found = analysed(columns(vec![("a", signal)]), &BESIDE_CWRU_6205);
         let Some(Slip {
             cage_slip,
             uncertainty,
@@ -246,13 +247,7 @@ fn round_off_is_no_line() {
 #[test]
 fn a_strong_line_that_nothing_causes_is_told() {
     let signal = ringing(12_000.0, 60_000, [30.0, 0.0], 4.23);
-    let options = [
-        ("rate", "12 kHz"),
-        ("unit", "m/s^2"),
-        ("speed", "1800 rpm"),
-        ("bearing", CWRU_6205),
-    ];
-    let found = analysed(columns(vec![("a", signal)]), &options);
+    let found = analysed(columns(vec![("a", signal)]), &BESIDE_CWRU_6205);
     assert_eq!(found.slips, [None]);
     let [line] = &found.unnamed_lines[..] else {
         panic!("{:?}", found.unnamed_lines);

@@ -125,8 +125,8 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// Whether the motion has settled: it repeats, or its statistics hardly move, not where it grows beyond all bounds; not known of an irregular or random one,
-    /// whose statistics move by themselves, and of a record without a drift.
+    /// Whether the motion has settled: it repeats, or its statistics hardly move; not where it grows beyond all bounds. Not known
+    /// of an irregular or random one, whose statistics move by themselves, and of a record without a drift.
     pub fn has_settled(&self) -> Option<bool> {
         if self.recognition.kind == Kind::Diverging {
             return Some(false);

@@ -134,20 +134,17 @@ const FREQUENCIES: usize = 12;
 fn natural(state: &StaticState) -> String {
     let highest = state.natural_up_to.unwrap_or(f64::INFINITY);
     let all = state.natural_frequencies.iter();
-    let true_ones = all.filter(|mode| mode.frequency <= highest);
-    let more = true_ones.clone().count().saturating_sub(FREQUENCIES);
-    let modes = true_ones.take(FREQUENCIES);
+    let reliable = all.filter(|mode| mode.frequency <= highest);
+    let more = reliable.clone().count().saturating_sub(FREQUENCIES);
+    let modes = reliable.take(FREQUENCIES);
     let text = |mode: &NaturalFrequency| {
         let (frequency, damping) = (mode.frequency, mode.damping_ratio);
         format!("{frequency:.2} Hz (ζ {damping:.3})")
     };
     let rest = (more > 0).then(|| format!("and {more} higher ones"));
-    let beyond = state.natural_up_to.map(|highest| {
-        format!(
-            "those above {} Hz only with more `modes`",
-            to_digits(highest, 2)
-        )
-    });
+    let beyond = state
+        .natural_up_to
+        .map(|highest| format!("above {} Hz more `modes` are needed", to_digits(highest, 2)));
     let rest = rest.into_iter().chain(beyond);
     listed(modes.map(text).chain(rest))
 }

@@ -317,7 +317,7 @@ impl BearingInput {
         let speed = match self.limiting_speed {
             Some(_) => "",
             None => {
-                ", and it runs at most at about 0.6 of the speed of an open bearing: set `limiting_speed` to the maker's"
+                ", and makers let it run at about half to two thirds of the speed of an open bearing: set `limiting_speed` to theirs"
             }
         };
         problems.warn(format!(

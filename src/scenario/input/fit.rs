@@ -165,5 +165,5 @@ fn expanding_as_steel(bearing: &Bearing, balls: f64, problems: &Problems<'_>) ->
     )
 }
 
-/// Thermal expansion of silicon nitride, 1/K.
+/// Thermal expansion of silicon nitride at room temperature, 1/K, as makers of ceramic balls print it.
 const SILICON_NITRIDE: f64 = 3.2e-6;

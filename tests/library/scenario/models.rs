@@ -552,7 +552,7 @@ fn seals_that_rub_are_told() {
     };
     let both = told("catalogue = \"6205-2RS1\"\n");
     assert!(
-        both.contains("seals that rub") && both.contains("0.6 of the speed"),
+        both.contains("seals that rub") && both.contains("`limiting_speed`"),
         "{both}"
     );
     let one = told("catalogue = \"6205-2RS1\"\nlimiting_speed = \"8500 rpm\"\n");
