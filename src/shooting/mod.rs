@@ -27,4 +27,4 @@ pub use branch::{
 pub use circle::Circle;
 pub use map::{Image, MapError, ReturnMap, Slopes, mixed};
 pub use multipliers::{Multipliers, SpecialKind, Stability, multipliers};
-pub use newton::{Returned, ShootingError, solve};
+pub use newton::{Returned, ShootingError, solve, solve_within};

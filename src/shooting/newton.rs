@@ -77,6 +77,21 @@ pub fn solve(
     slopes: Option<&[DMatrix<f64>]>,
     tolerance: f64,
 ) -> Result<Returned, ShootingError> {
+    solve_within(f64::INFINITY, map, guess, slopes, tolerance)
+}
+
+/// States that return as by [`solve`], but none that a correction larger than `reach` leads to, in units of the states: what is
+/// sought there is another motion.
+///
+/// # Errors
+/// [`ShootingError`] where they are not found.
+pub fn solve_within(
+    reach: f64,
+    map: &mut dyn ReturnMap,
+    guess: DVector<f64>,
+    slopes: Option<&[DMatrix<f64>]>,
+    tolerance: f64,
+) -> Result<Returned, ShootingError> {
     let mut search = Search {
         states: guess,
         residual: DVector::zeros(0),
@@ -92,6 +107,9 @@ pub fn solve(
     while search.history.len() < MOST_CORRECTIONS && !search.is_stuck() {
         let correction = search.correction(map)?;
         let size = correction.amax();
+        if size > reach {
+            break;
+        }
         let noise = renewed && size > 0.5 * before && size <= NOISE * tolerance;
         if size <= tolerance || noise || leaves(size, before) <= LEFT * tolerance {
             return Ok(Returned {

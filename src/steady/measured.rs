@@ -8,8 +8,11 @@ use super::rotor_map::RotorMap;
 use super::samples::sampled;
 use super::search::{Found, returned_from};
 use crate::rotor::{MotionScale, Sample};
-use crate::shooting::{Multipliers, ReturnMap, ShootingError, Slopes, multipliers, solve};
+use crate::shooting::{Multipliers, ReturnMap, ShootingError, Slopes, multipliers, solve_within};
 use crate::simulate::{Model, Recorded, Reduction, ReductionError, finer_rotor};
+
+/// A motion is found again within so many square roots of its tolerance.
+const FURTHEST: f64 = 10.0;
 
 /// Distance of the motion from one found again at a tenth of the tolerance, with the round-off that both share.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -53,13 +56,17 @@ pub(super) fn measured(
 
 /// The states and multipliers of a motion that is found again with the present settings, from one that was found to a
 /// tolerance, with its slopes: a correction within that leaves about its square.
+///
+/// Where two motions meet, a residual ε moves the states by some √ε of their size. Corrections far beyond that lead to other
+/// motions, or to none.
 pub(super) fn found_again(
     map: &mut RotorMap<'_>,
     states: &DVector<f64>,
     slopes: &[DMatrix<f64>],
     tolerance: f64,
 ) -> Result<(DVector<f64>, Multipliers), ShootingError> {
-    let again = solve(map, states.clone(), Some(slopes), tolerance)?;
+    let reach = FURTHEST * tolerance.sqrt() * states.amax().max(1.0);
+    let again = solve_within(reach, map, states.clone(), Some(slopes), tolerance)?;
     // of a closed curve what the first slopes change by is taken for all
     let first = map.image(&again.states, Slopes::FirstExact)?.slopes;
     let mut changed = slopes.to_vec();
