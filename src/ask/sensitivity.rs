@@ -152,9 +152,8 @@ fn strongest(lines: &[NamedLine]) -> Vec<NamedLine> {
         .collect();
     all.retain(|line| !is_numbered(line));
     all.sort_by(|a, b| {
-        (a.channel, b.amplitude)
-            .partial_cmp(&(b.channel, a.amplitude))
-            .unwrap_or(std::cmp::Ordering::Equal)
+        let by_channel = a.channel.cmp(&b.channel);
+        by_channel.then(b.amplitude.total_cmp(&a.amplitude))
     });
     for line in all {
         let same = found.iter().filter(|known| known.channel == line.channel);

@@ -38,6 +38,9 @@ pub enum SteadyError {
         /// The frequencies, Hz.
         frequencies: Vec<f64>,
     },
+    /// A motion of no periods was asked for.
+    #[error("a motion takes one period of the forcing, or more, and 0 were asked for")]
+    NoPeriods,
     /// A motion of two frequencies has no multiple of its period.
     #[error(
         "the forcing has two frequencies without a common period ({}): the motion has no period to \

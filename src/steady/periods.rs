@@ -120,6 +120,9 @@ pub(super) struct Periods {
 impl Periods {
     /// What repeats in a rotor, over a multiple of its period.
     pub fn new(rotor: &Rotor, multiple: u32) -> Result<Self, SteadyError> {
+        if multiple == 0 {
+            return Err(SteadyError::NoPeriods);
+        }
         let bases = bases(&rotor.forcing()?);
         match bases.len() {
             0 => Err(SteadyError::Rest),

@@ -21,6 +21,8 @@ const MOST_PERIODS: usize = 8;
 const SUBHARMONIC_WAITS: [usize; 4] = [24, 48, 96, 192];
 /// and how near a state must come to an earlier one, relative to how far they are spread.
 const NEARLY: f64 = 0.05;
+/// States so many tolerances apart, in sizes of the motion, are one: of a motion of more periods they would be far apart.
+const SAME: f64 = 1e3;
 /// Distance from a motion that is not stable at which the wait begins, in sizes of the motion.
 const PERTURBATION: f64 = 1e-2;
 
@@ -249,6 +251,8 @@ fn subharmonic(map: &mut RotorMap<'_>, from: &DVector<f64>) -> Result<Option<Fou
         map.periods = single.times(single.multiple * periods as u32);
         match solve(map, states.clone(), None, tolerance) {
             Ok(returned) => {
+                let periods = shortest(map, &single, &returned.states, periods)?;
+                map.periods = single.times(single.multiple * periods as u32);
                 let waited = waited as u64;
                 let found = finished(map, Located { returned, waited })?;
                 if found.multipliers.is_stable() {
@@ -261,6 +265,26 @@ fn subharmonic(map: &mut RotorMap<'_>, from: &DVector<f64>) -> Result<Option<Fou
         map.periods = single.clone();
     }
     Ok(None)
+}
+
+/// After how many periods a motion repeats that does so after some: of as many or a part of them. What decays towards a motion of
+/// one period may nearly repeat after two, as a free vibration beside it does.
+fn shortest(
+    map: &mut RotorMap<'_>,
+    single: &Periods,
+    start: &DVector<f64>,
+    periods: usize,
+) -> Result<usize, SteadyError> {
+    map.periods = single.clone();
+    let mut states = start.clone();
+    for passed in 1..periods {
+        states = later(map, &states)?;
+        let apart = (&states - start).amax();
+        if periods.is_multiple_of(passed) && apart <= SAME * map.solver.settings.tolerance {
+            return Ok(passed);
+        }
+    }
+    Ok(periods)
 }
 
 /// After how many periods the last states nearly repeat.

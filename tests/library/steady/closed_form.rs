@@ -11,9 +11,9 @@ use crate::integrate::{Grid, Integration, Settings, Shifted, States, System};
 use crate::rotor::{Damping, Freedoms, RotorDefinition};
 use crate::scenario;
 use crate::shooting::Multipliers;
-use crate::steady::{SteadyQuestion, steady};
+use crate::steady::{SteadyError, SteadyQuestion, steady};
 
-use super::found;
+use super::{found, search};
 use crate::tests::support::{assert_near, bearing, constant, model, mounted, rotor, shaft};
 
 const ECCENTRICITY: f64 = 1e-7;
@@ -71,6 +71,20 @@ fn unbalance_whirls_with_the_closed_form_amplitude_and_multipliers() {
             assert!(found.is_stable());
         }
     }
+}
+
+/// A free vibration that decays nearly repeats after two periods; the motion is that of one, taken as often as asked for.
+#[test]
+fn multiples_of_a_period_have_its_multipliers_to_their_power() {
+    let model = model(definition(0.02, 0.3 * natural()), 1.0, 1e5);
+    let single = found(&model);
+    for multiple in [2, 3, 4, 6] {
+        let found = search(&model, Some(multiple)).expect("a motion");
+        assert_eq!(found.multiple, multiple);
+        let expected = single.multipliers.largest().powi(multiple as i32);
+        assert_near("multiplier", found.multipliers.largest(), expected, 1e-9);
+    }
+    assert!(matches!(search(&model, Some(0)), Err(SteadyError::NoPeriods)));
 }
 
 /// Nothing else makes a line.
