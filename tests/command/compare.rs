@@ -10,7 +10,7 @@ use tempfile::TempDir;
 use crate::support::jeffcott;
 
 const TRACE: &str = "t_s,x_m\n0.0,0.0\n0.1,2e-6\n0.2,-1e-6\n";
-const SPECTRUM: &str = "f_Hz,x_amplitude_m,x_phase_rad\n0.0,1e-6,3.14159\n1.0,1e-14,0.3\n";
+const SPECTRUM: &str = "f_Hz,x_amplitude_m,x_phase_rad\n1.0,1e-6,3.14159\n2.0,1e-14,0.3\n";
 
 fn files(first: &str, second: &str) -> (TempDir, PathBuf, PathBuf) {
     let folder = TempDir::new().unwrap();
@@ -348,6 +348,36 @@ fn lined(step: f64, lines: &[(f64, f64)]) -> String {
         format!("{at},{:e},0\n", amplitude(at))
     });
     "f_Hz,x_amplitude_m,x_phase_rad\n".to_owned() + &rows.collect::<String>()
+}
+
+/// A mean of 32 µm hides no line of 1 nm.
+#[test]
+fn lines_are_measured_by_lines_and_not_by_the_mean() {
+    let with_line = |line: f64| lined(1.0, &[(0.0, 32e-6), (30.0, line), (60.0, 2e-10)]);
+    let (_folder, a, b) = files(&with_line(1e-9), &with_line(1.03e-9));
+    for options in [&["--relative", "0.01"][..], &["--relative", "0.01", "--lines"]] {
+        let (code, text) = result(&command(&[&a, &b], options));
+        assert_eq!(code, 1, "{text}");
+        assert!(text.contains("30"), "{text}");
+    }
+    assert_eq!(result(&command(&[&a, &b], &["--relative", "0.04"])).0, 0);
+    // means are measured by themselves
+    let moved = lined(1.0, &[(0.0, 32.001e-6), (30.0, 1e-9), (60.0, 2e-10)]);
+    let (_folder, a, b) = files(&with_line(1e-9), &moved);
+    assert_eq!(result(&command(&[&a, &b], &["--relative", "1e-4"])).0, 0);
+    assert_eq!(result(&command(&[&a, &b], &["--relative", "1e-5"])).0, 1);
+}
+
+#[test]
+fn a_tolerance_of_values_is_none_of_their_places() {
+    let spectrum = lined(1.0, &[(10.0, 1e-6)]);
+    let stretched = lined(1.04, &[(10.4, 1e-6)]);
+    let (_folder, a, b) = files(&spectrum, &stretched);
+    let (code, text) = result(&command(&[&a, &b], &["--relative", "0.05"]));
+    assert_eq!(code, 1, "{text}");
+    assert!(text.contains("f_Hz"), "{text}");
+    let own = ["--relative", "0.05", "--column", "f_Hz=0.05"];
+    assert!(!result(&command(&[&a, &b], &own)).1.contains("axes"));
 }
 
 #[test]

@@ -241,8 +241,9 @@ impl Line {
 }
 
 impl<'a> Lines<'a> {
-    /// Lines that are known one by one.
+    /// Lines that are known one by one; the mean, at zero, is none.
     pub fn new(column: Column, path: &'a Path, mut lines: Vec<Line>, bin: f64) -> Self {
+        lines.retain(|line| line.at != 0.0);
         lines.sort_by(|a, b| b.amplitude.total_cmp(&a.amplitude));
         Self {
             column,
@@ -257,7 +258,7 @@ impl<'a> Lines<'a> {
     fn of_column(spectrum: &'a Source<'_>, column: &Column, unit: f64) -> Self {
         let values = spectrum.values(column).unwrap_or_default().iter().copied();
         let places = spectrum.axis().1.iter().map(|place| place / unit);
-        let curve: Vec<(f64, f64)> = places.zip(values).collect();
+        let curve: Vec<(f64, f64)> = places.zip(values).filter(|(at, _)| *at != 0.0).collect();
         let at = |place: Option<usize>| {
             let neighbour = place.and_then(|place| curve.get(place));
             neighbour.map_or(f64::NEG_INFINITY, |(_, value)| *value)

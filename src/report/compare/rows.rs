@@ -2,6 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use super::lines::is_spectrum;
 use super::rules::Allowance;
 use super::table::Source;
 use super::{ColumnComparison, Difference, Rules, TableComparison, Worst};
@@ -89,7 +90,8 @@ impl MatchedRows {
         scales: &Scales<'_>,
         rules: &Rules,
     ) {
-        let allowance = scales.allowance(&found.column, rules);
+        let of_lines = scales.allowance(&found.column, rules);
+        let of_mean = scales.allowance_of_mean(&found.column, rules);
         let amplitude = amplitude_of(&found.column, tables);
         let amplitude =
             amplitude.map(|(amplitude, sizes)| (sizes, scales.allowance(amplitude, rules).total()));
@@ -98,6 +100,8 @@ impl MatchedRows {
             let at = self.steps.map(|step| row * step);
             let of = |values: [&[f64]; 2]| [values[0][at[0]], values[1][at[1]]];
             let [a, b] = of(values);
+            let place = tables[0].axis().1[at[0]];
+            let allowance = if place == 0.0 { of_mean } else { of_lines };
             let (difference, allowance) = match amplitude {
                 None => (distance(a, b), allowance),
                 Some((sizes, allowed)) => {
@@ -115,7 +119,6 @@ impl MatchedRows {
                     (turn(distance(a, b)), turned)
                 }
             };
-            let place = tables[0].axis().1[at[0]];
             let place = Worst {
                 row: row as u64 + 1,
                 at: place,
@@ -165,6 +168,11 @@ pub(super) struct Scales<'a> {
 }
 
 impl<'a> Scales<'a> {
+    /// Whether a column is what the rows are matched by.
+    fn is_axis(&self, column: &Column) -> bool {
+        self.tables.iter().all(|table| table.axis().0 == column)
+    }
+
     /// Of all their columns.
     pub fn from_tables(tables: &'a [Source<'a>; 2]) -> Self {
         let rates = tables.iter().filter_map(step).filter(|step| *step > 0.0);
@@ -178,18 +186,40 @@ impl<'a> Scales<'a> {
         }
     }
 
-    /// What values of a column may differ by: its tolerance, and round-off unless equal values are asked for.
+    /// What values of a column may differ by: its tolerance, and round-off unless equal values are asked for. Lines of a spectrum
+    /// are measured by the largest of them, not by the mean, which may be far larger.
     pub fn allowance(&self, column: &Column, rules: &Rules) -> Allowance {
-        let tolerance = rules.tolerances.of(&column.name());
+        let lines = self.tables.each_ref().map(|table| match has_mean(table, column) {
+            true => table.largest_at(column, |place| place != 0.0),
+            false => table.largest(column),
+        });
+        self.allowance_by(lines[0].max(lines[1]), column, rules)
+    }
+
+    /// What the means of two spectra may differ by; of other columns as everywhere.
+    pub fn allowance_of_mean(&self, column: &Column, rules: &Rules) -> Allowance {
+        self.allowance_by(largest(self.tables, column), column, rules)
+    }
+
+    fn allowance_by(&self, scale: f64, column: &Column, rules: &Rules) -> Allowance {
+        let tolerance = match self.is_axis(column) {
+            true => rules.tolerances.of_axis(&column.name()),
+            false => rules.tolerances.of(&column.name()),
+        };
         Allowance {
             tolerance,
-            scale: largest(self.tables, column),
+            scale,
             more: match Channel::of_column(column) {
                 Some(channel) if !tolerance.is_exact() => self.floor.below(channel),
                 _ => 0.0,
             },
         }
     }
+}
+
+/// Whether the row of a table at zero has the mean of a column whose other rows have lines.
+fn has_mean(table: &Source<'_>, column: &Column) -> bool {
+    is_spectrum(table) && column.has_lines()
 }
 
 fn largest([first, second]: &[Source<'_>; 2], column: &Column) -> f64 {

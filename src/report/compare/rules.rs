@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use super::CompareError;
 
-/// Allowed difference: `absolute + relative · max|column|`.
+/// Allowed difference: `absolute + relative · max|column|`, of a spectrum the largest of its lines.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerance {
     relative: f64,
@@ -101,9 +101,22 @@ impl Tolerances {
 
     /// Tolerance of the column `name`.
     pub fn of(&self, name: &str) -> Tolerance {
+        self.own(name).unwrap_or(self.default)
+    }
+
+    /// Tolerance of the column `name` that rows are matched by: its own, or [`Tolerance::DEFAULT`] unless equal values are asked
+    /// for. What values may differ by at a place is no measure of places.
+    pub(super) fn of_axis(&self, name: &str) -> Tolerance {
+        self.own(name).unwrap_or(match self.default.is_exact() {
+            true => self.default,
+            false => Tolerance::DEFAULT,
+        })
+    }
+
+    fn own(&self, name: &str) -> Option<Tolerance> {
         let mut own = self.columns.iter().rev();
         own.find(|(column, _)| column == name)
-            .map_or(self.default, |(_, tolerance)| *tolerance)
+            .map(|(_, tolerance)| *tolerance)
     }
 }
 

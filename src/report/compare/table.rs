@@ -82,9 +82,16 @@ impl<'a> Source<'a> {
 
     /// Largest finite magnitude of a column; zero where there is none.
     pub fn largest(&self, column: &Column) -> f64 {
+        self.largest_at(column, |_| true)
+    }
+
+    /// Largest finite magnitude of a column at places of the axis; zero where there is none.
+    pub fn largest_at(&self, column: &Column, counts: impl Fn(f64) -> bool) -> f64 {
         let values = self.values(column).unwrap_or_default().iter();
-        let sizes = values.map(|value| value.abs());
-        sizes.filter(|size| size.is_finite()).fold(0.0, f64::max)
+        let places = values.zip(self.axis().1);
+        let sizes = places.map(|(value, place)| (value.abs(), *place));
+        let sizes = sizes.filter(|(size, place)| size.is_finite() && counts(*place));
+        sizes.map(|(size, _)| size).fold(0.0, f64::max)
     }
 
     /// Columns that count and that only one of two tables has.
