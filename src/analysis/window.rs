@@ -49,6 +49,11 @@ impl Window {
         }
     }
 
+    /// Half the width of the lobe of a line, in bins.
+    pub(crate) fn lobe(self) -> usize {
+        self.coefficients().len()
+    }
+
     /// Mean weight a_0: the factor by which the window reduces a line on a bin.
     ///
     /// ```

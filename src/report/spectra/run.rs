@@ -99,7 +99,7 @@ pub(in crate::report) fn spectra_figures(
     let figures = shown_groups(&table, spectrum, peaks).map(|(name, group)| {
         let (name, group) = match (name, velocity_rate(group.of)) {
             ("displacement", Some(rate)) => ("velocity", velocity_of(group, rate, 0.0)),
-            (_, Some(rate)) => (HOUSINGS, velocity_of(group, rate, 0.0)),
+            (_, Some(rate)) => (HOUSINGS, velocity_of(group, rate, beyond_mean(spectrum))),
             (name, None) => (name, group),
         };
         figure(&format!("{name}_spectrum"), title, name, group, PAGE_HEIGHT).only_on_page()
@@ -148,6 +148,7 @@ pub(in crate::report) fn measured_figures(
             _ => format!("spectrum_{}", place + 1),
         };
         let velocity = velocity_rate(group.of).map(|rate| {
+            let lowest = lowest.max(beyond_mean(spectrum));
             let velocity = velocity_of(group.clone(), rate, lowest);
             let name = format!("velocity_{file}");
             figure(&name, title, "velocity", velocity, PAGE_HEIGHT).only_on_page()
@@ -156,6 +157,12 @@ pub(in crate::report) fn measured_figures(
         std::iter::once(own).chain(velocity)
     });
     figures.collect()
+}
+
+/// Frequency in Hz above which no bin is within the lobe that the window gives the mean: what lines between bins leave of it there
+/// would be the largest of integrated accelerations.
+fn beyond_mean(spectrum: &Spectrum) -> f64 {
+    (spectrum.window.lobe() as f64 - 0.5) * spectrum.resolution
 }
 
 /// Velocities in place of displacements or accelerations, from a frequency in Hz on.
