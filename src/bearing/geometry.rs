@@ -289,6 +289,12 @@ impl Geometry {
         }
     }
 
+    /// Whether the bearing holds its inner ring along its axis: all but cylindrical rollers, whose flanges are not modelled.
+    pub(crate) fn carries_axial_load(&self) -> bool {
+        let kind = self.rollers.as_ref().map(|rollers| rollers.kind);
+        kind != Some(RollerKind::Cylindrical)
+    }
+
     /// Diametral clearance P_d = 2A(1 − cos α0) of a deep-groove bearing, or G_r of rollers, m; none of an angular contact
     /// or tapered bearing. Negative where the balls are squeezed.
     pub fn diametral_clearance(&self) -> Option<f64> {

@@ -47,7 +47,8 @@ pub struct Common {
 #[derive(Debug, clap::Args)]
 pub struct Settings {
     /// Put a value in place of that of the file, as `--set speed.constant="2000 rpm"` or `--set
-    /// "bearing[*].catalogue=6305"`; checked as the file is, and repeatable
+    /// "bearing[*].catalogue=6305"`; checked as the file is, and repeatable. An entry one beyond the last of a
+    /// list is added to it
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub all: Vec<String>,
 }

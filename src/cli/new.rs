@@ -103,6 +103,11 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
             return Ok(Outcome::WrongInput);
         }
     };
+    let lost = arguments.axial.is_some() && choice.axial.1 != 0.0 && !carries_axial_load(&scenario);
+    if lost {
+        let bearing = &arguments.bearing;
+        return refuse(&format!("`axial`: the rollers of a {bearing} carry no axial load"));
+    }
     for warning in &scenario.warnings {
         terminal::tell(&format!("warning: {name}: {warning}\n"));
     }
@@ -122,6 +127,12 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
             Ok(Outcome::Failed)
         }
     }
+}
+
+/// Whether a bearing of a scenario holds the shaft along its axis.
+fn carries_axial_load(scenario: &Scenario) -> bool {
+    let mut bearings = scenario.question.rotor.bearings.iter();
+    bearings.any(|mounted| mounted.bearing.geometry.carries_axial_load())
 }
 
 /// Largest eccentricity that is written, µm.
@@ -159,20 +170,20 @@ impl<'a> Choice<'a> {
     /// The text of the scenario, and what it says.
     fn scenario(&self) -> Result<(String, Scenario), ScenarioError> {
         let parse = |text: &str| scenario::parse(text, "the scenario", Format::Toml);
-        let plain = self.text(None);
+        let plain = self.text(None, true);
         let scenario = parse(&plain)?;
         let bearings = &scenario.question.rotor.bearings;
-        match &bearings[..] {
-            [first, _] if !first.bearing.geometry.is_symmetric() => {
-                let text = self.text(Some(first));
-                parse(&text).map(|scenario| (text, scenario))
-            }
-            _ => Ok((plain, scenario)),
-        }
+        let text = match &bearings[..] {
+            [first, _] if !first.bearing.geometry.is_symmetric() => self.text(Some(first), true),
+            _ if !carries_axial_load(&scenario) => self.text(None, false),
+            _ => return Ok((plain, scenario)),
+        };
+        parse(&text).map(|scenario| (text, scenario))
     }
 
-    /// The text; two angular contact bearings such as `pair` are set against each other.
-    fn text(&self, pair: Option<&MountedBearing>) -> String {
+    /// The text; two angular contact bearings such as `pair` are set against each other, and where the bearings do not hold the
+    /// shaft along its axis it does not move there.
+    fn text(&self, pair: Option<&MountedBearing>, is_held_along: bool) -> String {
         let (speed, omega) = &self.speed;
         let (settle, duration) = times(*omega);
         let (eccentricity, grade, sampling) = match *omega > 0.0 {
@@ -193,6 +204,7 @@ impl<'a> Choice<'a> {
                 "sample_rate = \"20 kHz\" # a standing shaft makes no revolutions to sample",
             ),
         };
+        let freedoms = if is_held_along { "translational" } else { "radial" };
         let values = [
             ("title", quoted(&self.title)),
             ("mass", quoted(self.mass)),
@@ -200,7 +212,8 @@ impl<'a> Choice<'a> {
             ("grade", grade),
             ("speed", quoted(speed)),
             ("bearings", self.bearings(pair)),
-            ("loads", self.loads()),
+            ("freedoms", quoted(freedoms)),
+            ("loads", self.loads(is_held_along)),
             ("duration", duration.to_string()),
             ("settle", settle.to_string()),
             ("sampling", sampling.to_owned()),
@@ -240,7 +253,7 @@ impl<'a> Choice<'a> {
         }
     }
 
-    fn loads(&self) -> String {
+    fn loads(&self, is_held_along: bool) -> String {
         let ((radial, down), (axial, along)) = (&self.radial, &self.axial);
         let mut parts = Vec::new();
         if *down != 0.0 {
@@ -250,7 +263,7 @@ impl<'a> Choice<'a> {
             };
             parts.push(format!("y = {}", quoted(&turned)));
         }
-        if *along != 0.0 {
+        if is_held_along && *along != 0.0 {
             parts.push(format!("z = {}", quoted(axial)));
         }
         match &parts[..] {

@@ -158,19 +158,28 @@ impl Problem<'_> {
             .collect()
     }
 
-    /// Covariance of the shares, `(JᵀJ)⁻¹` by singular values; where one is so small that its direction is not known within the
-    /// ranges, the direction is noted and counts as known to its range.
+    /// Covariance of the shares, `(JᵀJ)⁻¹ = V Σ⁻² Vᵀ` by the singular values of J; where one is so small that its direction is not
+    /// known within the ranges, or is round-off, the direction is noted and counts as known to its range.
     fn covariance(&self, fit: &mut Fit, jacobian: &DMatrix<f64>) -> DMatrix<f64> {
         let count = self.unknowns.len();
-        let decomposed = jacobian.tr_mul(jacobian).symmetric_eigen();
+        let rows = jacobian.nrows().max(count);
+        // as many singular values as unknowns
+        let decomposed = jacobian.clone().resize_vertically(rows, 0.0).svd(false, true);
+        let round_off = f64::EPSILON * rows as f64 * decomposed.singular_values.max();
         let mut covariance = DMatrix::zeros(count, count);
-        for k in 0..count {
-            let direction = decomposed.eigenvectors.column(k).into_owned();
-            let variance = 1.0 / decomposed.eigenvalues[k].max(0.0);
-            if variance > WIDEST * WIDEST {
+        let Some(directions) = decomposed.v_t else {
+            return covariance;
+        };
+        for (size, direction) in decomposed.singular_values.iter().zip(directions.row_iter()) {
+            let direction = direction.transpose();
+            let deviation = match *size > round_off {
+                true => size.recip().min(WIDEST),
+                false => WIDEST,
+            };
+            if deviation == WIDEST {
                 fit.unidentified.push(self.unidentified(&direction));
             }
-            covariance += variance.min(WIDEST * WIDEST) * &direction * direction.transpose();
+            covariance += deviation.powi(2) * &direction * direction.transpose();
         }
         covariance
     }

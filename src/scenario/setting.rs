@@ -62,8 +62,9 @@ impl<'a> Setting<'a> {
                 (_, Some(index)) if index < count => index..index + 1,
                 _ => {
                     return Err(format!(
-                        "`{}` has no entry {number}: they count from 1 to {count}",
-                        self.key
+                        "`{}` has no entry {number}: they count from 1 to {count}, and {} makes another",
+                        self.key,
+                        count + 1
                     ));
                 }
             };

@@ -64,6 +64,9 @@ fn every_kind_of_bearing_and_speed_makes_a_right_scenario() {
         ("7205C", "0 mm", "30000 rpm"),
         ("6306", "0 mm", "0 rpm"),
         ("6204", "33.3333 mm", "1 rpm"),
+        ("NU206", "100 mm", "3000 rpm"),
+        ("NU206", "0 mm", "3000 rpm"),
+        ("30206", "0 mm", "3000 rpm"),
     ];
     for (number, (bearing, span, speed)) in cases.into_iter().enumerate() {
         let name = format!("{number}.toml");
@@ -72,7 +75,7 @@ fn every_kind_of_bearing_and_speed_makes_a_right_scenario() {
             &folder,
             &[&["new", &name], &options[..]].concat(),
         ));
-        done(jeffcott_in(&folder, &["check", &name]));
+        done(jeffcott_in(&folder, &["bearing", &name]));
     }
     let pair = fs::read_to_string(folder.path().join("0.toml")).unwrap();
     assert!(
@@ -88,6 +91,7 @@ fn a_wrong_answer_says_what_is_wrong_and_writes_nothing() {
         ("--bearing", "7205", "did you mean \"7205C\""),
         ("--span", "-1 mm", "zero or positive"),
         ("--radial", "3 kg", "is a mass"),
+        ("--axial=1 N", "--bearing=NU206", "no axial load"),
     ] {
         let output = jeffcott_in(&folder, &["new", "shaft.toml", option, value]);
         assert_eq!(output.status.code(), Some(2), "{option}");
