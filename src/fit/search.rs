@@ -10,15 +10,17 @@ use crate::study::plan::sobol;
 const MOST_STEPS: usize = 60;
 /// Trials of a step that lead no lower before the place is taken for the lowest.
 const MOST_TRIALS: usize = 8;
-/// Damping of the first step, relative to the diagonal of JᵀJ; what it grows by where a step leads up, and falls by where it
-/// leads down.
+/// Damping of the first step, relative to the diagonal of JᵀJ.
 const FIRST_DAMPING: f64 = 1e-3;
+/// Factor by which the damping grows where a step leads up, and falls where it leads down.
 const GROWTH: f64 = 8.0;
-/// A step below this part of the ranges is the last, as is one that is to lower χ² by less than this,
+/// A step below this part of the ranges is the last.
 const LEAST_STEP: f64 = 1e-10;
+/// A step that is to lower χ² by less than this is the last.
 const LEAST_GAIN: f64 = 1e-16;
-/// or by less than this part of it: of the search for the lowest place, and of those that only tell which one that is.
+/// A step of the search for the lowest place that is to lower χ² by less than this part of it is the last.
 const FINE: f64 = 1e-8;
+/// The same of searches that only tell which place is the lowest.
 const ROUGH: f64 = 1e-3;
 /// Step of the differences of a search, in parts of the ranges.
 const DIFFERENCE: f64 = 1e-4;

@@ -4,10 +4,11 @@ use std::f64::consts::PI;
 
 /// Exponent n of a line contact, `Q = C δ^n`.
 pub const LINE_EXPONENT: f64 = 10.0 / 9.0;
-/// c of `Q = c L^(8/9) δ^(10/9)` for a steel roller between both races in series, Pa: 35 948 N/mm² …
+/// c of `Q = c L^(8/9) δ^(10/9)` for a steel roller between both races in series, Pa (35 948 N/mm²).
 const BOTH_RACES: f64 = 35_948e6;
-/// … whose Young's modulus in Pa and Poisson's ratio are these.
+/// Young's modulus of that steel, Pa.
 const YOUNGS_MODULUS: f64 = 206e9;
+/// Poisson's ratio of that steel.
 const POISSON_RATIO: f64 = 0.3;
 
 /// Constant C of `Q = C δ^(10/9)`, N/m^(10/9), of a roller between both races in series.

@@ -18,9 +18,9 @@ const GROW: f64 = 1.5;
 const STRAIGHT: f64 = 0.85;
 /// Points tried to find where a motion changes its kind.
 const MOST_LOCATIONS: usize = 16;
-/// A motion changes its kind where the number that says so is this small,
+/// A motion changes its kind where the number that says so is this small.
 const LOCATED: f64 = 1e-6;
-/// and where it does not fall below this, it jumps and has no such point.
+/// A number that does not fall below this between two points jumps there, and the motion has no point of change.
 const CONTINUOUS: f64 = 1e-2;
 
 impl Continuer<'_> {

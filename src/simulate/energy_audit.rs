@@ -34,9 +34,9 @@ pub struct EnergyReport {
     stored: f64,
 }
 
-/// A residual above this part of the energy exchanged is worth a warning,
+/// A residual is worth a warning above this part of the energy exchanged, if it is above that of [`STORED`], too.
 const EXCHANGED: f64 = 1e-3;
-/// where it is above this part of the energy stored, too: below lies round-off.
+/// Part of the energy stored below which a residual is round-off.
 const STORED: f64 = 1e-10;
 
 impl EnergyReport {

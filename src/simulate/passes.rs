@@ -18,9 +18,9 @@ const TIGHTEST_WITH_REFERENCE: f64 = 1e-12;
 
 /// Tolerance that the pass with more modes begins with: what it measures is seldom smaller, and needs no more digits.
 const FINER_TOLERANCE: f64 = 1e-5;
-/// Times its tolerance that the difference is that it measures, or the pass begins anew with a smaller one,
+/// The pass with more modes begins anew with a smaller tolerance unless the difference that it measures is so many times its own.
 const FINER_MARGIN: f64 = 2.0;
-/// by this factor at least.
+/// Factor by which that tolerance falls at least.
 const FINER_FACTOR: f64 = 0.25;
 
 /// Settings of the second pass: a tolerance ten times as tight, or as loose where round-off allows none that is tighter.

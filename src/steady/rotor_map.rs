@@ -14,9 +14,9 @@ use crate::rotor::{HarmonicMotion, MotionScale, Rotor, RotorDefinition};
 use crate::shooting::{Circle, Image, MapError, Multipliers, ReturnMap, Slopes, Stability};
 use crate::simulate::reference_settings;
 
-/// Slopes are integrated at least this exactly where the signs of multipliers along a branch rest on them,
+/// Largest tolerance of slopes that multipliers rest on, whose signs tell where a branch changes.
 const SLOPE_TOLERANCE: f64 = 1e-7;
-/// and with this tolerance where only a search does: each of its corrections leaves about as much of the one before.
+/// Tolerance of slopes that only a search rests on: each of its corrections leaves about as much of the one before.
 const ROUGH_TOLERANCE: f64 = 1e-4;
 
 /// Multipliers that are not measured are taken for as exact as so many tolerances of their slopes.

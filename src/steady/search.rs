@@ -12,14 +12,15 @@ use crate::shooting::{
 
 /// Periods waited for before the search is tried again.
 const WAITS: [u64; 4] = [0, 8, 32, 128];
-/// Harmonics of the second frequency at first, and at most.
+/// Harmonics of the second frequency at first.
 const FIRST_HARMONICS: usize = 2;
+/// Most harmonics of the second frequency.
 const MOST_HARMONICS: usize = 64;
-/// Highest multiple of the period that is sought without being asked for,
+/// Highest multiple of the period that is sought without being asked for.
 const MOST_PERIODS: usize = 8;
-/// after waiting so many periods,
+/// Periods waited for before such a multiple is sought.
 const SUBHARMONIC_WAITS: [usize; 4] = [24, 48, 96, 192];
-/// and how near a state must come to an earlier one, relative to how far they are spread.
+/// A state nearly repeats that comes this near to an earlier one, relative to how far the states are spread.
 const NEARLY: f64 = 0.05;
 /// States so many tolerances apart, in sizes of the motion, are one: of a motion of more periods they would be far apart.
 const SAME: f64 = 1e3;

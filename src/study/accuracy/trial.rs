@@ -10,9 +10,9 @@ use crate::analysis::Peak;
 use crate::integrate::{Counters, IntegrateError, Method, MethodUse};
 use crate::simulate::{BareRun, Model, Monitor, SimulateError, simulate};
 
-/// A measurement of time ends after so many runs,
+/// Most runs of a measurement of time, of which the shortest counts.
 const MOST_REPEATS: u32 = 15;
-/// or after this time in s, whichever is first; the shortest run counts.
+/// A measurement of time ends after this time in s, too.
 const LONG_ENOUGH: f64 = 0.15;
 /// Of a run that takes longer than this with its observation, s, the observation is a small part: it is not run again by itself.
 const LONG: f64 = 0.5;
