@@ -229,7 +229,7 @@ def test_a_response_states_the_error_of_its_first_motion(scenarios: Path) -> Non
     scenario = jc.Scenario(scenarios / "varying-compliance-6306.toml").with_({"integrator.tolerance": 1e-4})
     found = scenario.response("speed.constant", "199 rad/s", "199.5 rad/s")
     assert found.error is not None and 0 < found.error.relative < 1e-4
-    exact = scenario.with_({"speed.constant": "199 rad/s"}).steady(tolerance=1e-9, verify=False).summary["swings"]
+    exact = scenario.with_({"speed.constant": "199 rad/s"}).steady(tolerance=1e-9, verify=False).summary["ranges"]
     ranges = {swing["channel"].removesuffix("_m"): swing for swing in exact}
     for axis in ("x", "y"):
         for what in ("mean", "peak_to_peak"):

@@ -177,7 +177,7 @@ fn text(title: &str, model: &Model, steady: &Steady, causes: &[Line]) -> Lines {
         out.line("error", measured_text(sizes, tolerances));
     }
     out.each("shaft", steady.reduction.as_ref().map(reduction_text));
-    add_swings(&mut out, steady);
+    add_ranges(&mut out, steady);
     add_lines(&mut out, steady, model.rotor.speed, causes);
     out
 }
@@ -251,7 +251,7 @@ fn search(steady: &Steady) -> String {
     )
 }
 
-fn add_swings(out: &mut Lines, steady: &Steady) {
+fn add_ranges(out: &mut Lines, steady: &Steady) {
     let header = ["channel", "mean", "peak to peak", "rms", "unit"];
     let of_shaft = |swing: &&MotionRange| {
         matches!(swing.channel, Channel::Displacement(_) | Channel::Force(_))

@@ -87,7 +87,6 @@ pub struct Steady {
     #[serde(rename = "harmonics_of_second")]
     pub harmonics: usize,
     /// Ranges of displacements and forces.
-    #[serde(rename = "swings")]
     pub ranges: Vec<MotionRange>,
     /// The spectrum.
     #[serde(skip)]

@@ -151,7 +151,6 @@ pub struct ResponsePoint {
     #[serde(rename = "period_s")]
     pub period: f64,
     /// Ranges of displacements and forces.
-    #[serde(rename = "swings")]
     pub ranges: Vec<MotionRange>,
     /// Floquet multipliers over the period, magnitudes where it has two frequencies.
     #[serde(serialize_with = "keys::complex")]

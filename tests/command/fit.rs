@@ -236,8 +236,8 @@ fn sensitivities_are_the_differences_of_answers() {
                 tight,
             ],
         );
-        let swings = answer["swings"].as_array().expect("ranges");
-        let own = swings
+        let ranges = answer["ranges"].as_array().expect("ranges");
+        let own = ranges
             .iter()
             .find(|own| own["channel"] == "x_m")
             .expect("x");

@@ -32,7 +32,7 @@ const EXTREMES: [Named<BallLine>; 3] = [
 
 /// Numbers of one bearing after these.
 const BEARING: [Named<BearingState>; 8] = [
-    ("swing_of_angle_inner", "rad", |state| {
+    ("range_of_angle_inner", "rad", |state| {
         let angle = |ball: &BallLine| ball.inner.angle;
         extreme(state, angle, f64::max) - extreme(state, angle, f64::min)
     }),
