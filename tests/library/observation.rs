@@ -14,6 +14,7 @@ use crate::rotor::{
 };
 use crate::simulate::{BearingHistory, Event, EventKind, Model, TraceSink};
 
+use crate::tests::published::rollers::spherical;
 use crate::tests::support::{
     assert_near, back_to_back_pair, bearing, constant, literature_bearing, model, mounted, rotor,
     shaft, simulate_into, supports, thrust_rotor,
@@ -136,6 +137,17 @@ fn the_load_zone_is_that_of_geometry() {
     let sample = |sample: &Sample| f64::from(sample.balls_loaded.unwrap());
     let traced = seen.samples.iter().map(sample).sum::<f64>() / seen.samples.len() as f64;
     assert_near("as in the trace", zone.balls.mean, traced, 1e-12);
+}
+
+/// A radial load bears alike on both rows, whose rollers are at the same azimuths.
+#[test]
+fn the_arc_of_two_rows_is_that_of_one() {
+    let (bearings, _) = observed(&model(held(spherical()), 0.1, 2e3));
+    let zone = bearings[0].load_zone.expect("a zone");
+    let pitch = TAU / 15.0;
+    assert!(zone.balls.smallest > 0.0 && zone.extent.largest < PI);
+    let arc = 0.5 * pitch * zone.balls.mean;
+    assert_near("arc", zone.extent.mean, arc, 1e-12);
 }
 
 /// Behind a film no load is ever zero; still each ball leaves once a turn, after its dry twin.

@@ -26,8 +26,8 @@ pub struct LoadZone {
     /// Number of loaded balls.
     #[serde(rename = "balls_loaded")]
     pub balls: Spread,
-    /// Arc that holds all loaded balls, rad: the full circle less the longest row of unloaded ones,
-    /// every ball counted for its share of the circle.
+    /// Arc that holds all loaded balls, rad: the full circle less the longest run of azimuths without load, every azimuth
+    /// counted for its share of the circle. Of two rows an azimuth has load where the element of either row has.
     #[serde(rename = "extent_rad")]
     pub extent: Spread,
 }
@@ -45,58 +45,84 @@ impl Spread {
 }
 
 /// Collects the load zone of one bearing.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct LoadZoneSums {
-    balls: usize,
+    /// Balls or rollers of a row: those of all rows are at the same azimuths.
+    row: usize,
     loaded: Moments,
     spanned: Moments,
 }
 
 impl LoadZoneSums {
-    /// Takes the loads of all balls at the inner race in a sample, N; one is loaded by more than `least`.
-    pub fn take(&mut self, loads: &[f64], least: f64) {
-        self.balls = loads.len();
-        let count = loads.iter().filter(|load| **load > least).count();
-        let gap = longest_row(loads.iter().map(|load| *load <= least));
-        self.loaded.take(count as f64);
-        self.spanned.take((self.balls - gap) as f64);
+    /// Of a bearing with so many balls or rollers in a row.
+    pub fn new(row: usize) -> Self {
+        Self {
+            row,
+            loaded: Moments::default(),
+            spanned: Moments::default(),
+        }
     }
 
+    /// Takes the loads of all balls at the inner race in a sample, N, row after row; one is loaded by more than `least`.
+    pub fn take(&mut self, loads: &[f64], least: f64) {
+        let count = loads.iter().filter(|load| **load > least).count();
+        let at_azimuth = |place: usize| loads.iter().skip(place).step_by(self.row);
+        let is_free = |place: usize| at_azimuth(place).all(|load| *load <= least);
+        let gap = longest_run((0..self.row).map(is_free));
+        self.loaded.take(count as f64);
+        self.spanned.take((self.row - gap) as f64);
+    }
+
+    /// None without samples.
     pub fn finish(self) -> Option<LoadZone> {
-        (self.balls > 0).then(|| LoadZone {
+        // of no samples the extremes are infinite
+        let [least, _] = self.loaded.extremes();
+        least.is_finite().then(|| LoadZone {
             balls: Spread::from_moments(&self.loaded, 1.0),
-            extent: Spread::from_moments(&self.spanned, TAU / self.balls as f64),
+            extent: Spread::from_moments(&self.spanned, TAU / self.row as f64),
         })
     }
 }
 
-/// Length of the longest row of `true` around a circle.
-fn longest_row(circle: impl ExactSizeIterator<Item = bool>) -> usize {
+/// Length of the longest run of `true` around a circle.
+fn longest_run(circle: impl ExactSizeIterator<Item = bool>) -> usize {
     let count = circle.len();
-    let (mut longest, mut row, mut leading) = (0, 0, None);
+    let (mut longest, mut run, mut leading) = (0, 0, None);
     for member in circle {
         if member {
-            row += 1;
+            run += 1;
         } else {
-            leading.get_or_insert(row);
-            longest = longest.max(row);
-            row = 0;
+            leading.get_or_insert(run);
+            longest = longest.max(run);
+            run = 0;
         }
     }
-    // the last row goes on in the first; without an end there is but one
-    leading.map_or(count, |leading: usize| longest.max(row + leading))
+    // the last run goes on in the first; without an end there is but one
+    leading.map_or(count, |leading: usize| longest.max(run + leading))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::longest_row;
+    use super::*;
 
     #[test]
-    fn rows_close_around_the_circle() {
-        let row = |circle: &str| longest_row(circle.bytes().map(|ball| ball == b'.'));
-        assert_eq!(row("oooo"), 0);
-        assert_eq!(row("...."), 4);
-        assert_eq!(row("o..o...o"), 3);
-        assert_eq!(row("..o..o.."), 4);
+    fn runs_close_around_the_circle() {
+        let run = |circle: &str| longest_run(circle.bytes().map(|ball| ball == b'.'));
+        assert_eq!(run("oooo"), 0);
+        assert_eq!(run("...."), 4);
+        assert_eq!(run("o..o...o"), 3);
+        assert_eq!(run("..o..o.."), 4);
+    }
+
+    /// Ten azimuths; the first row bears at the last two and the first, the second row at the first two.
+    #[test]
+    fn rows_share_their_azimuths() {
+        let mut sums = LoadZoneSums::new(10);
+        let rows = ["o.......oo", "oo........"].concat();
+        let loads: Vec<f64> = rows.bytes().map(|ball| f64::from(ball == b'o')).collect();
+        sums.take(&loads, 0.0);
+        let zone = sums.finish().expect("a sample");
+        assert_eq!(zone.balls.mean, 5.0);
+        assert!((zone.extent.mean - 0.4 * TAU).abs() < 1e-12);
     }
 }

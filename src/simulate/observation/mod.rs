@@ -180,7 +180,7 @@ impl<'a> BearingObserver<'a> {
             band: (speed, support.contact_band(speed)),
             watch: watched.then(|| ContactWatch::new(index, balls, preloaded)),
             counts: no_events(balls > 0, preloaded),
-            zone: weighed.then(LoadZoneSums::default),
+            zone: weighed.then(|| LoadZoneSums::new(bearing.geometry.balls())),
             life: life.flatten(),
         }
     }
