@@ -4,7 +4,7 @@ use fearless_simd::{Level, Simd, SimdBase};
 use nalgebra::SMatrix;
 
 use super::number::{LANES, Lanes, Number};
-use super::surface::ImperfectSurfaces;
+use super::surface::{BallIdentity, ImperfectSurfaces};
 use super::{Angle, Ball, BearingRotation, Geometry};
 
 /// Displacement or force of the inner ring: x, y, z, θx, θy or F_x, F_y, F_z, M_x, M_y.
@@ -107,9 +107,12 @@ impl Ring {
         self.azimuths.len()
     }
 
-    /// 1 of a ball with a number; of the second row, which leans the other way, −1.
-    pub(super) fn side(&self, number: usize) -> f64 {
-        self.groups[number / LANES].side[number % LANES]
+    /// 1 of a ball of the first row; of the second row, which leans the other way, −1.
+    pub(super) fn side(&self, identity: BallIdentity) -> f64 {
+        match identity {
+            BallIdentity::Numbered(number) => self.groups[number / LANES].side[number % LANES],
+            BallIdentity::Perfect { row } => side(row),
+        }
     }
 
     /// Hands the positions of all balls to a consumer, some balls side by side after the other. A consumer whose speed
@@ -155,7 +158,8 @@ impl Ring {
                     rotation,
                     #[inline(always)]
                     |first, [cos, sin]| {
-                        let drops = surfaces.drops(first, [&cos, &sin], rotation);
+                        let drops =
+                            surfaces.drops(BallIdentity::Numbered(first), [&cos, &sin], rotation);
                         drops.map(|drops| simd.load_array_f64x4(drops))
                     },
                     take,
@@ -212,22 +216,21 @@ impl Ring {
         ]
     }
 
-    /// A single ball at an azimuth in rad: that of a number, or, where there is none, a perfect one.
+    /// A single ball at an azimuth in rad.
     pub(super) fn ball_at(
         &self,
         displacement: &Vector5,
         azimuth: f64,
-        number: Option<usize>,
+        identity: BallIdentity,
         rotation: &BearingRotation,
     ) -> Ball {
         let (sin, cos) = azimuth.sin_cos();
         let start = [self.free_axial, self.free_radial];
-        let side = number.map_or(1.0, |number| self.side(number));
-        let [axial, radial, tilt] = self.components(start, displacement, [cos, sin, side]);
+        let directions = [cos, sin, self.side(identity)];
+        let [axial, radial, tilt] = self.components(start, displacement, directions);
         let drop = self.surfaces.as_ref().map_or([0.0; 2], |surfaces| {
             let alone = [cos, sin].map(|part| [part, 0.0, 0.0, 0.0]);
-            let first = number.unwrap_or(usize::MAX);
-            let drops = surfaces.drops(first, alone.each_ref(), rotation);
+            let drops = surfaces.drops(identity, alone.each_ref(), rotation);
             drops.map(|[drop, ..]| drop)
         });
         Ball {
@@ -256,7 +259,7 @@ impl Azimuths {
         let [mut cos, mut sin, mut side] = [[0.0; LANES]; 3];
         for (lane, azimuth) in azimuths.iter().enumerate() {
             (sin[lane], cos[lane]) = azimuth.sin_cos();
-            side[lane] = if first + lane < row { 1.0 } else { -1.0 };
+            side[lane] = self::side((first + lane) / row);
         }
         Self { cos, sin, side }
     }
@@ -273,6 +276,11 @@ impl Azimuths {
             sin * cage.cos + cos * cage.sin,
         ]
     }
+}
+
+/// 1 of the first row, 0; −1 of the second.
+fn side(row: usize) -> f64 {
+    if row == 0 { 1.0 } else { -1.0 }
 }
 
 /// A vector for balls side by side. Number by number: what was just written in parts is then not

@@ -67,6 +67,10 @@ pub struct FilmState {
 /// What a ball at some azimuth bears.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Around {
+    /// Number of its row, from 1 on.
+    pub row: usize,
+    /// Number of the azimuth in its row, from 1 on.
+    pub position: usize,
     /// Azimuth φ, rad, from +X towards +Y.
     #[serde(rename = "azimuth_rad")]
     pub azimuth: f64,

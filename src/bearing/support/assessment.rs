@@ -6,6 +6,7 @@ use super::{Cage, Support, Vector5};
 use crate::bearing::bearing_friction::skf_moment;
 use crate::bearing::law::{BallLaw, FilmLaw, FilmThickness, Law, Share, with_law};
 use crate::bearing::static_rating::{fatigue_load_limit, static_rating};
+use crate::bearing::surface::BallIdentity;
 use crate::bearing::warnings::bearing_warnings;
 use crate::bearing::{
     Around, Ball, BallContact, BallLine, Bearing, BearingRotation, BearingState, CageMotion,
@@ -60,8 +61,8 @@ impl Support {
         self.ring_tangent(&place, &rotation).0[2]
     }
 
-    /// What a ball at each of `positions` azimuths from +X on would bear with the inner ring at `place`, its displacement
-    /// from the outer one, or, where `None`, what every ball bears with the cage where it starts.
+    /// What a ball of each row at each of `positions` azimuths from +X on would bear with the inner ring at `place`, its
+    /// displacement from the outer one, or, where `None`, what every ball bears with the cage where it starts; row after row.
     pub(crate) fn around(
         &self,
         place: &Vector5,
@@ -69,24 +70,41 @@ impl Support {
         positions: Option<usize>,
     ) -> Vec<Around> {
         let rotation = BearingRotation::at_start(speed);
-        let at = |azimuth, number| {
-            let ball = self.ring.ball_at(place, azimuth, number, &rotation);
+        let geometry = &self.definition.bearing.geometry;
+        let at = |position, row, azimuth, identity| {
+            let ball = self.ring.ball_at(place, azimuth, identity, &rotation);
             let contact = with_law!(&self.law, law => law.contact(&ball, speed));
+            let side = self.ring.side(identity);
             Around {
+                row: row + 1,
+                position: position + 1,
                 azimuth,
                 deformation: self.deformation(&ball, &contact),
-                contact,
+                contact: BallContact {
+                    angle_inner: side * contact.angle_inner,
+                    angle_outer: side * contact.angle_outer,
+                    ..contact
+                },
             }
         };
-        let balls = self.ring.azimuths.iter().enumerate();
-        match positions {
-            None => balls
-                .map(|(number, &azimuth)| at(azimuth, Some(number)))
-                .collect(),
-            Some(count) => (0..count)
-                .map(|index| at(TAU * index as f64 / count as f64, None))
-                .collect(),
-        }
+        let count = positions.unwrap_or(geometry.balls());
+        let places = (0..geometry.rows()).flat_map(|row| (0..count).map(move |own| (row, own)));
+        let places = places.map(|(row, own)| match positions {
+            None => {
+                let number = row * count + own;
+                at(
+                    own,
+                    row,
+                    self.ring.azimuths[number],
+                    BallIdentity::Numbered(number),
+                )
+            }
+            Some(_) => {
+                let azimuth = TAU * own as f64 / count as f64;
+                at(own, row, azimuth, BallIdentity::Perfect { row })
+            }
+        });
+        places.collect()
     }
 
     /// Change of the distance of the groove centres d − A, m; of a roller, the approach of the slice that is pressed most.
@@ -190,13 +208,14 @@ impl Assessment<'_> {
     fn ball(&self, law: &impl BallLaw, number: usize, azimuth: f64) -> BallLine {
         let (ring, speed) = (&self.support.ring, self.rotation.speed);
         let geometry = &self.bearing().geometry;
-        let ball = ring.ball_at(&self.place, azimuth, Some(number), &self.rotation);
+        let identity = BallIdentity::Numbered(number);
+        let ball = ring.ball_at(&self.place, azimuth, identity, &self.rotation);
         let laminae = law.laminae(&ball);
         let inertia = law.state(&ball, speed);
         let contact = inertia.map_or_else(|| law.contact(&ball, speed), |state| state.contact);
         let deformation = self.support.deformation(&ball, &contact);
         // the second row leans the other way
-        let side = ring.side(number);
+        let side = ring.side(identity);
         let [inner_angle, outer_angle] =
             [contact.angle_inner, contact.angle_outer].map(|a| side * a);
         // without inertia it rolls as under outer control at the common contact angle

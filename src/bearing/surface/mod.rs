@@ -9,8 +9,8 @@ mod waves;
 pub use cage_jitter::CageJitter;
 pub use passing::{Passing, RaceSpall, SideView};
 pub use slot::DefectProfile;
-pub(super) use surfaces::ImperfectSurfaces;
 pub use surfaces::TurningSurfaces;
+pub(super) use surfaces::{BallIdentity, ImperfectSurfaces};
 pub use waves::Wave;
 
 use std::fmt;

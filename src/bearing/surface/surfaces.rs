@@ -101,7 +101,7 @@ impl ImperfectSurfaces {
         })
     }
 
-    /// Which of them turn.
+    /// BallIdentity of them turn.
     pub fn turning(&self) -> TurningSurfaces {
         let rolls = |ball: &BallSurface| !ball.dents.is_empty() || !ball.waves.is_none();
         TurningSurfaces {
@@ -120,17 +120,22 @@ impl ImperfectSurfaces {
         races.sum::<f64>() + balls.fold(0.0, f64::max)
     }
 
-    /// Drops, m, of balls in directions (cos φ, sin φ), the first of which has a number.
+    /// Drops, m, of balls in directions (cos φ, sin φ).
     pub fn drops(
         &self,
-        first: usize,
+        identity: BallIdentity,
         directions: [&[f64; LANES]; 2],
         rotation: &BearingRotation,
     ) -> Drops {
         let mut drops = [[0.0; LANES]; 2];
-        self.visit(first, directions, rotation, |race, lane, [drop, _], _| {
-            drops[race][lane] += drop;
-        });
+        self.visit(
+            identity,
+            directions,
+            rotation,
+            |race, lane, [drop, _], _| {
+                drops[race][lane] += drop;
+            },
+        );
         drops
     }
 
@@ -146,7 +151,7 @@ impl ImperfectSurfaces {
         let mut speeds = [cage_speed, cage_speed, self.rolling_ratio * cage_speed];
         speeds[self.turning as usize] -= speed;
         self.visit(
-            first,
+            BallIdentity::Numbered(first),
             directions,
             rotation,
             |race, lane, [_, slope], turns| {
@@ -160,7 +165,7 @@ impl ImperfectSurfaces {
     #[inline(always)]
     fn visit(
         &self,
-        first: usize,
+        identity: BallIdentity,
         [cos, sin]: [&[f64; LANES]; 2],
         rotation: &BearingRotation,
         mut take: impl FnMut(usize, usize, [f64; 2], Turns),
@@ -181,11 +186,16 @@ impl ImperfectSurfaces {
                     cos[lane] * back.cos + sin[lane] * back.sin,
                     sin[lane] * back.cos - cos[lane] * back.sin,
                 ];
-                // a ball without a number counts as one of the first row
-                let slots = first == usize::MAX || first + lane < self.row;
+                let slots = match identity {
+                    BallIdentity::Numbered(first) => first + lane < self.row,
+                    BallIdentity::Perfect { row } => row == 0,
+                };
                 surface.at(direction, slots, |part| take(race, lane, part, turns));
             }
         }
+        let BallIdentity::Numbered(first) = identity else {
+            return;
+        };
         for ball in &self.balls {
             if let Some(lane) = ball.number.checked_sub(first).filter(|lane| *lane < LANES) {
                 let angle = self.rolling_ratio * rotation.cage_angle;
@@ -195,6 +205,15 @@ impl ImperfectSurfaces {
             }
         }
     }
+}
+
+/// BallIdentity balls or rollers drops are of.
+#[derive(Debug, Clone, Copy)]
+pub enum BallIdentity {
+    /// The ones from a number on, side by side.
+    Numbered(usize),
+    /// Perfect ones that may be anywhere in a row; 0 is the first.
+    Perfect { row: usize },
 }
 
 /// Imperfect surfaces that turn.

@@ -71,7 +71,8 @@ struct Around<'a> {
     title: &'a str,
     /// What the colours of the values mean; of many, of some.
     names: Vec<Name>,
-    rows: Vec<&'a [Place]>,
+    /// The places of every value.
+    answers: Vec<&'a [Place]>,
     /// Number of bearings.
     bearings: usize,
 }
@@ -79,9 +80,9 @@ struct Around<'a> {
 impl<'a> Around<'a> {
     fn new(title: &'a str, variable: &Variable, rows: &'a [RunRecord]) -> Self {
         let values: Vec<f64> = rows.iter().map(|row| row.values[0]).collect();
-        let rows = rows.iter().flat_map(|row| &row.outcome);
-        let rows: Vec<_> = rows.map(|outcome| &outcome.around[..]).collect();
-        let bearings = rows
+        let outcomes = rows.iter().flat_map(|row| &row.outcome);
+        let answers: Vec<_> = outcomes.map(|outcome| &outcome.around[..]).collect();
+        let bearings = answers
             .iter()
             .flat_map(|places| places.iter().map(|place| place.bearing));
         let count = values.len();
@@ -92,7 +93,7 @@ impl<'a> Around<'a> {
             title,
             names: indices.map(name).collect(),
             bearings: bearings.max().unwrap_or(0),
-            rows,
+            answers,
         }
     }
 
@@ -130,14 +131,20 @@ impl<'a> Around<'a> {
         Figure::new(file, self.title, 2, panels).with_names(self.names.clone())
     }
 
-    /// One quantity around a bearing.
+    /// One quantity around a bearing, each of its rows by itself.
     fn curves(&self, bearing: usize, value: impl Fn(&Place) -> f64) -> Vec<Curve> {
-        let curve = |(index, places): (usize, &&[Place])| {
-            let own = places.iter().filter(|place| place.bearing == bearing);
-            let points = own.map(|place| (place.number("azimuth"), value(place)));
-            Curve::line(graded(index, self.rows.len()), all_around(turned(points)))
-        };
-        self.rows.iter().enumerate().map(curve).collect()
+        let mut curves = Vec::new();
+        for (index, places) in self.answers.iter().enumerate() {
+            let rows = places.chunk_by(|a, b| (a.bearing, a.row) == (b.bearing, b.row));
+            for row in rows.filter(|row| row[0].bearing == bearing) {
+                let points = row
+                    .iter()
+                    .map(|place| (place.number("azimuth"), value(place)));
+                let colour = graded(index, self.answers.len());
+                curves.push(Curve::line(colour, all_around(turned(points))));
+            }
+        }
+        curves
     }
 
     fn panel(&self, bearing: usize, name: &str, curves: Vec<Curve>) -> Panel {

@@ -113,15 +113,18 @@ static TABLES: [Table; 6] = [
         is_kept: |head| head.ask == Ask::Bearing,
         columns: |_| {
             let numbers = AROUND.map(|(quantity, unit, _)| Column::number(quantity, unit));
-            let start = [Column::count("bearing"), Column::count("position")];
+            let start = ["bearing", "row", "position"].map(Column::count);
             start.into_iter().chain(numbers).collect()
         },
         rows: |outcome| {
             let places = outcome.around.iter();
             places
                 .map(|place| {
-                    let start = vec![place.bearing.to_string(), place.position.to_string()];
-                    row(start, &place.numbers)
+                    let start = [place.bearing, place.row, place.position];
+                    row(
+                        start.map(|number| number.to_string()).into(),
+                        &place.numbers,
+                    )
                 })
                 .collect()
         },

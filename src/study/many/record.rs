@@ -92,7 +92,10 @@ pub struct Place {
     /// Number of the bearing, from 1 on.
     #[serde(rename = "b")]
     pub bearing: usize,
-    /// Number of the azimuth, from 1 on.
+    /// Number of the row of balls or rollers, from 1 on.
+    #[serde(rename = "r")]
+    pub row: usize,
+    /// Number of the azimuth in its row, from 1 on.
     #[serde(rename = "p")]
     pub position: usize,
     /// Its numbers in the order of their columns.

@@ -145,10 +145,10 @@ pub fn static_outcome(
     let bearings = supports.iter().zip(&answer.bearings);
     let around = (1..).zip(bearings).flat_map(|(bearing, (support, state))| {
         let places = support.around(&state.displacement, rotor.speed, positions);
-        let places = (1..).zip(places);
-        places.map(move |(position, place)| Place {
+        places.into_iter().map(move |place| Place {
             bearing,
-            position,
+            row: place.row,
+            position: place.position,
             numbers: AROUND.map(|(.., value)| value(&place)).to_vec(),
         })
     });

@@ -4,6 +4,8 @@ use crate::quasi_static::quasi_static;
 use crate::scenario::study_file::{StudyFile, parse_study};
 use crate::scenario::{self, Format, Scenario};
 use crate::study::many::Outcome;
+use crate::tests::published::rollers::spherical;
+use crate::tests::support::{assert_near, supports};
 
 fn read(thrust: &str) -> Scenario {
     let text = format!(
@@ -98,6 +100,38 @@ fn positions_are_even_and_start_on_x() {
     let load = |index: usize| around[index].number("load_inner");
     assert!(load(12) > load(4));
     assert!((load(11) / load(13) - 1.0).abs() < 1e-12);
+}
+
+/// A radial load bears alike on both rows of a spherical roller bearing; thrust goes through one of them.
+#[test]
+fn both_rows_are_looked_at_where_nobody_looks_at_rollers() {
+    let support = &supports(&[spherical()])[0];
+    let thrust = [0.0, -60e-6, 400e-6, 0.0, 0.0];
+    for (place, share) in [([0.0, -60e-6, 0.0, 0.0, 0.0], 1.0), (thrust, 0.0)] {
+        let rollers = support.around(&place, 0.0, None);
+        let positions = support.around(&place, 0.0, Some(15));
+        assert_eq!((rollers.len(), positions.len()), (30, 30));
+        // the first roller starts on +X, as the positions do
+        for (roller, position) in rollers.iter().zip(&positions) {
+            assert_eq!(
+                (roller.row, roller.position),
+                (position.row, position.position)
+            );
+            assert_near(
+                "load",
+                position.contact.load_inner,
+                roller.contact.load_inner,
+                1e-6,
+            );
+            assert_eq!(position.contact.angle_inner, roller.contact.angle_inner);
+        }
+        let row = |row: usize| positions.iter().filter(move |place| place.row == row);
+        let load = |of| row(of).map(|place| place.contact.load_inner).sum::<f64>();
+        assert!(load(1) > 1e3);
+        assert_near("second row", load(2), share * load(1), 1e-9 * load(1));
+        assert!(row(1).all(|place| place.contact.angle_inner > 0.0));
+        assert!(row(2).all(|place| place.contact.angle_inner < 0.0));
+    }
 }
 
 #[test]
