@@ -13,6 +13,9 @@ use std::f64::consts::PI;
 /// φ_rs  = exp(−K_rs ν n (d + D) √(K_z/(2 (D − d))))     K_z = 3.1
 /// ```
 ///
+/// At F_a → 0 the two forms of G_sl differ by d_m^0.115, half as much again of a small bearing: the source's own jump. An axial
+/// load below 1e-6 of the radial one, the round-off of an equilibrium, counts as none.
+///
 /// d_m = (d + D)/2, M in N mm, lengths in mm, ν in mm²/s, n in 1/min, loads in N; K_rs = 3e-8 in an oil bath or jet, 6e-8 with grease.
 /// No seals, no drag in an oil bath.
 ///
@@ -52,6 +55,9 @@ const SERIES: [Series; 6] = [
     ("63", [3.7e-7, 1.7], [2.84e-3, 92.8]),
 ];
 
+/// Axial load over the radial one below which there is none.
+const NO_AXIAL_LOAD: f64 = 1e-6;
+
 impl SkfFriction {
     /// Constants of the series that a designation begins with: four or five digits, `60`, `62`, `63`, `618`, `619`, `628` and two more.
     pub fn from_designation(designation: &str) -> Option<Self> {
@@ -68,7 +74,8 @@ impl SkfFriction {
     /// ```
     /// use jeffcott::physics::{SkfFriction, SkfOperation};
     /// use std::f64::consts::PI;
-    /// // 6205, 1000 N radial, ν = 20 mm²/s, 3000 rpm, oil bath: 20.631 N mm
+    /// // 6205, 1000 N radial, ν = 20 mm²/s, 3000 rpm, oil bath. By hand: φ_ish = 0.9636, φ_rs = 0.9673, G_rr = 0.020824,
+    /// // (ν n)^0.6 = 736.02; φ_bl = 0.0075, μ_sl = 0.05075, G_sl = 125.02
     /// let [rolling, sliding] = SkfFriction::from_designation("6205").unwrap().moment(&SkfOperation {
     ///     boundary: [0.025, 0.052],
     ///     static_rating: 7850.0,
@@ -77,7 +84,7 @@ impl SkfFriction {
     ///     speed: 3000.0 * PI / 30.0,
     ///     grease: false,
     /// });
-    /// assert!((1e3 * (rolling + sliding) - 20.631).abs() < 5e-4);
+    /// assert!((1e3 * rolling - 14.286).abs() < 2e-3 && (1e3 * sliding - 6.345).abs() < 2e-3);
     /// ```
     pub fn moment(&self, operation: &SkfOperation) -> [f64; 2] {
         let rpm = operation.speed.abs() * 30.0 / PI;
@@ -105,7 +112,7 @@ impl SkfFriction {
     fn load_terms(&self, operation: &SkfOperation, mean: f64) -> [f64; 2] {
         let [radial, axial] = operation.loads.map(f64::abs);
         let ([r1, r2], [s1, s2]) = (self.rolling, self.sliding);
-        if axial == 0.0 {
+        if axial <= NO_AXIAL_LOAD * radial {
             return [
                 r1 * mean.powf(1.96) * radial.powf(0.54),
                 s1 * mean.powf(-0.26) * radial.powf(5.0 / 3.0),

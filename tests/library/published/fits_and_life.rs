@@ -133,6 +133,14 @@ fn friction_of_a_6205_after_skf() {
     let series = SkfFriction::from_designation("6205").expect("a series");
     let [rolling, sliding] = series.moment(&operation);
     assert_near("N mm", 1e3 * (rolling + sliding), 20.631, 5.1e-4);
+    let under = |axial| {
+        let loads = [1000.0, axial];
+        series.moment(&SkfOperation { loads, ..operation })
+    };
+    // what round-off leaves of a force along the shaft is none
+    assert_eq!(under(-1e-9), [rolling, sliding]);
+    // a real one moves G_sl by d_m^0.115, the form with axial loads
+    assert_near("jump", under(0.01)[1] / sliding, 38.5f64.powf(0.115), 1e-6);
     assert_eq!(SkfFriction::from_designation("7205C"), None);
 }
 
