@@ -158,7 +158,13 @@ impl Geometry {
 
     /// How many balls there is room for on the pitch circle.
     pub(super) fn most_balls(ball_diameter: f64, pitch_diameter: f64) -> usize {
-        (std::f64::consts::PI / (ball_diameter / pitch_diameter).min(1.0).asin()) as usize
+        Self::most_balls_filling(1.0, ball_diameter, pitch_diameter)
+    }
+
+    /// How many balls fill at most a share of the pitch circle, Z asin(D/d_m)/π.
+    pub(super) fn most_balls_filling(share: f64, ball_diameter: f64, pitch_diameter: f64) -> usize {
+        let each = (ball_diameter / pitch_diameter).min(1.0).asin();
+        (share * std::f64::consts::PI / each) as usize
     }
 
     /// The bearing with its diametral clearance changed by `change` in m, as fits, temperature or a

@@ -1,5 +1,6 @@
 //! What is checked of a catalogue line, and of the balls found for it.
 
+use super::rating::REFERENCE_GROOVES;
 use super::search::{BY_ISO, FACTOR_TOLERANCE, is_rare_size};
 use super::{Candidate, CatalogueLine, Estimate, EstimateError};
 use crate::bearing::{Geometry, GeometryError};
@@ -94,7 +95,7 @@ impl CatalogueLine {
     pub(super) fn notes(
         &self,
         estimate: &Estimate,
-        deviation: f64,
+        best: &Candidate,
         others: &[Candidate],
     ) -> Vec<String> {
         let mut notes = Vec::new();
@@ -105,7 +106,16 @@ impl CatalogueLine {
             notes.extend(off("C", ratings, 0.0));
         }
         if let Some(printed) = self.static_rating {
-            notes.extend(off("C0", [internal.static_rating, printed], 0.02));
+            let is_of_given = self.groove_factors.is_none()
+                || best.static_rating == internal.static_rating
+                || off("C0", [best.static_rating, printed], 0.02).is_some();
+            notes.extend(match is_of_given {
+                true => off("C0", [internal.static_rating, printed], 0.02),
+                false => Some(format!(
+                    "the printed C0 is that of grooves of {} and {}, as ISO 76 rates narrower ones:                      in the given grooves it is {:.0} N",
+                    REFERENCE_GROOVES[0], REFERENCE_GROOVES[1], internal.static_rating
+                )),
+            });
         }
         let dynamic = internal.dynamic_rating / self.dynamic_rating - 1.0;
         let factors = estimate.static_factor.zip(self.static_factor);
@@ -113,7 +123,7 @@ impl CatalogueLine {
         let is_settled = is_met && dynamic.abs() <= BY_ISO;
         let close = if is_settled { CLOSE_TO_SETTLED } else { CLOSE };
         let fits = |other: &&Candidate| {
-            other.deviation - deviation < close && self.fits(other) && self.agrees(other)
+            other.deviation - best.deviation < close && self.fits(other) && self.agrees(other)
         };
         let keys = "`balls`, `ball_diameter` or `f0`";
         notes.extend(near_as_well(others.iter().filter(fits), keys));

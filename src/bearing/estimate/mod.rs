@@ -103,7 +103,9 @@ impl CatalogueLine {
     /// where it is that of [`crate::physics::dynamic_rating`] to 1 %; makers print 0.98 to 1.10 times that, and within these
     /// limits any other C is 1 % off. The least deviation |C0/C0_printed − 1| + |C/C_printed − 1| + |f0 − f0_printed|/f0_printed
     /// is taken; deep-groove bearings with a filling angle outside 180° to 202°, and balls larger than 0.65 of the section,
-    /// have 5 % on top. Other balls that deviate by at most 3 % more (1 % where C is that of ISO 281 and f0 is met to 0.1) are
+    /// have 5 % on top; balls that fill more than 0.92 of the pitch circle leave no room for a cage and are not looked at. Where
+    /// grooves are given, both ratings are of these; makers may also print, as ISO 76 has it, the C_0 of reference grooves for
+    /// narrower ones. Other balls that deviate by at most 3 % more (1 % where C is that of ISO 281 and f0 is met to 0.1) are
     /// named in the notes. Of balls that are given in number and diameter both grooves follow from C_0.
     ///
     /// Real pitch diameters are up to 1.4 % larger, and makers differ: an estimate.
@@ -176,7 +178,7 @@ impl CatalogueLine {
             .geometry(FreePosition::ContactAngle(self.contact_angle))?
             .check_section([self.bore, self.outside_diameter])?;
         if estimate.is_estimated() {
-            estimate.notes = self.notes(&estimate, best.deviation, &others);
+            estimate.notes = self.notes(&estimate, &best, &others);
         }
         Ok(estimate)
     }

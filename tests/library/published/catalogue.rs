@@ -249,6 +249,38 @@ fn known_balls_and_a_rounded_f0_go_with_the_rest() {
     assert!(has(&rare, 7, 11.5) && rare.notes.iter().any(|note| note.contains("rare")));
 }
 
+/// A maker may print the C0 of a 6205 in narrow grooves, or, by ISO 76, that of grooves of 0.52 and 0.53.
+#[test]
+fn both_ratings_are_of_the_given_grooves() {
+    let line = |grooves, dynamic, statical| CatalogueLine {
+        groove_factors: Some(grooves),
+        ..CatalogueLine::printed([0.025, 0.052], 0.0, dynamic, statical)
+    };
+    let known = |grooves| {
+        let line = CatalogueLine {
+            balls: Some(9),
+            ball_diameter: Some(7.9375e-3),
+            ..line(grooves, 14_000.0, 7850.0)
+        };
+        line.estimate().expect("a bearing").internal
+    };
+    for grooves in [[0.505, 0.505], [0.515, 0.515], [0.55, 0.54]] {
+        let own = known(grooves);
+        let lowered = grooves[0] > 0.52;
+        assert_eq!(own.dynamic_rating < 13_000.0, lowered);
+        assert_eq!(own.static_rating < 7000.0, lowered);
+        let as_rated = [7850.0].into_iter().filter(|_| !lowered);
+        for statical in as_rated.chain([own.static_rating]) {
+            let found = line(grooves, own.dynamic_rating, statical).estimate();
+            let found = found.expect("balls").internal;
+            assert_eq!(found, own, "{grooves:?} {statical}");
+        }
+    }
+    // only a ring of 20 balls without a cage would have these
+    let full = line([0.505, 0.505], 14_000.0, 10_600.0).estimate();
+    assert!(matches!(full, Err(EstimateError::Impossible { .. })));
+}
+
 /// One 6205: its ratings are those of its nominal angle, 0°, whatever its clearance; by an independent implementation.
 #[test]
 fn ratings_do_not_follow_the_clearance() {
