@@ -1,5 +1,8 @@
 //! Reads catalogue files, the one that is shipped and the user's own.
 
+use std::ops::Bound::{self, Excluded, Included, Unbounded};
+use std::ops::RangeBounds;
+
 use super::{Catalogue, CatalogueEntry, normal};
 use crate::bearing::{CatalogueLine, RollerKind, RollerLine};
 
@@ -40,6 +43,39 @@ const KINDS: [RollerKind; 4] = [
     RollerKind::Needle,
     RollerKind::Tapered,
     RollerKind::Spherical,
+];
+
+/// Columns of numbers with the least and the largest that they may have, which are those of `[bearing.ratings]`,
+/// `[bearing.geometry]` and `[bearing.roller]` of a scenario.
+const LIMITS: [(&[&str], Bound<f64>, f64); 7] = [
+    (
+        &["bore_mm", "outside_diameter_mm", "width_mm"],
+        Included(0.1),
+        1e6,
+    ),
+    (
+        &[
+            "ball_diameter_mm",
+            "pitch_diameter_mm",
+            "roller_diameter_mm",
+            "roller_length_mm",
+        ],
+        Included(0.01),
+        1e6,
+    ),
+    (&["contact_angle_deg"], Included(0.0), 60.0),
+    (
+        &["dynamic_rating_N", "static_rating_N"],
+        Excluded(0.0),
+        1e12,
+    ),
+    (&["f0"], Excluded(0.0), 30.0),
+    (&["balls", "rollers"], Included(3.0), 200.0),
+    (
+        &["groove_factor_inner", "groove_factor_outer"],
+        Excluded(0.5),
+        1.0,
+    ),
 ];
 
 /// Most problems of a catalogue file that are named.
@@ -110,8 +146,8 @@ impl Row<'_> {
         place.and_then(|place| self.record.get(place)).unwrap_or("")
     }
 
-    /// The number of a column over a divisor; none where it is empty.
-    fn number(&self, column: &str, divisor: f64, problems: &mut Vec<String>) -> Option<f64> {
+    /// The number of a column; none where it is empty.
+    fn number(&self, column: &str, problems: &mut Vec<String>) -> Option<f64> {
         let text = self.text(column);
         if text.is_empty() {
             if NEEDED.contains(&column) {
@@ -119,26 +155,43 @@ impl Row<'_> {
             }
             return None;
         }
-        match text.parse::<f64>() {
-            Ok(number) if number.is_finite() && (number > 0.0 || column == "contact_angle_deg") => {
-                Some(number / divisor)
-            }
-            Ok(_) => {
-                problems.push(format!("`{column}` must be above zero, not {text}"));
+        let Ok(number) = text.parse::<f64>() else {
+            problems.push(format!("`{column}` has \"{text}\", which is not a number"));
+            return None;
+        };
+        let limits = LIMITS
+            .iter()
+            .find(|(columns, ..)| columns.contains(&column));
+        let inside = |least: Bound<f64>, most| (least, Included(most)).contains(&number);
+        match limits {
+            Some(&(_, least, most)) if !inside(least, most) => {
+                let least = match least {
+                    Excluded(least) => format!("above {least}"),
+                    Included(least) => format!("at least {least}"),
+                    Unbounded => String::new(),
+                };
+                problems.push(format!(
+                    "`{column}` must be {least} and at most {most}, not {text}"
+                ));
                 None
             }
-            Err(_) => {
-                problems.push(format!("`{column}` has \"{text}\", which is not a number"));
-                None
-            }
+            _ => Some(number),
         }
+    }
+
+    /// The length of a column in mm, m.
+    fn length(&self, column: &str, problems: &mut Vec<String>) -> Option<f64> {
+        self.number(column, problems).map(|length| length / 1e3)
     }
 
     /// A whole number of a column; none where it is empty.
     fn count(&self, column: &str, problems: &mut Vec<String>) -> Option<usize> {
-        let number = self.number(column, 1.0, problems)?;
+        let number = self.number(column, problems)?;
         if number.fract() != 0.0 {
-            problems.push(format!("`{column}` is no whole number"));
+            problems.push(format!(
+                "`{column}` must be a whole number, not {}",
+                self.text(column)
+            ));
         }
         Some(number as usize)
     }
@@ -192,7 +245,6 @@ impl Row<'_> {
 
     fn ball_bearing(&self, problems: &mut Vec<String>) -> Option<CatalogueLine> {
         let balls = self.count("balls", problems);
-        let mut number = |column, divisor| self.number(column, divisor, problems);
         let [bore, outside, ball, pitch, width] = [
             "bore_mm",
             "outside_diameter_mm",
@@ -200,7 +252,7 @@ impl Row<'_> {
             "pitch_diameter_mm",
             "width_mm",
         ]
-        .map(|column| number(column, 1e3));
+        .map(|column| self.length(column, problems));
         let [angle, dynamic, statical, factor, inner, outer] = [
             "contact_angle_deg",
             "dynamic_rating_N",
@@ -209,8 +261,10 @@ impl Row<'_> {
             "groove_factor_inner",
             "groove_factor_outer",
         ]
-        .map(|column| number(column, 1.0));
-        if inner.is_some() != outer.is_some() {
+        .map(|column| self.number(column, problems));
+        let [has_inner, has_outer] = ["groove_factor_inner", "groove_factor_outer"]
+            .map(|column| !self.text(column).is_empty());
+        if has_inner != has_outer {
             problems.push("give both groove factors or none".to_owned());
         }
         Some(CatalogueLine {
@@ -242,7 +296,6 @@ impl Row<'_> {
             }
         }
         let rollers = self.count("rollers", problems);
-        let mut number = |column, divisor| self.number(column, divisor, problems);
         let [bore, outside, width, diameter, length, pitch] = [
             "bore_mm",
             "outside_diameter_mm",
@@ -251,10 +304,10 @@ impl Row<'_> {
             "roller_length_mm",
             "pitch_diameter_mm",
         ]
-        .map(|column| number(column, 1e3));
+        .map(|column| self.length(column, problems));
         let [angle, dynamic, statical] =
             ["contact_angle_deg", "dynamic_rating_N", "static_rating_N"]
-                .map(|column| number(column, 1.0));
+                .map(|column| self.number(column, problems));
         Some(RollerLine {
             kind: named?,
             boundary: [bore?, outside?, width?],
@@ -279,7 +332,7 @@ mod tests {
         let text = format!("{needed}\nA,25,52,0,many\nB,-1,52,0,1000\n,1,2,0,3\n");
         let problems = read(&text).expect_err("three problems");
         assert_eq!(problems.len(), 3, "{problems:?}");
-        assert!(problems[1].starts_with("line 3: `bore_mm` must be above zero"));
+        assert!(problems[1].starts_with("line 3: `bore_mm` must be at least 0.1"));
         let kinds = needed.to_owned() + ",kind,balls,rollers";
         let text = format!(
             "{kinds}\nA,25,52,0,1000,cone,,\nB,25,52,0,1000,needle,9,\nC,25,52,0,1000,,,11\n"
@@ -295,6 +348,42 @@ mod tests {
                 problems.iter().any(|problem| problem.starts_with(told)),
                 "{problems:?}"
             );
+        }
+        for (column, wrong, right) in [
+            ("bore_mm", "0.05", "10"),
+            ("width_mm", "1e7", "9"),
+            ("balls", "1e300", "9"),
+            ("balls", "2", "3"),
+            ("balls", "8.5", "200"),
+            ("ball_diameter_mm", "inf", "5"),
+            ("contact_angle_deg", "-15", "0"),
+            ("contact_angle_deg", "60.1", "60"),
+            ("dynamic_rating_N", "1e300", "1e12"),
+            ("static_rating_N", "NaN", "7000"),
+            ("f0", "31", "14.2"),
+            ("groove_factor_inner", "0.5", "0.51"),
+        ] {
+            let file = |value: &str| {
+                let mut columns = vec![
+                    ("designation", "A"),
+                    ("bore_mm", "25"),
+                    ("outside_diameter_mm", "52"),
+                    ("contact_angle_deg", "0"),
+                    ("dynamic_rating_N", "14000"),
+                    ("groove_factor_outer", "0.53"),
+                    ("groove_factor_inner", "0.52"),
+                ];
+                columns.retain(|(name, _)| *name != column);
+                columns.push((column, value));
+                let (names, cells): (Vec<_>, Vec<_>) = columns.into_iter().unzip();
+                format!("{}\n{}\n", names.join(","), cells.join(","))
+            };
+            let problems = read(&file(wrong)).expect_err(column);
+            assert!(
+                matches!(&problems[..], [only] if only.starts_with(&format!("line 2: `{column}`"))),
+                "{problems:?}"
+            );
+            assert!(read(&file(right)).is_ok(), "{column}");
         }
         let problems = read("designation,bore\nA,1\n").expect_err("columns");
         assert!(problems.iter().any(|problem| problem.contains("`bore`")));
