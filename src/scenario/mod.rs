@@ -389,6 +389,36 @@ mod tests {
     }
 
     #[test]
+    fn whole_numbers_of_any_size_meet_their_limits() {
+        let told = |balls| {
+            let line = [
+                ("bore", "25 mm"),
+                ("outside_diameter", "52 mm"),
+                ("contact_angle", "0 deg"),
+                ("dynamic", "14 kN"),
+                ("static", "7.85 kN"),
+                ("balls", balls),
+            ];
+            ratings(line.into_iter())
+                .err()
+                .map(|issues| issues[0].to_string())
+        };
+        for (balls, shown) in [
+            ("18446744073709551615", "18446744073709551615"),
+            ("-9223372036854775808", "-9223372036854775808"),
+            ("1e300", "1e+300"),
+            ("201", "201"),
+        ] {
+            let message = told(balls).expect(balls);
+            assert!(
+                message.contains(shown) && message.contains("200"),
+                "{message}"
+            );
+        }
+        assert!(told("9.0").is_none() && told("8.5").is_some());
+    }
+
+    #[test]
     fn a_scenario_without_time_has_no_run() {
         let scenario = Scenario::from_toml(SHAFT).expect("a scenario");
         let refused = scenario.simulate().expect_err("no run");

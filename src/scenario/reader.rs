@@ -98,10 +98,13 @@ impl Reader<'_, '_> {
             ("number", Content::Plain(Value::Number(number))) => self.in_range(number.clone()),
             ("number", Content::NotFinite(_)) => self.refuse("must be a finite number"),
             ("integer", Content::Plain(Value::Number(number))) if is_whole(number) => {
-                let whole = number
-                    .as_i64()
-                    .or(number.as_f64().map(|number| number as i64));
-                self.in_range(whole?.into())
+                let float = number.as_f64().filter(|_| number.is_f64());
+                let exact = float.filter(|number| number.abs() < 1e15);
+                let value = self.in_range(exact.map_or(number.clone(), |n| (n as i64).into()))?;
+                match value.is_f64() {
+                    true => self.refuse(&format!("must be below 1e15, not {number}")),
+                    false => Some(value),
+                }
             }
             (expected, content) => {
                 let issue = wrong_type(expected, content, self.schema, self.path);
@@ -331,8 +334,7 @@ impl Reader<'_, '_> {
     }
 }
 
-/// Whether a number is a whole one of ordinary size.
+/// Whether a number is a whole one, of any size.
 fn is_whole(number: &Number) -> bool {
-    let whole = |number: f64| number.fract() == 0.0 && number.abs() < 1e15;
-    number.is_i64() || number.as_f64().is_some_and(whole)
+    number.as_f64().is_some_and(|number| number.fract() == 0.0)
 }
