@@ -181,7 +181,7 @@ fn unconstrained(stiffness: &Matrix5, judged: &[bool; FREEDOMS]) -> Option<Strin
         .collect();
     (!names.is_empty()).then(|| {
         format!(
-            "nothing resists the shaft along {}: no ball bears there, and its position is one of many; \
+            "nothing resists the shaft along {}: no ball or roller bears there, and its position is one of many; \
              add a load or a preload, or hold it",
             names.join(", ")
         )

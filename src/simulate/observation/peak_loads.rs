@@ -5,11 +5,11 @@ use crate::rotor::{BallContacts, Rotor};
 
 const RACES: [&str; 2] = ["inner", "outer"];
 
-/// A ball is pressed into its races by more than its radius, which is no contact any more.
+/// A ball or roller is pressed into its races by more than its radius, which is no contact any more.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error(
-    "bearing {bearing}: at t = {time:.4e} s a ball {} {load:.3e} N and its contact gives way by {:.2} mm, more \
-     than the radius of the ball, {:.2} mm: no bearing bears that; check the loads, shocks and base \
+    "bearing {bearing}: at t = {time:.4e} s a {element} {} {load:.3e} N and its contact gives way by {:.2} mm, more \
+     than the radius of the {element}, {:.2} mm: no bearing bears that; check the loads, shocks and base \
      motion of the scenario and their units",
     if *linear { "would carry, where contact = \"linear\" moves the rings to," } else { "carries" },
     1e3 * approach, 1e3 * radius
@@ -18,13 +18,15 @@ const RACES: [&str; 2] = ["inner", "outer"];
 pub struct BeyondContact {
     /// Number of the bearing, from 1.
     pub bearing: usize,
+    /// What rolls in it: `ball` or `roller`.
+    pub element: &'static str,
     /// Time of the largest load, s.
     pub time: f64,
     /// That load, N.
     pub load: f64,
-    /// Approach of ball and race under it, m.
+    /// Approach of ball or roller and race under it, m.
     pub approach: f64,
-    /// Radius of the ball, m.
+    /// Radius of the ball or roller, m.
     pub radius: f64,
     /// Whether the bearing is linear and knows no balls: the load is that of Hertz contacts at its displacement.
     pub linear: bool,
@@ -126,7 +128,8 @@ impl PeakLoads {
         let linear = support.known_balls() == 0;
         let contacts = support.contacts();
         let permissible = contacts.permissible_pressure();
-        let radius = 0.5 * support.definition().bearing.geometry.ball_diameter();
+        let geometry = &support.definition().bearing.geometry;
+        let (element, radius) = (geometry.element(), 0.5 * geometry.ball_diameter());
         let mut warnings = Vec::new();
         for race in 0..2 {
             let (load, time) = match linear {
@@ -137,6 +140,7 @@ impl PeakLoads {
             if ellipse.approach > radius {
                 return Err(BeyondContact {
                     bearing: number,
+                    element,
                     time,
                     load,
                     approach: ellipse.approach,
@@ -153,7 +157,7 @@ impl PeakLoads {
                     .any(|contact| contact.peak_pressure > permissible);
             if ellipse.peak_pressure > permissible && !known {
                 warnings.push(format!(
-                    "bearing {number}: at t = {time:.4e} s a ball {} pressed onto the {} race with {load:.0} N, \
+                    "bearing {number}: at t = {time:.4e} s a {element} {} pressed onto the {} race with {load:.0} N, \
                      {:.0} MPa where ISO 76 permits {:.0}: the race is dented; the model stays {}",
                     if linear { "would be" } else { "is" },
                     RACES[race],
@@ -166,7 +170,7 @@ impl PeakLoads {
             let known = static_contacts.any(|contact| contact.shoulder_margin < Some(0.0));
             if overhang > 0.0 && !known {
                 warnings.push(format!(
-                    "bearing {number}: at t = {time:.4e} s the contact ellipse of a ball reaches {:.2}° past the shoulder \
+                    "bearing {number}: at t = {time:.4e} s the contact ellipse of a {element} reaches {:.2}° past the shoulder \
                      of the {} race: the edge is pressed harder than the model knows",
                     overhang.to_degrees(),
                     RACES[race]
