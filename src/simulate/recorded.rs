@@ -145,7 +145,7 @@ impl RecordedRun {
         self.run.spectrum.as_ref()?.channel(named(name).ok()?)
     }
 
-    /// Difference from a second pass at a tenth of the tolerance; none where the scene asks for no such pass, or it
+    /// Difference from a second pass at a tenth of the tolerance, or at ten times one below 1e-12; none where the scene asks for no such pass, or it
     /// failed, as a warning then says.
     pub fn error(&self) -> Option<&MeasuredError> {
         self.run.measured_error.as_ref()

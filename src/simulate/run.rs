@@ -40,7 +40,7 @@ pub struct StaticState {
     pub bearings: Vec<Option<BearingState>>,
 }
 
-/// Difference of the run from a second pass at a tenth of its tolerance, with the round-off that both share.
+/// Difference of the run from a second pass at a tenth of its tolerance, or at ten times one below 1e-12, with the round-off that both share.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct MeasuredError {
