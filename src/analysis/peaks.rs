@@ -118,14 +118,15 @@ impl<'a> HannSpectrum<'a> {
         // Bin 0 and the last bin are mixed with the image of the line.
         let upwards = k == 1 || (k + 1 < last && amplitude[k + 1] >= amplitude[k - 1]);
         let neighbour = if upwards { k + 1 } else { k - 1 };
-        let offset = hann_offset(amplitude[neighbour] / amplitude[k], self.length);
+        let offset = Window::Hann.line_offset(amplitude[neighbour] / amplitude[k], self.length);
         if offset < -0.5 {
             return None;
         }
         let beside = if upwards { offset } else { -offset };
         // a single line has the same offset by the pair of bins on the other side
-        let ratio =
-            |near: usize, far: usize| hann_offset(amplitude[near] / amplitude[far], self.length);
+        let ratio = |near: usize, far: usize| {
+            Window::Hann.line_offset(amplitude[near] / amplitude[far], self.length)
+        };
         let again = match (upwards, k) {
             (true, 1) if k + 2 <= last => ratio(k + 2, k + 1) + 1.0,
             (true, 1) => f64::NAN,
@@ -140,7 +141,7 @@ impl<'a> HannSpectrum<'a> {
                 true => BINS_KNOWN,
                 false => uncertainty.clamp(LEAST_UNCERTAINTY, BINS_KNOWN),
             },
-            amplitude: amplitude[k] / hann_response(offset, self.length),
+            amplitude: amplitude[k] / Window::Hann.line_response(offset, self.length),
         })
     }
 
@@ -167,40 +168,4 @@ impl<'a> HannSpectrum<'a> {
 /// An angle turned into −π … π.
 fn wrapped(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
-}
-
-/// Offset δ in bins of a line from bin k towards k + 1, from the ratio α = |Y_{k+1}|/|Y_k|.
-///
-/// ```text
-/// s T² + (1 + α cos 2h) T + s (1 − 2α) = 0,   s = sin h cos h,  h = π/N,   δ = arctan(T)/h
-/// ```
-///
-/// This is exact for a single complex line and the periodic Hann window of any length N; for
-/// large N it becomes δ = (2α − 1)/(α + 1).
-///
-/// Source: the limit in D. C. Rife & G. A. Vincent, Bell Syst. Tech. J. 49 (1970) 197–228; the
-/// exact form follows from [`hann_response`] at δ and δ − 1.
-fn hann_offset(ratio: f64, length: f64) -> f64 {
-    let h = PI / length;
-    let s = h.sin() * h.cos();
-    let b = 1.0 + ratio * (2.0 * h).cos();
-    // The root that vanishes with s, in the form without cancellation.
-    let t =
-        2.0 * s * (2.0 * ratio - 1.0) / (b + (b * b + 4.0 * s * s * (2.0 * ratio - 1.0)).sqrt());
-    t.atan() / h
-}
-
-/// Amplitude that the Hann window of length N shows of a unit line δ bins beside the bin.
-///
-/// `|H(δ)| = sin²h cos a sin πδ / [N sin a (sin²h − sin²a)]`, `a = hδ`, `h = π/N`; H(0) = 1
-fn hann_response(offset: f64, length: f64) -> f64 {
-    let h = PI / length;
-    let a = h * offset;
-    // sin πδ/(N sin a) → 1 at δ = 0
-    let dirichlet = if a == 0.0 {
-        1.0
-    } else {
-        (PI * offset).sin() / (length * a.sin())
-    };
-    dirichlet * a.cos() * h.sin().powi(2) / ((h - a).sin() * (h + a).sin())
 }

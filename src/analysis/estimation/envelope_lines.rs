@@ -1,7 +1,7 @@
 //! Named lines of an envelope spectrum.
 
 use super::{Axis, EnvelopeLine, EstimatedSpectrum, SpectrumKind, SpectrumQuantity};
-use crate::analysis::{Channel, Line, Precision, Window, is_above_noise, magnitude, nearest_cause};
+use crate::analysis::{Channel, Line, Precision, is_above_noise, magnitude, nearest_cause};
 
 /// Lines sought in a column, the strongest.
 const MOST_LINES: usize = 12;
@@ -31,12 +31,11 @@ impl EstimatedSpectrum {
             return;
         }
         let resolution = self.resolution;
-        let between = self.between();
         let lines = self.value_columns().flat_map(|index| {
-            let values = &self.columns[index].values;
-            let maxima = strongest_maxima(values, between).into_iter();
-            maxima.filter_map(move |(bin, value)| {
-                let place = bin * resolution;
+            let strongest = strongest_maxima(&self.columns[index].values);
+            let mut maxima: Vec<_> = strongest.map(|bin| self.refined(index, bin)).collect();
+            maxima.sort_by(|a, b| b.1.total_cmp(&a.1));
+            maxima.into_iter().filter_map(move |(place, value)| {
                 let precision = Precision {
                     resolution: resolution * unit,
                     uncertainty: BINS_KNOWN * resolution * unit,
@@ -61,12 +60,25 @@ impl EstimatedSpectrum {
         of_values.map(|(index, _)| index)
     }
 
-    /// How a maximum between bins is found.
-    fn between(&self) -> fn([f64; 3]) -> f64 {
-        match self.request.window == Window::Hann && !self.request.scaling.is_square() {
-            true => between_hann,
-            false => vertex,
-        }
+    /// The line that makes the maximum of a column at a bin: its place in units of the axis and the value that it would have on a bin.
+    fn refined(&self, column: usize, bin: usize) -> (f64, f64) {
+        let (values, is_square) = (
+            &self.columns[column].values,
+            self.request.scaling.is_square(),
+        );
+        let part = |neighbour: usize| {
+            let part = values[neighbour] / values[bin];
+            if is_square { part.sqrt() } else { part }
+        };
+        let [below, above] = [part(bin - 1), part(bin + 1)];
+        let (window, length) = (self.request.window, self.segment as f64);
+        let offset = window.line_offset(below.max(above), length);
+        let response = window.line_response(offset, length);
+        let beside = if above >= below { offset } else { -offset };
+        (
+            (bin as f64 + beside) * self.resolution,
+            values[bin] / response.powi(if is_square { 2 } else { 1 }),
+        )
     }
 
     /// Amplitudes of a column.
@@ -81,13 +93,9 @@ impl EstimatedSpectrum {
     /// Places of the maxima of a column that are above the noise around them, in units of the axis, with their values; by place.
     pub(crate) fn lines_above_noise(&self, column: usize) -> Vec<(f64, f64)> {
         let amplitudes = self.amplitudes(column);
-        let maxima = maxima(&self.columns[column].values, self.between());
-        let loud = maxima.filter(|(bin, _)| {
-            let bin = bin.round() as usize;
-            is_above_noise(&amplitudes, bin, amplitudes[bin])
-        });
-        loud.map(|(bin, value)| (bin * self.resolution, value))
-            .collect()
+        let loud = maxima(&self.columns[column].values)
+            .filter(|bin| is_above_noise(&amplitudes, *bin, amplitudes[*bin]));
+        loud.map(|bin| self.refined(column, bin)).collect()
     }
 
     /// Sets columns to zero whose amplitudes are all below a least one of their channel: what round-off leaves of a steady envelope.
@@ -116,40 +124,20 @@ impl EstimatedSpectrum {
     }
 }
 
-/// How far beside the middle of three bins a parabola through them is highest.
-fn vertex([before, highest, after]: [f64; 3]) -> f64 {
-    0.5 * (before - after) / (before - 2.0 * highest + after)
-}
-
-/// The offset of a line under the Hann window: (2a − 1)/(a + 1) towards a neighbour of a times the amplitude (Rife & Vincent, Bell
-/// Syst. Tech. J. 49 (1970) 197–228).
-fn between_hann([before, highest, after]: [f64; 3]) -> f64 {
-    let part = before.max(after) / highest;
-    let beside = (2.0 * part - 1.0) / (part + 1.0);
-    if after >= before { beside } else { -beside }
-}
-
-/// Maxima between the bins, with the values of their bins.
-fn maxima(
-    values: &[f64],
-    between: fn([f64; 3]) -> f64,
-) -> impl Iterator<Item = (f64, f64)> + use<'_> {
+/// Bins that are above both neighbours.
+fn maxima(values: &[f64]) -> impl Iterator<Item = usize> + use<'_> {
     let triples = values.windows(3).enumerate().skip(MEAN_BINS);
     let maxima = triples.filter(|(_, three)| three[1] > three[0] && three[1] >= three[2]);
-    maxima.map(move |(before, three)| {
-        let beside = between([three[0], three[1], three[2]]);
-        ((before + 1) as f64 + beside, three[1])
-    })
+    maxima.map(|(before, _)| before + 1)
 }
 
-/// The strongest maxima.
-fn strongest_maxima(values: &[f64], between: fn([f64; 3]) -> f64) -> Vec<(f64, f64)> {
-    let mut found: Vec<(f64, f64)> = maxima(values, between).collect();
-    found.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let strongest = found.first().map_or(0.0, |(_, value)| *value);
-    found.retain(|(_, value)| *value >= LEAST_PART * strongest);
-    found.truncate(MOST_LINES);
-    found
+/// The strongest of them.
+fn strongest_maxima(values: &[f64]) -> impl Iterator<Item = usize> + use<'_> {
+    let mut found: Vec<usize> = maxima(values).collect();
+    found.sort_by(|a, b| values[*b].total_cmp(&values[*a]));
+    let strongest = found.first().map_or(0.0, |bin| values[*bin]);
+    found.retain(|bin| values[*bin] >= LEAST_PART * strongest);
+    found.into_iter().take(MOST_LINES)
 }
 
 #[cfg(test)]
@@ -157,18 +145,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn maxima_lie_between_the_bins_and_weak_ones_are_left_out() {
+    fn weak_maxima_and_the_mean_are_left_out() {
         let mut values = vec![0.0; 40];
         values[0] = 9.0; // the mean
         values[10..13].copy_from_slice(&[1.0, 2.0, 1.0]);
         values[20..23].copy_from_slice(&[2.0, 4.0, 3.0]);
         values[31] = 0.01;
-        let found = strongest_maxima(&values, vertex);
-        assert_eq!(found.len(), 2);
-        assert!((found[0].0 - (21.0 + 1.0 / 6.0)).abs() < 1e-12 && found[0].1 == 4.0);
-        assert_eq!(found[1], (11.0, 2.0));
-        // midway between two bins both are equally high
-        assert_eq!(between_hann([0.2, 1.0, 1.0]), 0.5);
-        assert_eq!(between_hann([0.5, 1.0, 0.5]), 0.0);
+        assert_eq!(strongest_maxima(&values).collect::<Vec<_>>(), [21, 11]);
     }
 }

@@ -92,7 +92,7 @@ pub struct EnvelopeLine {
     pub column: usize,
     /// Its position between the bins, Hz or orders.
     pub place: f64,
-    /// Highest value of its bins.
+    /// Its value, in the scaling of the spectrum; between bins what it would be on one.
     pub value: f64,
     /// What causes it.
     pub line: Line,

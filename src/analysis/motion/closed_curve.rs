@@ -156,7 +156,7 @@ fn strongest(points: &Centred) -> Option<f64> {
     };
     let last = count / 2;
     let top = (1..=last).max_by(|a, b| power(*a).total_cmp(&power(*b)))?;
-    // the line lies towards the stronger neighbour: Hann's (2α − 1)/(α + 1)
+    // the line lies towards the stronger neighbour
     let beside = |k: usize| {
         if (1..=last).contains(&k) {
             power(k).sqrt()
@@ -166,7 +166,8 @@ fn strongest(points: &Centred) -> Option<f64> {
     };
     let (below, above) = (beside(top - 1), beside(top + 1));
     let ratio = below.max(above) / power(top).sqrt();
-    let offset = ((2.0 * ratio - 1.0) / (ratio + 1.0)).clamp(-0.5, 0.5);
+    let offset = Window::Hann.line_offset(ratio, count as f64);
+    let offset = offset.clamp(-0.5, 0.5);
     let signed = if above >= below { offset } else { -offset };
     Some((top as f64 + signed) / count as f64)
 }

@@ -160,6 +160,29 @@ fn an_envelope_shows_how_often_it_knocks() {
 }
 
 #[test]
+fn a_line_of_an_envelope_between_bins_has_its_full_height() {
+    let motion = |time: f64| {
+        let swell = 1.0 + 0.6 * (TAU * 40.3 * time).cos();
+        Motion::places([swell * (TAU * 300.0 * time).cos(), 0.0])
+    };
+    let kind = SpectrumKind::Envelope {
+        band: [200.0, 400.0],
+    };
+    for window in [Window::Hann, Window::Hamming, Window::FlatTop] {
+        for (scaling, expected) in [(Scaling::Peak, 0.6), (Scaling::Power, 0.5 * 0.6 * 0.6)] {
+            let mut request = request(kind, &[X], scaling);
+            (request.window, request.detrend) = (window, Detrend::Constant);
+            let found = estimated(&request, 4096, motion).unwrap();
+            let lines = found.lines_above_noise(0).into_iter();
+            let (place, value) = lines.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
+            let name = format!("{window:?} {scaling:?}");
+            assert!((place - 40.3).abs() < 0.01, "{name}: {place} Hz");
+            assert!((value / expected - 1.0).abs() < 0.01, "{name}: {value}");
+        }
+    }
+}
+
+#[test]
 fn what_is_too_short_says_by_how_much() {
     let mut request = plain(Scaling::Peak);
     let of = |count| estimated(&request, count, tone).map(|found| found.samples);
