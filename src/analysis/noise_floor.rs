@@ -5,44 +5,56 @@ use std::f64::consts::PI;
 use super::Channel;
 
 /// Part of the largest value of a family of quantities below which one of them is round-off: results of the same
-/// scene on another machine, or by another order of operations, differ by about this much.
+/// scene on another machine, or by another order of operations, differ by about this much; a sensor resolves less: 32 bits
+/// are 2e-10.
 const ROUND_OFF: f64 = 1e-11;
 /// Length by which tilts are compared with displacements and moments with forces, m: the order of the radius of a
 /// bearing.
 const ARM: f64 = 0.01;
 
-/// Noise floor of the columns of a run: amplitudes below it are round-off.
+/// Noise floor of the columns of a run or a record: amplitudes below it are round-off.
 ///
 /// It is 1e-11 of the largest value, mean included, in the family of a quantity: displacements with tilts (through a
 /// length of 10 mm), velocities, accelerations, forces with moments, and those of single bearings and elements. Velocities and accelerations of a shaft at rest
-/// have a floor too: that of the displacements at half the sampling rate. Energies, moments of the drive, angles and
-/// counts have none.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+/// have a floor too: that of the displacements at half the sampling rate. A sensor is a family of its own. Energies, moments
+/// of the drive, angles and counts have none.
+#[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct NoiseFloor {
     /// Largest displacement in m, velocity in m/s, acceleration in m/s², force in N, force of a bearing or element in N.
     largest: [f64; 5],
+    /// Largest value of each sensor.
+    measured: Vec<(Channel, f64)>,
 }
 
 impl NoiseFloor {
     /// Of columns with their largest magnitudes, `rate` samples a second; zero where that is unknown.
     pub fn of(columns: impl IntoIterator<Item = (Channel, f64)>, rate: f64) -> Self {
         let mut largest = [0.0_f64; 5];
+        let mut measured = Vec::new();
         for (channel, magnitude) in columns {
             if let Some((family, length)) = family(channel) {
                 largest[family] = largest[family].max(magnitude / length);
+            } else if let Channel::Measured(_) = channel {
+                measured.push((channel, magnitude));
             }
         }
         let highest = PI * rate;
         largest[1] = largest[1].max(highest * largest[0]);
         largest[2] = largest[2].max(highest * largest[1]);
-        Self { largest }
+        Self { largest, measured }
     }
 
     /// Amplitude below which a column shows round-off, in its unit.
     pub fn below(&self, channel: Channel) -> f64 {
-        family(channel).map_or(0.0, |(family, length)| {
-            ROUND_OFF * self.largest[family] * length
-        })
+        let largest = match family(channel) {
+            Some((family, length)) => self.largest[family] * length,
+            None => {
+                let mut measured = self.measured.iter();
+                let own = measured.find(|(known, _)| *known == channel);
+                own.map_or(0.0, |(_, largest)| *largest)
+            }
+        };
+        ROUND_OFF * largest
     }
 }
 

@@ -244,6 +244,20 @@ fn round_off_is_no_line() {
     assert!(found.spectra[0].lines.is_empty() && found.unnamed_lines.is_empty());
 }
 
+/// Of a column that rests at 500; a tone of 1e-6 about it is more than round-off.
+#[test]
+fn a_constant_column_has_no_lines() {
+    let tone = |n: i32| (TAU * 0.1 * f64::from(n)).sin();
+    for (unit, amplitude, lines) in [("m/s^2", 0.0, 0), ("1", 0.0, 0), ("1", 1e-6, 1)] {
+        let values = (0..4000).map(|n| 500.0 + amplitude * tone(n)).collect();
+        let options = [("unit", unit), BESIDE_CWRU_6205[0], BESIDE_CWRU_6205[2]];
+        let found = analysed(columns(vec![("a", values)]), &options);
+        let strong = found.peaks.iter().filter(|peak| peak.amplitude > 1e-7);
+        assert_eq!((found.peaks.len(), strong.count()), (lines, lines), "{unit}");
+        assert!(found.spectra[0].lines.is_empty(), "{unit}");
+    }
+}
+
 #[test]
 fn a_strong_line_that_nothing_causes_is_told() {
     let signal = ringing(12_000.0, 60_000, [30.0, 0.0], 4.23);
