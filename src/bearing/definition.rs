@@ -41,7 +41,7 @@ pub struct Bearing {
     pub(crate) lubrication: Option<Lubrication>,
     /// The ring that turns; the other one is at rest, as the load is.
     pub rotating_ring: Race,
-    /// Reliability of the modified life, per cent; 90 where it is not given.
+    /// Reliability of the modified life, per cent, 90 … 99.95; 90 where it is not given.
     pub reliability: Option<f64>,
     /// What fits and temperatures have done to it.
     pub(crate) fit: Option<FitState>,

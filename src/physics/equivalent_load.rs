@@ -1,5 +1,7 @@
 //! Dynamic equivalent load of ISO 281.
 
+use super::at_least;
+
 /// e, Y over the relative axial load F_a/(Z D²) of one nominal angle, N/mm².
 type Rows = [(f64, [f64; 2]); 9];
 
@@ -62,7 +64,7 @@ pub fn equivalent_load(radial: f64, axial: f64, contact_angle: f64, relative_axi
     if axial <= e * radial {
         return radial;
     }
-    (x * radial + y * axial).max(radial)
+    at_least(x * radial + y * axial, radial)
 }
 
 /// Dynamic equivalent load P of a radial roller bearing with one row or two, N.
@@ -86,7 +88,7 @@ pub fn equivalent_load(radial: f64, axial: f64, contact_angle: f64, relative_axi
 /// ```
 pub fn roller_equivalent_load(radial: f64, axial: f64, contact_angle: f64, rows: usize) -> f64 {
     let (radial, axial) = (radial.abs(), axial.abs());
-    if contact_angle == 0.0 {
+    if contact_angle == 0.0 && !axial.is_nan() {
         return radial;
     }
     let slope = contact_angle.tan();
@@ -109,9 +111,10 @@ fn factors(degrees: f64, relative: f64) -> [f64; 3] {
     between(&rows, degrees)
 }
 
-/// Straight lines between rows that rise; the first and the last row beyond them.
+/// Straight lines between rows that rise; the first and the last row beyond them, NaN at NaN.
 pub(super) fn between<const M: usize>(rows: &[(f64, [f64; M])], at: f64) -> [f64; M] {
     match rows.partition_point(|(place, _)| *place <= at) {
+        _ if at.is_nan() => [f64::NAN; M],
         0 => rows[0].1,
         above if above == rows.len() => rows[above - 1].1,
         above => {

@@ -2,6 +2,8 @@
 
 use std::f64::consts::PI;
 
+use super::at_least;
+
 /// Density of mineral oil, kg/m³: what turns dynamic into kinematic viscosity where no density is
 /// given. Mineral oils lie between 850 and 900 kg/m³.
 pub const MINERAL_OIL_DENSITY: f64 = 870.0;
@@ -106,7 +108,7 @@ impl FrictionFactors {
             load_exponent: 0.0,
             static_radial: 1.0,
             static_axial: 0.0,
-            axial_factor: if angle > 0.0 { 0.8 / angle.tan() } else { 0.0 },
+            axial_factor: if angle <= 0.0 { 0.0 } else { 0.8 / angle.tan() },
             radial_relief: 0.0,
             viscous_factor,
         }
@@ -130,8 +132,10 @@ impl FrictionFactors {
     ) -> f64 {
         let (radial, axial) = (radial.abs(), axial.abs());
         // P_0 = X_s F_r + Y_s F_a, P_1 = k F_a − k_r F_r
-        let static_load = (self.static_radial * radial + self.static_axial * axial).max(radial);
-        let load = (self.axial_factor * axial - self.radial_relief * radial).max(radial);
+        let static_load = self.static_radial * radial + self.static_axial * axial;
+        let static_load = at_least(static_load, radial);
+        let load = self.axial_factor * axial - self.radial_relief * radial;
+        let load = at_least(load, radial);
         // f_1 = z (P_0/C_0)^y
         let factor = self.load_factor * (static_load / static_rating).powf(self.load_exponent);
         // M_1 = f_1 P_1 d_m
@@ -158,7 +162,7 @@ impl FrictionFactors {
         let product = viscosity * 1e6 * (speed.abs() * 30.0 / PI);
         let diameter = pitch_diameter * 1e3;
         // the books change over at ν n = 2000 by a jump of 0.8 %; the larger one has none
-        let growth = product.cbrt().powi(2).max(160.0);
+        let growth = at_least(product.cbrt().powi(2), 160.0);
         // M_0 = 1e-7 f_0 (ν n)^(2/3) d_m³, N mm
         1e-3 * (1e-7 * self.viscous_factor * growth * diameter.powi(3))
     }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::{Curvature, complete_elliptic_first, complete_elliptic_second};
+use super::{Curvature, at_least, complete_elliptic_first, complete_elliptic_second};
 
 /// Why a Hertz contact cannot be formed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -133,14 +133,13 @@ impl HertzContact {
 
     /// Ellipse, peak pressure and approach under the normal load `load` in N (zero if negative).
     pub fn ellipse(&self, load: f64) -> ContactEllipse {
-        let load = load.max(0.0);
+        let load = at_least(load, 0.0);
         let scale = (3.0 * load / (2.0 * self.curvature_sum * self.modulus)).cbrt();
         let semi_major = self.semi_major_constant() * scale;
         let semi_minor = self.semi_minor_constant() * scale;
-        let peak_pressure = if load > 0.0 {
-            3.0 * load / (2.0 * PI * semi_major * semi_minor)
-        } else {
-            0.0
+        let peak_pressure = match load == 0.0 {
+            true => 0.0,
+            false => 3.0 * load / (2.0 * PI * semi_major * semi_minor),
         };
         ContactEllipse {
             semi_major,

@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::at_most;
 use super::equivalent_load::between;
 
 /// Largest viscosity ratio that counts.
@@ -87,7 +88,7 @@ impl LifeModification {
 
     /// a_ISO by κ and e_C C_u/P.
     pub fn factor(&self, viscosity_ratio: f64, contamination: f64) -> f64 {
-        let ratio = viscosity_ratio.min(HIGHEST_RATIO);
+        let ratio = at_most(viscosity_ratio, HIGHEST_RATIO);
         if ratio < 0.1 || contamination <= 0.0 {
             return 0.1;
         }
@@ -101,23 +102,29 @@ impl LifeModification {
         if rest <= 0.0 {
             return HIGHEST_FACTOR;
         }
-        (0.1 * rest.powf(-m)).min(HIGHEST_FACTOR)
+        at_most(0.1 * rest.powf(-m), HIGHEST_FACTOR)
     }
 }
 
 /// Life modification factor a_1 for a reliability in per cent: 1 at 90, straight lines between the values of the
-/// standard.
+/// standard; NaN outside its 90 … 99.95.
 ///
 /// Source: ISO 281:2007, amended values of table 12.
 ///
 /// ```
 /// use jeffcott::physics::reliability_factor;
-/// assert_eq!([90.0, 95.0, 99.0].map(reliability_factor), [1.0, 0.64, 0.25]);
+/// assert_eq!([90.0, 95.0, 99.95].map(reliability_factor), [1.0, 0.64, 0.077]);
+/// assert!(reliability_factor(99.99).is_nan());
 /// ```
 pub fn reliability_factor(per_cent: f64) -> f64 {
     #[rustfmt::skip]
-    const FACTORS: [(f64, [f64; 1]); 6] =
-        [(90.0, [1.0]), (95.0, [0.64]), (96.0, [0.55]), (97.0, [0.47]), (98.0, [0.37]), (99.0, [0.25])];
+    const FACTORS: [(f64, [f64; 1]); 14] = [
+        (90.0, [1.0]), (95.0, [0.64]), (96.0, [0.55]), (97.0, [0.47]), (98.0, [0.37]), (99.0, [0.25]), (99.2, [0.22]),
+        (99.4, [0.19]), (99.6, [0.16]), (99.8, [0.12]), (99.9, [0.093]), (99.92, [0.087]), (99.94, [0.080]), (99.95, [0.077]),
+    ];
+    if !(FACTORS[0].0..=FACTORS[13].0).contains(&per_cent) {
+        return f64::NAN;
+    }
     let [factor] = between(&FACTORS, per_cent);
     factor
 }

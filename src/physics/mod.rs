@@ -1,6 +1,7 @@
 //! Closed-form laws of solid contact and rolling kinematics, one law per file.
 //!
-//! Everything here is a pure function of numbers in SI units: no bearing, no shaft, no time.
+//! Everything here is a pure function of numbers in SI units: no bearing, no shaft, no time. What is not a number leads to what
+//! is none.
 
 mod ball_motion;
 mod beam;
@@ -47,3 +48,13 @@ pub use vibration_zones::{
     MachineGroup, MachineSupport, VibrationZone, velocity_band, zone_boundaries,
 };
 pub use viscosity::ViscosityLaw;
+
+/// A value, or the least one where it is below that; NaN stays NaN, as it does not with `f64::max`.
+fn at_least(value: f64, least: f64) -> f64 {
+    if value < least { least } else { value }
+}
+
+/// A value, or the most one where it is above that; NaN stays NaN.
+fn at_most(value: f64, most: f64) -> f64 {
+    if value > most { most } else { value }
+}

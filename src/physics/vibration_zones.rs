@@ -76,18 +76,21 @@ pub fn zone_boundaries(group: MachineGroup, support: MachineSupport) -> [f64; 3]
 }
 
 impl VibrationZone {
-    /// The zone of an RMS velocity in m/s between boundaries.
+    /// The zone of an RMS velocity in m/s between boundaries; none of NaN.
     ///
     /// ```
     /// use jeffcott::physics::{MachineGroup, MachineSupport, VibrationZone, zone_boundaries};
     /// let zone = |support| VibrationZone::from_velocity(3e-3, &zone_boundaries(MachineGroup::Medium, support));
-    /// assert_eq!(zone(MachineSupport::Rigid), VibrationZone::C);
-    /// assert_eq!(zone(MachineSupport::Flexible), VibrationZone::B);
+    /// assert_eq!(zone(MachineSupport::Rigid), Some(VibrationZone::C));
+    /// assert_eq!(zone(MachineSupport::Flexible), Some(VibrationZone::B));
     /// ```
-    pub fn from_velocity(velocity: f64, boundaries: &[f64; 3]) -> Self {
+    pub fn from_velocity(velocity: f64, boundaries: &[f64; 3]) -> Option<Self> {
+        if velocity.is_nan() {
+            return None;
+        }
         let zones = [Self::A, Self::B, Self::C, Self::D];
         let below = boundaries.iter().filter(|boundary| velocity > **boundary);
-        zones[below.count()]
+        Some(zones[below.count()])
     }
 
     /// What the standard says of a machine in this zone.

@@ -1,5 +1,6 @@
 //! Viscosity of oils over the temperature.
 
+use super::at_least;
 use crate::numerics::root::bisection;
 
 /// Kinematic viscosity over the temperature.
@@ -24,7 +25,8 @@ impl ViscosityLaw {
     /// Viscosity index of a common mineral oil.
     pub const USUAL_INDEX: f64 = 95.0;
 
-    /// Through two points, each a temperature in °C and a kinematic viscosity in m²/s.
+    /// Through two points, each a temperature in °C and a kinematic viscosity in m²/s; of one temperature there is no law, and
+    /// its viscosities are NaN.
     ///
     /// ```
     /// use jeffcott::physics::ViscosityLaw;
@@ -50,7 +52,7 @@ impl ViscosityLaw {
 
     /// Law of an oil by its kinematic viscosity at 40 °C in m²/s, the number of its ISO VG class in mm²/s (ISO 3448), and its
     /// viscosity index (ASTM D2270, ISO 2909): the viscosity at 100 °C is the one with that index. The standard knows no index
-    /// of oils thinner than 2 mm²/s at 100 °C: there it is extended.
+    /// of oils thinner than 2 mm²/s at 100 °C: there it is extended. Where no viscosity at 100 °C has the index, the law is NaN.
     ///
     /// ```
     /// use jeffcott::physics::ViscosityLaw;
@@ -68,7 +70,10 @@ impl ViscosityLaw {
         let grade = 1e6 * at_40;
         // thicker at 100 °C: a higher index
         let reaches = |at_100| viscosity_index(grade, at_100) >= index;
-        let at_100 = bisection(reaches, [THINNEST, grade], 0.0);
+        let at_100 = match reaches(grade) {
+            true => bisection(reaches, [THINNEST, grade], 0.0),
+            false => f64::NAN,
+        };
         Self::through([(40.0, at_40), (100.0, 1e-6 * at_100)])
     }
 
@@ -95,7 +100,7 @@ const NEWTON_STEPS: usize = 8;
 /// Viscosity in mm²/s of a Z, by Newton's method from above: Z rises ever steeper with it. The inverse in the standard is
 /// a fit of that, to 0.03 %.
 fn unshifted(value: f64) -> f64 {
-    let value = value.max(shifted(THINNEST));
+    let value = at_least(value, shifted(THINNEST));
     (0..NEWTON_STEPS).fold(value - 0.7, |viscosity, _| {
         let slope = 1.0 - decay(viscosity) * (1.84 + 1.02 * viscosity);
         viscosity - (shifted(viscosity) - value) / slope

@@ -111,6 +111,7 @@ impl VibrationSeverity {
         let (channel, level) = largest.ok_or_else(|| refused(TOO_FEW))?;
         let boundaries = zone_boundaries(machine.group, machine.support);
         let zone = VibrationZone::from_velocity(level.rms, &boundaries);
+        let zone = zone.ok_or_else(|| refused("the RMS velocity is not a number"))?;
         Ok(Self {
             standard: STANDARD,
             group: match machine.group {

@@ -103,8 +103,8 @@ pub struct BearingInput {
     /// the catalogue.
     #[schemars(extend("examples" = ["16.6 kN"], "x-above" = 0.0))]
     pub dynamic_rating: Option<Quantity<Force>>,
-    /// Reliability of the modified life L_nm in per cent, 90 to 99. Default: 90.
-    #[schemars(range(min = 90.0, max = 99.0))]
+    /// Reliability of the modified life L_nm in per cent, 90 to 99.95. Default: 90.
+    #[schemars(range(min = 90.0, max = 99.95))]
     pub reliability: Option<f64>,
     /// Fits and temperatures; clearance, contact angle and preload in operation follow from them.
     pub fit: Option<FitInput>,

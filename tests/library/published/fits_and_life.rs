@@ -1,11 +1,11 @@
 //! Fits, temperatures, lubrication and friction: closed forms of Lamé, ISO 281 and SKF's catalogue, by independent
 //! calculation.
 
-use crate::bearing::BearingState;
+use crate::bearing::{Bearing, BearingState};
 use crate::physics::{
-    LifeModification, Material, STEEL_EXPANSION, SkfFriction, SkfOperation, ViscosityLaw,
-    equivalent_load, inner_ring_fit, outer_ring_fit, rating_factor, reference_viscosity,
-    reliability_factor, thermal_clearance_change,
+    FrictionFactors, LifeModification, Material, STEEL_EXPANSION, SkfFriction, SkfOperation,
+    VibrationZone, ViscosityLaw, equivalent_load, inner_ring_fit, outer_ring_fit, rating_factor,
+    reference_viscosity, reliability_factor, roller_equivalent_load, thermal_clearance_change,
 };
 use crate::quasi_static::{QuasiStatic, quasi_static};
 use crate::scenario::Scenario;
@@ -118,6 +118,50 @@ fn reference_viscosities_and_life_factors() {
     }
     let factors = [95.0, 96.0, 97.0, 98.0, 99.0].map(reliability_factor);
     assert_eq!(factors, [0.64, 0.55, 0.47, 0.37, 0.25]);
+    let factors = [99.2, 99.4, 99.6, 99.8, 99.9, 99.92, 99.94, 99.95].map(reliability_factor);
+    let printed = [0.22, 0.19, 0.16, 0.12, 0.093, 0.087, 0.080, 0.077];
+    assert_eq!(factors, printed);
+    assert!(
+        [50.0, 99.99, 100.0]
+            .iter()
+            .all(|at| reliability_factor(*at).is_nan())
+    );
+}
+
+#[test]
+fn what_is_not_a_number_leads_to_none() {
+    const NAN: f64 = f64::NAN;
+    let boundaries = [1.4e-3, 2.8e-3, 4.5e-3];
+    assert_eq!(VibrationZone::from_velocity(NAN, &boundaries), None);
+    let groove = FrictionFactors::DEEP_GROOVE;
+    let [balls, rollers] = [LifeModification::BALLS, LifeModification::ROLLERS];
+    let contact = Bearing::catalogue("6205").unwrap().inner_contact().unwrap();
+    let ellipse = contact.ellipse(NAN);
+    let answers = [
+        equivalent_load(1000.0, NAN, 0.0, 1.0),
+        equivalent_load(NAN, 500.0, 0.0, 1.0),
+        equivalent_load(1000.0, 500.0, NAN, 1.0),
+        equivalent_load(1000.0, 500.0, 0.0, NAN),
+        roller_equivalent_load(1000.0, NAN, 0.0, 1),
+        roller_equivalent_load(1000.0, NAN, 0.2, 2),
+        balls.factor(NAN, 0.05),
+        rollers.factor(1.0, NAN),
+        reliability_factor(NAN),
+        groove.load_moment(1e3, NAN, 32e3, 0.05),
+        groove.viscous_moment(NAN, 100.0, 0.05),
+        ViscosityLaw::from_grade(NAN, 95.0).at(50.0),
+        ViscosityLaw::from_grade(68e-6, NAN).at(50.0),
+        // an index that no oil of the grade has, and two points at one temperature
+        ViscosityLaw::from_grade(68e-6, 1e6).at(50.0),
+        ViscosityLaw::through([(40.0, 68e-6), (40.0, 68e-6)]).at(40.0),
+        ViscosityLaw::through([(40.0, 68e-6), (40.0, 8.6e-6)]).at(40.0),
+        ViscosityLaw::through([(40.0, 68e-6), (100.0, 8.6e-6)]).at(NAN),
+        ellipse.peak_pressure,
+        ellipse.approach,
+    ];
+    for (index, answer) in answers.into_iter().enumerate() {
+        assert!(answer.is_nan(), "{index}: {answer}");
+    }
 }
 
 #[test]
