@@ -17,7 +17,7 @@ pub enum Part {
     Element(usize),
 }
 
-/// A column of the table of samples.
+/// A column of the table of samples, found by its name: [`Channel::from_name`], or among [`Channel::all`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Channel {
@@ -28,20 +28,26 @@ pub enum Channel {
     /// Angular speed of the shaft.
     Speed,
     /// Displacement or tilt of freedom 0 … 4: x, y, z, θx, θy.
+    #[non_exhaustive]
     Displacement(usize),
     /// Its time derivative.
+    #[non_exhaustive]
     Velocity(usize),
     /// Its second time derivative.
+    #[non_exhaustive]
     Acceleration(usize),
     /// Force of the bearings on the shaft along freedom 0 … 4.
+    #[non_exhaustive]
     Force(usize),
     /// Largest load on a ball of any bearing.
     LargestBallLoad,
     /// Number of balls in contact, all bearings together.
     BallsLoaded,
     /// A term of the energy balance: kinetic, stored, then the works.
+    #[non_exhaustive]
     Energy(usize),
     /// Motion of a housing, or of what vibrates on it, along axis 0 … 2.
+    #[non_exhaustive]
     Body {
         /// Which.
         body: Body,
@@ -52,6 +58,7 @@ pub enum Channel {
     },
     /// Force of a bearing or an element on the shaft, or on the housing that it holds, along freedom 0 … 4, moments about
     /// the point of the total.
+    #[non_exhaustive]
     PartForce {
         /// Which.
         part: Part,
@@ -59,6 +66,7 @@ pub enum Channel {
         freedom: usize,
     },
     /// A quantity of a driven shaft: moments of drive, load, friction and vibration, twist.
+    #[non_exhaustive]
     Drive(usize),
     /// What a sensor measured, which no simulation has.
     Measured(&'static Column),
@@ -191,6 +199,18 @@ impl Channel {
     /// All columns, in the order in which the tables show them.
     pub fn all() -> impl Iterator<Item = Self> {
         ALL.iter().map(|(channel, ..)| *channel)
+    }
+
+    /// The column of a simulation that has a name as in the files, without its unit.
+    ///
+    /// ```
+    /// use jeffcott::analysis::Channel;
+    /// let velocity = Channel::from_name("x_velocity").expect("a column of every run");
+    /// assert_eq!(velocity.unit(), "m/s");
+    /// assert_eq!(Channel::from_name("velocity_of_light"), None);
+    /// ```
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::all().find(|channel| channel.name() == name)
     }
 
     /// The columns that the table `trace` has of every shaft.

@@ -153,8 +153,7 @@ impl Window {
         };
         if self == Self::Hann {
             let a = h * offset;
-            return dirichlet(offset) * a.cos() * h.sin().powi(2)
-                / ((h - a).sin() * (h + a).sin());
+            return dirichlet(offset) * a.cos() * h.sin().powi(2) / ((h - a).sin() * (h + a).sin());
         }
         let turned = |x: f64| Complex::from_polar(dirichlet(x), -(PI - h) * x);
         let terms = self.coefficients().iter().enumerate();
@@ -193,8 +192,14 @@ mod tests {
                 let [at, next] = [1024, 1025].map(|k| found.amplitude(k, window));
                 let offset = window.line_offset(next / at, length as f64);
                 let amplitude = at / window.line_response(offset, length as f64);
-                assert!((offset - beside).abs() < 1e-2, "{window:?} {beside}: {offset}");
-                assert!((amplitude - 3.0).abs() < 3e-3, "{window:?} {beside}: {amplitude}");
+                assert!(
+                    (offset - beside).abs() < 1e-2,
+                    "{window:?} {beside}: {offset}"
+                );
+                assert!(
+                    (amplitude - 3.0).abs() < 3e-3,
+                    "{window:?} {beside}: {amplitude}"
+                );
             }
         }
     }

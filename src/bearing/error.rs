@@ -30,6 +30,12 @@ pub enum BearingError {
         /// Value as given.
         value: f64,
     },
+    /// The stiffness of a ball between both races is no positive number.
+    #[error("the contact stiffness is {stiffness} N/m^1.5; it must be positive and finite")]
+    ContactStiffness {
+        /// Stiffness constant K_n as given, N/m^1.5.
+        stiffness: f64,
+    },
     /// The balls have no mass.
     #[error("the density of the balls is {density} kg/m³; it must be positive and finite")]
     Density {

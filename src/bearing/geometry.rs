@@ -1,5 +1,7 @@
 //! Internal geometry of a ball or roller bearing.
 
+use std::ops::RangeInclusive;
+
 use super::free_position::position_of_clearance;
 use super::{FreePosition, GeometryError, RollerKind, Rollers};
 use crate::physics::{BallPass, ball_pass_frequencies, dynamic_rating, open_groove_factor};
@@ -30,6 +32,8 @@ impl Geometry {
     /// Largest squeeze of a ball between its races without load, in parts of the distance of the groove centres: about
     /// 3 GPa.
     pub const LARGEST_SQUEEZE: f64 = 0.1;
+    /// Lengths that are taken for dimensions of a bearing, m.
+    pub const LENGTHS: RangeInclusive<f64> = 1e-5..=1e3;
     /// Largest free contact angle, rad.
     pub const LARGEST_CONTACT_ANGLE: f64 = std::f64::consts::FRAC_PI_3;
 
@@ -52,9 +56,7 @@ impl Geometry {
             ("ball diameter", ball_diameter),
             ("pitch diameter", pitch_diameter),
         ] {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(GeometryError::Length { name, value });
-            }
+            Self::check_length(name, value)?;
         }
         for (race, value) in [
             ("inner", groove_factor_inner),
@@ -114,11 +116,9 @@ impl Geometry {
     ) -> Result<Self, GeometryError> {
         let angle = FreePosition::ContactAngle(contact_angle);
         let alike = Self::new(count, diameter, pitch_diameter, angle, 1.0, 1.0)?;
-        let (name, value) = ("roller length", rollers.length);
-        if !(value > 0.0 && value.is_finite()) {
-            return Err(GeometryError::Length { name, value });
-        }
+        Self::check_length("roller length", rollers.length)?;
         rollers.kind.check_angle(contact_angle)?;
+        rollers.check_barrel()?;
         let laminae = rollers.laminae;
         if !(Rollers::FEWEST_LAMINAE..=Rollers::MOST_LAMINAE).contains(&laminae) {
             return Err(GeometryError::Laminae { laminae });
@@ -129,6 +129,13 @@ impl Geometry {
             ..alike
         };
         geometry.with_roller_clearance(rollers)
+    }
+
+    fn check_length(name: &'static str, value: f64) -> Result<(), GeometryError> {
+        match Self::LENGTHS.contains(&value) {
+            true => Ok(()),
+            false => Err(GeometryError::Length { name, value }),
+        }
     }
 
     /// The bearing with rollers whose clearance fits it.

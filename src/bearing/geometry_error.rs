@@ -17,8 +17,11 @@ pub enum GeometryError {
         /// Number of balls as given.
         balls: usize,
     },
-    /// A dimension is not a positive finite length.
-    #[error("{name} is {value} m; it must be positive and finite")]
+    /// A dimension is no length of a bearing.
+    #[error(
+        "{name} is {value} m; it must be from {} m to {} m",
+        Geometry::LENGTHS.start(), Geometry::LENGTHS.end()
+    )]
     Length {
         /// What the dimension is called.
         name: &'static str,
@@ -79,6 +82,19 @@ pub enum GeometryError {
         degrees: f64,
         /// What it must be.
         rule: &'static str,
+    },
+    /// A barrel does not fit into its races.
+    #[error(
+        "barrels with a radius of {roller_radius} m along {length} m in races of {race_radius} m: half the length must be less \
+         than the radius, and that no more than the radius of the races"
+    )]
+    Barrel {
+        /// Radius of the roller along its length, m.
+        roller_radius: f64,
+        /// That of both races, m.
+        race_radius: f64,
+        /// Length of the roller, m.
+        length: f64,
     },
     /// A roller is cut into too few or too many slices.
     #[error("{laminae} laminae: a roller is cut into {min} to {max}", min = Rollers::FEWEST_LAMINAE, max = Rollers::MOST_LAMINAE)]

@@ -84,7 +84,7 @@ pub enum Profile {
 }
 
 /// Distances from the middle of a roller, rising, and its drops there, m; straight lines in between, and level beyond.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ProfilePoints {
     points: [[f64; 2]; Self::MOST],
     count: usize,
@@ -158,6 +158,26 @@ impl Rollers {
     /// Rows of rollers.
     pub fn rows(&self) -> usize {
         self.kind.rows()
+    }
+
+    /// Whether the radii of a barrel are those of a roller in wider races.
+    ///
+    /// # Errors
+    /// [`GeometryError::Barrel`] with the radii and the length.
+    pub(super) fn check_barrel(&self) -> Result<(), GeometryError> {
+        match self.profile {
+            Profile::Barrel {
+                roller_radius,
+                race_radius,
+            } if !(roller_radius > 0.5 * self.length && race_radius >= roller_radius) => {
+                Err(GeometryError::Barrel {
+                    roller_radius,
+                    race_radius,
+                    length: self.length,
+                })
+            }
+            _ => Ok(()),
+        }
     }
 
     /// C of ISO 281 of a bearing with these rollers, N.

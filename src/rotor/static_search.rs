@@ -164,7 +164,11 @@ impl StaticSearch<'_> {
             }
             let secant = (high_slope * low - low_slope * high) / (high_slope - low_slope);
             let margin = 0.1 * (high - low);
-            let part = secant.clamp(low + margin, high - margin);
+            // where forces are beyond all numbers there is no secant
+            let part = match secant.is_nan() {
+                true => 0.5 * (low + high),
+                false => secant.clamp(low + margin, high - margin),
+            };
             trial = self.moved(state, step, part);
             slope = trial.excess.dot(step);
             if slope > 0.0 {

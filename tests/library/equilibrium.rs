@@ -1,13 +1,62 @@
 //! Equilibrium from anywhere: random loads over five orders of magnitude, all laws, all freedoms.
 
 use crate::bearing::{
-    Bearing, ContactDamping, ContactLaw, Facing, FreePosition, Geometry, Imperfections,
-    MountedBearing, Oil, Preload, Support, catalogue,
+    Bearing, BearingError, ContactDamping, ContactLaw, Facing, FreePosition, Geometry,
+    GeometryError, Imperfections, MountedBearing, Oil, Preload, Profile, RollerKind, Rollers,
+    Support, catalogue,
 };
 use crate::physics::RaceControl;
 use crate::quasi_static::quasi_static;
-use crate::rotor::StaticProblem;
+use crate::rotor::{RotorError, StaticProblem};
 use crate::scenario::{self, Format};
+
+/// Contacts, dimensions and loads out of all proportion end in an error that names them, and nothing panics.
+#[test]
+fn bearings_out_of_proportion_have_typed_errors() {
+    let sound = catalogue::find("7205C").unwrap().bearing().unwrap();
+    let load = [0.0, 100.0, 1000.0, 0.0, 0.0];
+    for stiffness in [f64::NAN, f64::INFINITY, -1.0, 0.0] {
+        let bearing = Bearing {
+            contact_stiffness: Some(stiffness),
+            ..sound
+        };
+        let Err(RotorError::Bearing { source, .. }) = bearing.equilibrium(load) else {
+            panic!("{stiffness} is a stiffness");
+        };
+        assert!(matches!(source, BearingError::ContactStiffness { .. }));
+    }
+    for stiffness in [f64::MIN_POSITIVE, 1e-30, 1e200, f64::MAX] {
+        let contact_stiffness = Some(stiffness);
+        let bearing = Bearing {
+            contact_stiffness,
+            ..sound
+        };
+        for load in [load, [1e300; 5]] {
+            if let Ok(found) = bearing.equilibrium(load) {
+                assert!(found.displacement.iter().all(|at| at.is_finite()));
+            }
+        }
+    }
+    let angle = FreePosition::ContactAngle(0.3);
+    for [ball, pitch] in [[1e-300, 1e300], [1e-3, 1e300], [f64::NAN, 1.0]] {
+        let geometry = Geometry::new(3, ball, pitch, angle, 0.52, 0.53);
+        assert!(matches!(geometry, Err(GeometryError::Length { .. })));
+    }
+    for radii in [[f64::NAN, 0.1], [0.1, f64::NAN], [0.0, 0.0], [0.1, 0.05]] {
+        let rollers = Rollers {
+            kind: RollerKind::Spherical,
+            length: 0.01,
+            profile: Profile::Barrel {
+                roller_radius: radii[0],
+                race_radius: radii[1],
+            },
+            laminae: 30,
+            clearance: 0.0,
+        };
+        let geometry = Geometry::of_rollers(18, 0.01, 0.085, 0.16, rollers);
+        assert!(matches!(geometry, Err(GeometryError::Barrel { .. })));
+    }
+}
 
 /// Cases over all laws together.
 const CASES: u64 = 10_000;

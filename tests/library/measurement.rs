@@ -253,7 +253,11 @@ fn a_constant_column_has_no_lines() {
         let options = [("unit", unit), BESIDE_CWRU_6205[0], BESIDE_CWRU_6205[2]];
         let found = analysed(columns(vec![("a", values)]), &options);
         let strong = found.peaks.iter().filter(|peak| peak.amplitude > 1e-7);
-        assert_eq!((found.peaks.len(), strong.count()), (lines, lines), "{unit}");
+        assert_eq!(
+            (found.peaks.len(), strong.count()),
+            (lines, lines),
+            "{unit}"
+        );
         assert!(found.spectra[0].lines.is_empty(), "{unit}");
     }
 }

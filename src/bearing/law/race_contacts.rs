@@ -102,6 +102,14 @@ pub struct PointContacts {
 impl PointContacts {
     /// The contacts of a bearing with the curvatures of γ = D cos α/d_m.
     pub fn new(bearing: &Bearing, gamma: f64) -> Result<Self, BearingError> {
+        if bearing.geometry.rollers().is_some() {
+            let what = "the elliptic contact of ball and race";
+            return Err(BearingError::Rollers { what });
+        }
+        let valid = |stiffness: &f64| *stiffness > 0.0 && stiffness.is_finite();
+        if let Some(stiffness) = bearing.contact_stiffness.filter(|own| !valid(own)) {
+            return Err(BearingError::ContactStiffness { stiffness });
+        }
         let (diameter, grooves) = (
             bearing.geometry.ball_diameter(),
             bearing.geometry.groove_factors(),
@@ -199,7 +207,7 @@ impl Bearing {
     /// Hertz contact of ball and inner race, curvature at the free contact angle.
     ///
     /// # Errors
-    /// [`BearingError::Contact`] where the curvatures do not meet in an ellipse.
+    /// [`BearingError::Contact`] where the curvatures do not meet in an ellipse, [`BearingError::Rollers`] of rollers.
     pub fn inner_contact(&self) -> Result<HertzContact, BearingError> {
         Ok(self.point_contacts()?.hertz[0])
     }
@@ -207,7 +215,7 @@ impl Bearing {
     /// Hertz contact of ball and outer race, curvature at the free contact angle.
     ///
     /// # Errors
-    /// [`BearingError::Contact`] where the curvatures do not meet in an ellipse.
+    /// [`BearingError::Contact`] where the curvatures do not meet in an ellipse, [`BearingError::Rollers`] of rollers.
     pub fn outer_contact(&self) -> Result<HertzContact, BearingError> {
         Ok(self.point_contacts()?.hertz[1])
     }
@@ -223,12 +231,10 @@ impl Bearing {
     /// ```
     ///
     /// # Errors
-    /// [`BearingError::Contact`] where the curvatures do not meet in an ellipse.
+    /// [`BearingError::Contact`] where the curvatures do not meet in an ellipse, [`BearingError::ContactStiffness`] where a
+    /// given one is no stiffness, [`BearingError::Rollers`] of rollers.
     pub fn load_deflection_constant(&self) -> Result<f64, BearingError> {
-        match self.contact_stiffness {
-            Some(given) => Ok(given),
-            None => Ok(self.point_contacts()?.in_series().stiffness),
-        }
+        Ok(self.point_contacts()?.in_series().stiffness)
     }
 
     /// Contacts of ball and races at the free contact angle.

@@ -80,7 +80,7 @@ pub fn spectra_close(
 ///     start: 0.0,
 ///     window: Window::Rectangular,
 ///     channels: vec![ChannelSpectrum {
-///         channel: Channel::Displacement(0),
+///         channel: Channel::from_name("x").expect("a column of every run"),
 ///         amplitude: vec![0.0, amplitude, 0.0],
 ///         phase: vec![0.0; 3],
 ///     }],
