@@ -37,6 +37,17 @@ pub enum EstimateError {
         /// Revolutions there are.
         turns: f64,
     },
+    /// The shaft is so fast that no order is below half the sampling rate.
+    #[error(
+        "the shaft turns at up to {speed:.4e} rad/s, and {rate:.4e} samples a second are fewer than two a revolution: a spectrum over \
+         orders needs a higher sampling rate; of a measured speed, check the unit"
+    )]
+    TooFast {
+        /// Highest speed, rad/s.
+        speed: f64,
+        /// Samples a second.
+        rate: f64,
+    },
     /// Revolutions of changing length make no segments of equal time.
     #[error(
         "the speed changes, and segments in revolutions are not equally long: take the spectrum over orders, or give the segment \

@@ -137,6 +137,8 @@ fn through_values(position: f64, value: impl Fn(usize) -> f64) -> f64 {
 
 /// Finest grid of angle, in samples per sample of time at the highest speed.
 const MOST_OVERSAMPLING: f64 = 8.0;
+/// Fewest samples of time per revolution: with fewer not even the first order is below half the sampling rate.
+const FEWEST_PER_REVOLUTION: f64 = 2.0;
 
 /// Shaft angle and speed at every sample.
 #[derive(Debug, Clone, Copy)]
@@ -172,7 +174,8 @@ impl AngleGrid {
     /// The finest grid that a record of `rate` samples a second needs.
     ///
     /// # Errors
-    /// [`EstimateError`] where the shaft turns back, does not turn, or makes less than one revolution.
+    /// [`EstimateError`] where the shaft turns back, does not turn, makes less than one revolution, or turns too fast for the
+    /// sampling.
     pub fn new(turning: Turning<'_>, rate: f64, start: f64) -> Result<Self, EstimateError> {
         let Turning { angle, speed } = turning;
         let falls = |pair: &[f64]| pair[1] < pair[0];
@@ -190,7 +193,14 @@ impl AngleGrid {
         if revolutions < 1.0 || highest <= 0.0 {
             return Err(EstimateError::NoRevolution { turns });
         }
-        let per_revolution = (rate * TAU / highest * (1.0 - 1e-12)).ceil().max(1.0);
+        // angles that were measured apart from the speed may rise faster: the grid must not outgrow the record
+        let fastest = highest.max(turns * TAU * rate / (angle.len() - 1) as f64);
+        let samples = rate * TAU / fastest;
+        if samples < FEWEST_PER_REVOLUTION * (1.0 - 1e-9) {
+            let speed = fastest;
+            return Err(EstimateError::TooFast { speed, rate });
+        }
+        let per_revolution = (samples * (1.0 - 1e-12)).ceil();
         let lowest = speed.iter().copied().fold(f64::INFINITY, f64::min);
         let needed = (highest / lowest.max(highest / MOST_OVERSAMPLING) * (1.0 - 1e-12)).ceil();
         let oversampling = needed.clamp(1.0, MOST_OVERSAMPLING);
@@ -243,7 +253,7 @@ impl Turning<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::f64::consts::TAU;
+    use std::f64::consts::PI;
 
     /// A sine with so many samples a period, and its derivatives.
     fn sine(per_period: f64, length: usize) -> [Vec<f64>; 3] {
@@ -358,5 +368,33 @@ mod tests {
         );
         let little = grid(&[0.0, 4.0], 2.0);
         assert!(matches!(little, Err(EstimateError::NoRevolution { .. })));
+    }
+
+    /// Also where an angle that was measured apart from the speed rises faster than that.
+    #[test]
+    fn a_grid_of_angle_does_not_outgrow_its_record() {
+        let grid = |speed: f64, rise: f64| {
+            let angle: Vec<f64> = (0..100).map(|n| rise * f64::from(n)).collect();
+            let speed = &vec![speed; angle.len()][..];
+            let angle = &angle[..];
+            AngleGrid::new(Turning { angle, speed }, 10.0, 0.0)
+        };
+        for (speed, rise) in [(1e14, 1e13), (300.0, 1e13), (1e14, 1.0), (32.0, 3.2)] {
+            let fastest = f64::max(speed, 10.0 * rise);
+            match grid(speed, rise) {
+                Err(EstimateError::TooFast { speed, rate }) => {
+                    assert!(
+                        (speed / fastest - 1.0).abs() < 1e-12 && rate == 10.0,
+                        "{speed}"
+                    );
+                }
+                other => panic!("{speed} {rise}: {other:?}"),
+            }
+        }
+        // half a revolution from sample to sample, and angles that rise far faster than the speed says
+        for (speed, rise) in [(10.0 * PI, PI), (1e-9, 1.0)] {
+            let found = grid(speed, rise).expect("two samples a revolution");
+            assert!(found.positions.len() <= 150, "{}", found.positions.len());
+        }
     }
 }
