@@ -1,7 +1,7 @@
 //! Amplitude and phase of orders of the shaft's angle while the speed changes.
 
 use std::collections::VecDeque;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 use nalgebra::{DMatrix, DVector};
 use realfft::num_complex::Complex;
@@ -61,8 +61,10 @@ pub struct OrderTracks {
     pub revolutions: f64,
     /// The orders that were asked for.
     pub orders: Vec<TrackedOrder>,
-    /// The orders, those that the windows do not tell apart in one track at their mean.
+    /// The orders, those that the windows do not tell apart in one track at their mean, without those that fold.
     pub tracked: Vec<TrackedOrder>,
+    /// The orders that are not below half the sampling rate at the highest speed.
+    pub folded: Vec<TrackedOrder>,
     /// The quantities.
     pub channels: Vec<Channel>,
     /// By angle of the shaft, a quarter of a window apart.
@@ -147,7 +149,15 @@ impl OrderTracks {
                 biased.join(", ")
             )
         });
-        shared.chain(biased).collect()
+        let names: Vec<_> = self.folded.iter().map(|track| &track.name[..]).collect();
+        let folded = (!names.is_empty()).then(|| {
+            format!(
+                "order tracks are without {}, which at the highest speed are not below half the sampling rate: sample faster, or check \
+                 the unit of a measured speed",
+                names.join(", ")
+            )
+        });
+        shared.chain(biased).chain(folded).collect()
     }
 }
 
@@ -211,7 +221,7 @@ pub struct TrackRecorder {
     /// Windows that are being filled, the earliest first.
     open: VecDeque<Fit>,
     /// Number of the next window.
-    next: u32,
+    next: u64,
     basis: Vec<f64>,
 }
 
@@ -226,10 +236,17 @@ struct Fit {
 }
 
 impl TrackRecorder {
-    /// Windows of so many revolutions, at least 1.
-    pub fn new(orders: Vec<TrackedOrder>, channels: Vec<Channel>, revolutions: f64) -> Self {
+    /// Windows of so many revolutions, at least 1, over samples that know orders below `limit`.
+    pub fn new(
+        orders: Vec<TrackedOrder>,
+        channels: Vec<Channel>,
+        revolutions: f64,
+        limit: f64,
+    ) -> Self {
         let revolutions = revolutions.max(1.0);
-        let tracked = joined(&orders, RESOLVED / revolutions);
+        let is_known = |order: &TrackedOrder| order.order < limit;
+        let (known, folded): (Vec<_>, Vec<_>) = orders.iter().cloned().partition(is_known);
+        let tracked = joined(&known, RESOLVED / revolutions);
         Self {
             basis: vec![1.0; 1 + 2 * tracked.len()],
             found: OrderTracks {
@@ -237,6 +254,7 @@ impl TrackRecorder {
                 orders,
                 bias: vec![0.0; tracked.len()],
                 tracked,
+                folded,
                 channels,
                 points: Vec::new(),
             },
@@ -275,13 +293,17 @@ impl TrackRecorder {
                 .points
                 .extend(whole.and_then(|fit| fit.finish(&self.found)));
         }
-        while angle >= self.begin(self.next) {
-            let fit = Fit::new(self.begin(self.next) + half, &self.found);
-            // windows that a sparse sample jumps over are not filled
-            if angle < fit.middle + half {
-                self.open.push_back(fit);
+        let distance = 2.0 * half / OVERLAP;
+        let begun = angle / distance;
+        if begun >= 0.0 && !self.found.tracked.is_empty() {
+            // a sample may jump over windows: of those that have begun, the last few hold it
+            let first = (begun - OVERLAP + 1.0).floor() as u64;
+            let after = (begun.floor() as u64).saturating_add(1);
+            for number in first.max(self.next)..after {
+                let middle = distance * number as f64 + half;
+                self.open.push_back(Fit::new(middle, &self.found));
             }
-            self.next += 1;
+            self.next = self.next.max(after);
         }
         if speed > 0.0 {
             self.fill_basis(angle);
@@ -298,11 +320,6 @@ impl TrackRecorder {
     pub fn finish(mut self) -> OrderTracks {
         self.found.correct();
         self.found
-    }
-
-    /// Angle at which a window begins, rad.
-    fn begin(&self, number: u32) -> f64 {
-        TAU * self.found.revolutions / OVERLAP * f64::from(number)
     }
 
     fn fill_basis(&mut self, angle: f64) {
@@ -368,6 +385,7 @@ impl Fit {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::TAU;
 
     /// A bell of three revolutions under windows of four: 3 % low without the correction.
     #[test]
@@ -376,7 +394,7 @@ mod tests {
             name: "1×".to_owned(),
             order: 1.0,
         }];
-        let mut recorder = TrackRecorder::new(order, vec![Channel::Displacement(0)], 4.0);
+        let mut recorder = TrackRecorder::new(order, vec![Channel::Displacement(0)], 4.0, 50.0);
         let envelope = |angle: f64| 1e-6 * (-0.5 * ((angle / TAU - 50.0) / 3.0).powi(2)).exp();
         for n in 0..10_000 {
             let time = 1e-3 * f64::from(n);
@@ -401,6 +419,51 @@ mod tests {
         assert!(bias > worst && bias < 3e-3, "{bias} and {worst}");
     }
 
+    /// Tracks of the first two orders of a shaft that is at some angles, with an amplitude of 1 of the first.
+    fn of_angles(angles: impl Iterator<Item = f64>, limit: f64) -> OrderTracks {
+        let order = |order| TrackedOrder {
+            name: format!("{order}×"),
+            order,
+        };
+        let orders = vec![order(1.0), order(2.0)];
+        let mut recorder = TrackRecorder::new(orders, vec![Channel::Displacement(0)], 4.0, limit);
+        for (n, angle) in angles.enumerate() {
+            recorder.take([n as f64, angle, 1.0], |_| angle.cos());
+        }
+        recorder.finish()
+    }
+
+    #[test]
+    fn orders_above_half_the_sampling_rate_are_left_out() {
+        for (turns, left) in [(0.2, 2), (0.3, 1), (1e9, 0), (1e300, 0)] {
+            let angles = (0..400).map(|n| TAU * turns * f64::from(n));
+            let tracks = of_angles(angles, 0.5 / turns);
+            assert_eq!(tracks.tracked, tracks.orders[..left]);
+            assert_eq!(tracks.folded, tracks.orders[left..]);
+            assert_eq!(tracks.points.is_empty(), left == 0);
+            for point in &tracks.points {
+                let [first, rest @ ..] = &point.tracks[0][..] else {
+                    panic!("no track at {}", point.time);
+                };
+                assert!((first.amplitude - 1.0).abs() < 1e-9);
+                assert!(rest.iter().all(|track| track.amplitude < 1e-9));
+            }
+        }
+    }
+
+    #[test]
+    fn windows_that_a_sample_jumps_over_are_not_filled() {
+        let turn = |from: f64| (0..400).map(move |n| from + 0.2 * TAU * f64::from(n));
+        let angles = turn(0.0).chain(turn(1e11)).chain([1e300, f64::INFINITY]);
+        let tracks = of_angles(angles, 2.5);
+        // 80 revolutions twice, in windows of four that overlap by three
+        assert!(tracks.points.len() > 150);
+        for point in &tracks.points {
+            let amplitude = point.tracks[0][0].amplitude;
+            assert!((amplitude - 1.0).abs() < 1e-4, "{amplitude}");
+        }
+    }
+
     #[test]
     fn orders_that_are_too_close_share_a_track() {
         let named = |name: &str, order| TrackedOrder {
@@ -413,7 +476,7 @@ mod tests {
             named("3×", 3.0),
             named("BPFO", 3.08),
         ];
-        let mut recorder = TrackRecorder::new(orders, vec![Channel::Displacement(0)], 6.0);
+        let mut recorder = TrackRecorder::new(orders, vec![Channel::Displacement(0)], 6.0, 60.0);
         for n in 0..20_000 {
             let time = 5e-4 * f64::from(n);
             let (speed, angle) = (10.0 * time, 5.0 * time * time);
@@ -451,7 +514,7 @@ mod tests {
             order,
         };
         let orders = vec![order("1×", 1.0), order("BPFO", 4.8)];
-        let mut recorder = TrackRecorder::new(orders, vec![Channel::Displacement(0)], 8.0);
+        let mut recorder = TrackRecorder::new(orders, vec![Channel::Displacement(0)], 8.0, 60.0);
         // a run-up at 10 rad/s²: 3 µm of order 1, 1 µm of order 4.8, and a mean of 50 µm
         for n in 0..20_000 {
             let time = 5e-4 * f64::from(n);

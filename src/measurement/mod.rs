@@ -349,9 +349,10 @@ fn maps(
     };
     let revolutions = (TRACK_PART * turns).round().clamp(1.0, TRACK_REVOLUTIONS);
     let window = recording.length() as f64 / rate / WINDOWS;
-    let mut tracks = TrackRecorder::new(tracked_orders(&passes), channels.to_vec(), revolutions);
-    let mut waterfall =
-        WaterfallRecorder::new(channels.to_vec(), rate, window, shown * highest / TAU);
+    let highest = highest / TAU;
+    let (orders, half) = (tracked_orders(&passes), 0.5 * rate / highest);
+    let mut tracks = TrackRecorder::new(orders, channels.to_vec(), revolutions, half);
+    let mut waterfall = WaterfallRecorder::new(channels.to_vec(), rate, window, shown * highest);
     for (index, (angle, speed)) in angle.iter().zip(speed).enumerate() {
         let time = recording.start() + index as f64 / rate;
         let value = |channel: Channel| recording.channel(channel)[index];

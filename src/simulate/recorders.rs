@@ -156,7 +156,8 @@ pub(super) fn maps_of(
     let window = waterfall_window(model, rotor);
     let orders = tracked_orders(&passes);
     let revolutions = track_window(model, rotor, &orders);
-    let tracks = TrackRecorder::new(orders, channels.clone(), revolutions);
+    let half = 0.5 * rate / shaft;
+    let tracks = TrackRecorder::new(orders, channels.clone(), revolutions, half);
     let waterfall = WaterfallRecorder::new(channels, rate, window, limit);
     (waterfall, tracks)
 }

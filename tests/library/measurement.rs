@@ -464,6 +464,24 @@ fn what_is_missing_is_asked_for() {
     assert!((found.statistics[0].moments.mean() - 0.5 * 9.806_65).abs() < 1e-12);
 }
 
+/// The shaft turns as fast as a wrong unit says.
+#[test]
+fn a_speed_too_fast_for_its_sampling_has_no_orders() {
+    let speeds = (0..4000).map(|n| 1e14 * (1.0 + 1e-3 * f64::from(n)));
+    let signal = (0..4000).map(|n| f64::from(n).sin()).collect();
+    let record = columns(vec![("a", signal), ("n [rad/s]", speeds.collect())]);
+    let description = r#"{ "speed": { "channel": "n [rad/s]", "unit": "rad/s" } }"#;
+    let options = settings(&[("rate", "10 kHz"), ("bearing", CWRU_6205)]);
+    let file = describe_record(record, "made.csv", description, &options).expect("a description");
+    let found = file.measurement.analyse();
+    assert!(found.spectra.is_empty());
+    let maps = found.maps.expect("the speed changes");
+    assert!(maps.tracks.points.is_empty() && maps.tracks.tracked.is_empty());
+    // two spectra and the tracks
+    let told = |word: &str| found.warnings.iter().filter(|it| it.contains(word)).count();
+    assert_eq!(told("unit"), 3, "{:?}", found.warnings);
+}
+
 /// The rollers of Koyo's NU206 roll as their published number and sizes say; what belongs to balls is refused.
 #[test]
 fn rollers_are_found_from_their_ratings() {

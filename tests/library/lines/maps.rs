@@ -57,7 +57,7 @@ fn the_ridge_of_a_sweep_follows_its_frequency() {
 /// Orders next to each other and a mean a thousand times as large do not leak into each other.
 #[test]
 fn orders_do_not_leak_into_each_other() {
-    let mut recorder = TrackRecorder::new(orders(&[1.0, 2.0, 4.8, 7.2]), vec![X], 8.0);
+    let mut recorder = TrackRecorder::new(orders(&[1.0, 2.0, 4.8, 7.2]), vec![X], 8.0, 100.0);
     let acceleration = 40.0;
     for n in 0..100_000 {
         let time = 1e-4 * f64::from(n);
