@@ -90,19 +90,27 @@ fn add_struct(
     names: &[String],
     mut fields: Vec<Value>,
 ) -> Result<(), Problem> {
-    let mut take = |name| {
-        let place = names.iter().position(|known| known == name)?;
-        Some(std::mem::take(&mut fields[place]))
+    let place = |name| names.iter().position(|known| known == name);
+    let take_text = |fields: &mut [Value], name| {
+        let field = &mut fields[place(name)?];
+        let Value::Text(text) = field else {
+            return None;
+        };
+        let text = std::mem::take(text);
+        *field = Value::Nothing;
+        Some(text)
     };
-    if let (Some(Value::Text(name)), Some(data)) = (take("Name"), take("Data")) {
+    if let Some(data) = place("Data")
+        && let Some(name) = take_text(&mut fields, "Name")
+    {
         let name = if name.is_empty() {
             format!("{path}.Data")
         } else {
             name
         };
         let before = record.channels.len();
-        add(record, name, data)?;
-        if let Some(Value::Text(unit)) = take("Unit")
+        add(record, name, std::mem::take(&mut fields[data]))?;
+        if let Some(unit) = take_text(&mut fields, "Unit")
             && !unit.trim().is_empty()
         {
             let channels = record.channels[before..].iter_mut();
@@ -111,4 +119,40 @@ fn add_struct(
     }
     let mut fields = names.iter().zip(fields);
     fields.try_for_each(|(name, value)| add(record, format!("{path}.{name}"), value))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::record::Form;
+
+    fn record_of(fields: Vec<(&str, Value)>) -> Record {
+        let mut record = Record::new(Form::Mat);
+        let (names, fields): (Vec<_>, Vec<_>) = fields.into_iter().unzip();
+        let names: Vec<String> = names.into_iter().map(str::to_owned).collect();
+        add_struct(&mut record, "s", &names, fields).expect("few channels");
+        record
+    }
+
+    #[test]
+    fn a_struct_without_a_text_as_name_keeps_its_fields() {
+        let data = || Value::Series(vec![vec![1.0, 2.0, 3.0]]);
+        let text = |text: &str| Value::Text(text.to_owned());
+        let number = |value| Value::Series(vec![vec![value]]);
+
+        let unnamed = record_of(vec![("Data", data()), ("Fs", number(1000.0))]);
+        assert_eq!(unnamed.channels[0].name, "s.Data");
+        let numbered = record_of(vec![("Name", number(5.0)), ("Data", data())]);
+        assert_eq!(numbered.channels[0].name, "s.Data");
+        assert_eq!(numbered.numbers, [("s.Name".to_owned(), 5.0)]);
+        let empty = record_of(vec![("Name", text("a"))]);
+        assert_eq!(empty.texts, [("s.Name".to_owned(), "a".to_owned())]);
+
+        let named = |unit| record_of(vec![("Data", data()), ("Unit", unit), ("Name", text("a"))]);
+        let full = named(text("g"));
+        assert_eq!(full.channels[0].name, "a");
+        assert_eq!(full.channels[0].unit.as_deref(), Some("g"));
+        assert!(full.texts.is_empty() && full.channels.len() == 1);
+        assert_eq!(named(number(7.0)).numbers, [("s.Unit".to_owned(), 7.0)]);
+    }
 }
