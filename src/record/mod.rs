@@ -24,7 +24,7 @@ mod uff;
 mod unit;
 mod wav;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
@@ -116,7 +116,7 @@ impl Record {
     /// Samples that are in memory, with their names.
     ///
     /// # Errors
-    /// There are none.
+    /// No column holds a sample.
     pub fn from_columns(
         columns: impl IntoIterator<Item = (String, Vec<f64>)>,
         name: &str,
@@ -160,7 +160,7 @@ impl Record {
         Ok(record)
     }
 
-    /// Makes names unique.
+    /// Makes names unique, and tells where times do not rise.
     fn check(&mut self) -> Result<(), Problem> {
         if self
             .channels
@@ -172,12 +172,18 @@ impl Record {
             return Err(Problem::Unfit(why.join("; ")));
         }
         let mut unordered = Vec::new();
+        let names = self.channels.iter().map(|channel| channel.name.clone());
+        let mut taken: HashSet<String> = names.collect();
         let mut known = HashMap::new();
         for channel in &mut self.channels {
             let count = known.entry(channel.name.clone()).or_insert(0);
             *count += 1;
             if *count > 1 {
-                channel.name = format!("{}#{count}", channel.name);
+                let number = |count: usize| format!("{}#{count}", channel.name);
+                while !taken.insert(number(*count)) {
+                    *count += 1;
+                }
+                channel.name = number(*count);
             }
             if let Sampling::Unordered(row) = channel.sampling
                 && !unordered.contains(&row)

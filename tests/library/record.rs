@@ -375,6 +375,11 @@ fn names_are_unique_and_a_list_shows_them() {
     let record = Record::from_bytes(b"a,a,b\n1,2,3\n1,2,3\n1,2,3\n", "a.csv").unwrap();
     let names: Vec<_> = record.channels.iter().map(|it| it.name.as_str()).collect();
     assert_eq!(names, ["a", "a#2", "b"]);
+    // a name that is there already is not given again
+    let text = b"a,a,a#2,a,a#2\n1,2,3,4,5\n1,2,3,4,5\n1,2,3,4,5\n";
+    let record = Record::from_bytes(text, "a.csv").unwrap();
+    let names: Vec<_> = record.channels.iter().map(|it| it.name.as_str()).collect();
+    assert_eq!(names, ["a", "a#3", "a#2", "a#4", "a#2#2"]);
     let list = self::record("timed.csv").list();
     let (_, rates) = list.column("rate").unwrap();
     assert!((rates[0] - RATE).abs() < 1e-6);
