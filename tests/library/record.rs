@@ -326,6 +326,7 @@ fn dates_and_clock_times_are_times() {
         "2026-02-28 23:59:59,9990;1\n2026-02-28 23:59:59,9995;2\n2026-03-01 00:00:00;3\n",
         "date\ttime\ta\n2026-02-28\t23:59:59.9990\t1\n2026-02-28\t23:59:59.9995\t2\n2026-03-01\t00:00:00\t3\n",
         "12:00:00.5000 1\n12:00:00.5005 2\n12:00:00.5010 3\n",
+        "23:59:59.9990 1\n23:59:59.9995 2\n00:00:00.0000 3\n",
     ];
     for text in texts {
         let record = Record::from_bytes(text.as_bytes(), "a.csv").unwrap();
@@ -347,6 +348,45 @@ fn dates_and_clock_times_are_times() {
     // between numbers a date is none
     let text = "a\n1\n2\n3\n2026-03-01\n4\n";
     assert!(Record::from_bytes(text.as_bytes(), "a.csv").is_err());
+}
+
+/// Hour, minute, second and microsecond at 2 kHz, from an hour on; one row may be of another time.
+fn clock(rows: u32, hour: u32, other: Option<(u32, &str)>) -> Record {
+    let row = |row: u32| {
+        let micros = 500 * row + 900_000;
+        let (carry, micros) = (micros / 1_000_000, micros % 1_000_000);
+        let second = 3600 * hour + 3599 + carry;
+        let [hour, minute, second] = [second / 3600 % 24, second / 60 % 60, second % 60];
+        match other {
+            Some((place, time)) if place == row => format!("{time},{row}\n"),
+            _ => format!("{hour},{minute},{second},{micros},{row}\n"),
+        }
+    };
+    let text: String = (0..rows).map(row).collect();
+    Record::from_bytes(text.as_bytes(), "a.csv").unwrap()
+}
+
+/// Over midnight it runs on; where it is set back or repeats a time, that is told with the row.
+#[test]
+fn a_clock_in_columns_runs_on_over_midnight() {
+    for hour in [9, 23] {
+        let record = clock(1000, hour, None);
+        let [channel] = &record.channels[..] else {
+            panic!("{hour}: {:?}", record.list());
+        };
+        let rate = channel.sampling.rate().expect("an even rate");
+        assert!((rate - 2000.0).abs() < 1e-3, "{rate}");
+        assert_eq!(record.warnings.len(), 0);
+    }
+    let back = clock(1000, 23, Some((100, "23,59,0,0")));
+    assert_eq!(back.channels.len(), 1);
+    assert_eq!(back.channels[0].sampling, Sampling::Unordered(101));
+    assert_eq!(back.warnings.len(), 1);
+    // what does not rise in most rows is data
+    let data = (0..100).map(|row| format!("{},{},0,{row},1\n", row % 7, row % 3));
+    let data = data.collect::<String>();
+    let data = Record::from_bytes(data.as_bytes(), "a.csv").unwrap();
+    assert_eq!(data.channels.len(), 5);
 }
 
 #[test]

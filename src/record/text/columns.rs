@@ -1,11 +1,14 @@
 //! Columns of a table become channels: those that hold times say when the others were sampled.
 
 use super::header::Heading;
+use super::stamp;
 use crate::record::unit::per_second;
 use crate::record::{Problem, Record, RecordChannel, Sampling};
 
 /// Bounds of hour, minute, second and microsecond.
 const CLOCK: [f64; 4] = [24.0, 60.0, 60.0, 1e6];
+/// Part of the steps of a clock that rise at least: one may be set back.
+const RISING: f64 = 0.99;
 
 /// Adds the columns as channels. A column of times holds for those to its right, up to the next one.
 pub fn add(
@@ -55,7 +58,7 @@ pub fn add(
     Ok(())
 }
 
-/// The sampling of columns that begin with hour, minute, second and microsecond, where these rise.
+/// The sampling of columns that begin with hour, minute, second and microsecond, where these rise but for a few rows.
 fn clock(columns: &[Vec<f64>]) -> Option<Sampling> {
     let (clock, [_, ..]) = columns.split_first_chunk::<4>()? else {
         return None;
@@ -70,7 +73,10 @@ fn clock(columns: &[Vec<f64>]) -> Option<Sampling> {
     let [hours, minutes, seconds, micros] = clock;
     let time =
         |row: usize| 3600.0 * hours[row] + 60.0 * minutes[row] + seconds[row] + micros[row] / 1e6;
-    let times: Vec<f64> = (0..micros.len()).map(time).collect();
-    let sampling = Sampling::from_times(&times);
-    sampling.duration(times.len()).and(Some(sampling))
+    let mut times: Vec<f64> = (0..micros.len()).map(time).collect();
+    stamp::over_midnight(&mut times);
+    let steps = times.windows(2);
+    let rising = steps.filter(|pair| pair[0] < pair[1]).count();
+    let is_clock = rising > 0 && rising as f64 >= RISING * (times.len() - 1) as f64;
+    is_clock.then(|| Sampling::from_times(&times))
 }

@@ -50,8 +50,25 @@ pub(super) fn join(columns: &mut [Vec<f64>]) {
             .zip(parts)
             .for_each(|(sum, part)| *sum += part);
     }
+    over_midnight(first);
     if let Some(start) = first.first().copied() {
         first.iter_mut().for_each(|time| *time -= start);
+    }
+}
+
+/// Lets times of the day in s rise over midnight: from each fall by nearly a day on they are a day later. Dates stay.
+pub(super) fn over_midnight(times: &mut [f64]) {
+    let is_of_day = |time: &f64| (0.0..SECONDS_PER_DAY).contains(time);
+    if !times.iter().all(is_of_day) {
+        return;
+    }
+    let (mut before, mut midnight) = (0.0, 0.0);
+    for time in times {
+        if before - *time > 0.5 * SECONDS_PER_DAY {
+            midnight += SECONDS_PER_DAY;
+        }
+        before = *time;
+        *time += midnight;
     }
 }
 
