@@ -5,7 +5,8 @@ use std::f64::consts::PI;
 use std::sync::LazyLock;
 
 /// The prefixes that are read, with what they multiply by and divide by.
-pub(super) const PREFIXES: [(char, f64, f64); 8] = [
+pub(super) const PREFIXES: [(char, f64, f64); 9] = [
+    ('p', 1.0, 1e12),
     ('n', 1.0, 1e9),
     ('u', 1.0, 1e6),
     ('m', 1.0, 1e3),
@@ -25,7 +26,7 @@ pub(super) const UNITS: [(&str, f64, f64, [i32; 5], &str); 39] = [
     ("t", 1e3, 1.0, [1, 0, 0, 0, 0], ""),
     ("lb lbs lbm", 0.453_592_37, 1.0, [1, 0, 0, 0, 0], ""),
     ("oz", 0.028_349_523_125, 1.0, [1, 0, 0, 0, 0], ""),
-    ("m", 1.0, 1.0, [0, 1, 0, 0, 0], "numck"),
+    ("m", 1.0, 1.0, [0, 1, 0, 0, 0], "pnumck"),
     ("micron microns", 1.0, 1e6, [0, 1, 0, 0, 0], ""),
     ("in inch", 0.0254, 1.0, [0, 1, 0, 0, 0], ""),
     ("mil mils thou", 1.0, 1e3 / 0.0254, [0, 1, 0, 0, 0], ""),
