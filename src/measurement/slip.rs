@@ -84,52 +84,56 @@ fn strongest(
         let is_envelope = matches!(spectrum.request.kind, SpectrumKind::Envelope { .. });
         is_envelope && (spectrum.request.axis == Axis::Order || spectrum.shaft_frequency > 0.0)
     };
-    let mut best: Option<(f64, Slip)> = None;
-    for spectrum in spectra.iter().filter(is_known) {
+    let candidates = spectra.iter().filter(is_known).flat_map(|spectrum| {
         // multiples of the shaft in a unit of the axis
         let orders = match spectrum.request.axis {
             Axis::Order => 1.0,
             Axis::Frequency => 1.0 / shaft,
         };
-        for column in spectrum.value_columns() {
-            let lines = spectrum.lines_above_noise(column);
-            let lines: Vec<_> = lines
-                .iter()
-                .map(|(at, value)| (at * orders, *value))
-                .collect();
+        spectrum.value_columns().flat_map(move |column| {
+            let lines = spectrum.lines_above_noise(column).into_iter();
+            let lines: Vec<_> = lines.map(|(at, value)| (at * orders, value)).collect();
             let resolution = spectrum.resolution * orders;
-            for &race in races {
-                let kinematic = order_of(own, race);
-                let Some((power, order, multiples)) = comb(&lines, kinematic, resolution) else {
-                    continue;
-                };
-                let highest = (f64::from(MULTIPLES) + 0.5) * kinematic;
-                let all = lines.iter().filter(|(at, _)| *at < highest);
-                let all: f64 = all.map(|(_, value)| value * value).sum();
-                if power < LEAST_SHARE * all {
-                    continue;
-                }
-                if best.as_ref().is_some_and(|(most, _)| *most >= power) {
-                    continue;
-                }
-                let highest = f64::from(multiples.last().copied().unwrap_or(1));
-                let known = KNOWN * resolution / highest;
-                let slip = Slip {
-                    race,
-                    spectrum: spectrum.request.name.clone(),
-                    order,
-                    kinematic_order: kinematic,
-                    cage_slip: cage_slip(own, race, order),
-                    uncertainty: (cage_slip(own, race, order + known)
-                        - cage_slip(own, race, order))
-                    .abs(),
-                    multiples,
-                };
-                best = Some((power, slip));
-            }
-        }
+            let name = &spectrum.request.name;
+            let slip = move |race: &Option<Race>| by_line(own, *race, &lines, resolution, name);
+            races.iter().filter_map(slip)
+        })
+    });
+    // of equal ones the first
+    let stronger = |a: (f64, Slip), b: (f64, Slip)| if b.0 > a.0 { b } else { a };
+    candidates.reduce(stronger).map(|(_, slip)| slip)
+}
+
+/// The slip by the line of a race, or of the spin of a ball, among the lines of a spectrum over orders, with the power of that line
+/// and its multiples; none where they explain little.
+fn by_line(
+    own: &MeasuredBearing,
+    race: Option<Race>,
+    lines: &[(f64, f64)],
+    resolution: f64,
+    spectrum: &str,
+) -> Option<(f64, Slip)> {
+    let kinematic_order = order_of(own, race);
+    let (power, order, multiples) = comb(lines, kinematic_order, resolution)?;
+    let highest = (f64::from(MULTIPLES) + 0.5) * kinematic_order;
+    let all = lines.iter().filter(|(at, _)| *at < highest);
+    let all: f64 = all.map(|(_, value)| value * value).sum();
+    if power < LEAST_SHARE * all {
+        return None;
     }
-    best.map(|(_, slip)| slip)
+    let highest = f64::from(multiples.last().copied().unwrap_or(1));
+    let known = KNOWN * resolution / highest;
+    let cage_slip = |order: f64| cage_slip(own, race, order);
+    let slip = Slip {
+        race,
+        spectrum: spectrum.to_owned(),
+        order,
+        kinematic_order,
+        cage_slip: cage_slip(order),
+        uncertainty: (cage_slip(order + known) - cage_slip(order)).abs(),
+        multiples,
+    };
+    Some((power, slip))
 }
 
 /// Order at which the balls of a bearing that rolls pass a race, or a spot of a ball meets one of both.
@@ -144,7 +148,7 @@ fn order_of(own: &MeasuredBearing, race: Option<Race>) -> f64 {
 
 /// How much slower than rolling a cage turns whose balls pass a race at an order: Z |f_ring − f_c| of it; or spin at half an order, in
 /// proportion to |f_o − f_c|.
-fn cage_slip(own: &MeasuredBearing, race: Option<Race>, order: f64) -> f64 {
+pub(super) fn cage_slip(own: &MeasuredBearing, race: Option<Race>, order: f64) -> f64 {
     let rolling = own.bearing.rolling_ball_pass(0.0, TAU);
     let balls = own.bearing.geometry.balls() as f64;
     let past = match race {
