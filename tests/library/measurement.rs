@@ -285,6 +285,22 @@ fn a_speed_that_nobody_gave_is_estimated_as_such() {
     assert!(error.abs() < 2e-3, "{likeliest:?}");
 }
 
+/// The envelope of a quiet channel comes first.
+#[test]
+fn a_speed_is_estimated_by_every_channel_of_an_envelope() {
+    let signal = ringing(12_000.0, 60_000, [30.0, 0.0], 3.584_776);
+    let noise = SplitMix64::new(3);
+    let quiet = (0..60_000).map(|n| noise.uniform(n) - 0.5).collect();
+    let description = r#"{ "spectrum": [ { "channels": ["quiet", "a"], "kind": "envelope", "band": ["2 kHz", "4 kHz"] } ] }"#;
+    let options = settings(&[("rate", "12 kHz"), ("unit", "g"), ("bearing", CWRU_6205)]);
+    let record = columns(vec![("quiet", quiet), ("a", signal)]);
+    let file = describe_record(record, "made.csv", description, &options).expect("a description");
+    let found = file.measurement.analyse();
+    let likeliest = &found.speed_estimates[0];
+    let error = likeliest.shaft_frequency / 30.0 - 1.0;
+    assert!(error.abs() < 2e-3, "{likeliest:?}");
+}
+
 /// Under a speed that rises by two thirds, the order of the line is found over the angle of a tacho.
 #[test]
 fn a_tacho_brings_a_run_up_to_orders() {
