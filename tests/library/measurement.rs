@@ -471,13 +471,30 @@ fn what_is_missing_is_asked_for() {
             "the catalogue has no bearing",
         ),
         (&[("rate", "1000")], "needs a unit"),
+        (
+            &[("rate", "1 kHz"), ("duration", "0.001 ms")],
+            "record.duration",
+        ),
+        (&[("rate", "1 kHz"), ("duration", "15 ms")], "15 samples"),
     ] {
         let told = refused(options);
         assert!(told.contains(words), "{words}: {told}");
     }
+    let shortest = analysed(signal(), &[("rate", "1 kHz"), ("duration", "16 ms")]);
+    assert_eq!(shortest.recording.length(), 16);
     let found = analysed(signal(), &[("rate", "1 kHz"), ("unit", "g")]);
     assert_eq!(found.statistics[0].channel.name(), "acc_x");
     assert!((found.statistics[0].moments.mean() - 0.5 * 9.806_65).abs() < 1e-12);
+}
+
+/// Three pulses within nine samples.
+#[test]
+fn a_tacho_whose_pulses_span_few_samples_is_refused() {
+    let pulse = |n: u32| f64::from(u8::from([100, 104, 108].contains(&n)));
+    let tacho = (0..200).map(pulse).collect();
+    let record = columns(vec![("a", vec![0.5; 200]), ("tacho", tacho)]);
+    let error = described(record, &[("rate", "1 kHz"), ("tacho", "tacho")]).expect_err("too few");
+    assert!(error.render(false).contains("speed"), "{error}");
 }
 
 /// The shaft turns as fast as a wrong unit says.

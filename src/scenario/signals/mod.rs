@@ -120,18 +120,26 @@ impl Signals {
         let first = first.max(0.0) as usize;
         let count =
             si(&input.duration).map_or(length, |duration| (duration * rate).round() as usize);
-        if first + FEWEST > length {
+        let kept = first..first.saturating_add(count).min(length);
+        if kept.len() < FEWEST {
             let end = significant(self.start + length as f64 / rate);
             let message = format!("the record ends at {end} s, after {length} samples");
-            problems.refuse(match first {
-                0 => Issue::new("record", format!("{message}; at least {FEWEST} are needed"))
-                    .help("give a longer record"),
-                _ => Issue::new("record.start", format!("nothing is left: {message}"))
-                    .help("give an earlier `start`"),
+            let needed = format!("at least {FEWEST} are needed");
+            problems.refuse(if first + FEWEST <= length {
+                let message = format!("only {count} samples are in it, and {needed}");
+                Issue::new("record.duration", message).help("give a longer `duration`")
+            } else if first == 0 {
+                Issue::new("record", format!("{message}; {needed}")).help("give a longer record")
+            } else {
+                Issue::new(
+                    "record.start",
+                    format!("fewer than {FEWEST} samples are left: {message}"),
+                )
+                .help("give an earlier `start`")
             });
             return None;
         }
-        self.keep(first..(first + count.max(1)).min(length));
+        self.keep(kept);
         Some(())
     }
 

@@ -1,7 +1,7 @@
 //! What the speed of a record follows from.
 
 use super::reader::{Signal, SignalReader};
-use super::{ALWAYS, Issue, Problems, Signals};
+use super::{ALWAYS, FEWEST, Issue, Problems, Signals};
 use crate::analysis::Channel;
 use crate::measurement::{TachoError, Turning};
 use crate::scenario::input::{RecordSpeedInput, SignalInput};
@@ -73,6 +73,17 @@ impl TurningSource {
                         found.missed.len(),
                         signals.start + first / signals.rate,
                     ));
+                }
+                if found.range.len() < FEWEST {
+                    let message = format!(
+                        "only {} samples lie between the first and the last pulse of the tacho, and at least {FEWEST} are needed",
+                        found.range.len()
+                    );
+                    let issue = Issue::new("speed.tacho", message);
+                    problems.refuse(
+                        issue.help("check that this is its channel, or give a longer record"),
+                    );
+                    return None;
                 }
                 signals.keep(found.range);
                 Some(found.turning)
