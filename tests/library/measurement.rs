@@ -476,12 +476,18 @@ fn what_is_missing_is_asked_for() {
             "record.duration",
         ),
         (&[("rate", "1 kHz"), ("duration", "15 ms")], "15 samples"),
+        (&[("rate", "1 kHz"), ("scale", "0")], "record.scale"),
+        (&[("rate", "1 kHz"), ("scale", "-1e31")], "record.scale"),
+        (&[("rate", "1 kHz"), ("scale", "1e300")], "record.scale"),
+        (&[("rate", "1 kHz"), ("scale", "1e-31")], "record.scale"),
     ] {
         let told = refused(options);
         assert!(told.contains(words), "{words}: {told}");
     }
     let shortest = analysed(signal(), &[("rate", "1 kHz"), ("duration", "16 ms")]);
     assert_eq!(shortest.recording.length(), 16);
+    let inverted = analysed(signal(), &[("rate", "1 kHz"), ("scale", "-1")]);
+    assert_eq!(inverted.statistics[0].moments.mean(), -0.5);
     let found = analysed(signal(), &[("rate", "1 kHz"), ("unit", "g")]);
     assert_eq!(found.statistics[0].channel.name(), "acc_x");
     assert!((found.statistics[0].moments.mean() - 0.5 * 9.806_65).abs() < 1e-12);
@@ -495,6 +501,21 @@ fn a_tacho_whose_pulses_span_few_samples_is_refused() {
     let record = columns(vec![("a", vec![0.5; 200]), ("tacho", tacho)]);
     let error = described(record, &[("rate", "1 kHz"), ("tacho", "tacho")]).expect_err("too few");
     assert!(error.render(false).contains("speed"), "{error}");
+}
+
+#[test]
+fn samples_of_which_powers_overflow_are_refused() {
+    let kurtosis = |largest: f64, unit: &str| {
+        let samples = (0..200).map(|n| largest * f64::from(n % 2)).collect();
+        let options = [("rate", "1 kHz"), ("unit", unit)];
+        let found = described(columns(vec![("a", samples)]), &options);
+        found.map(|found| found.statistics[0].moments.kurtosis())
+    };
+    let known = kurtosis(1e60, "m/s^2").expect("it is not too large");
+    assert!((known.expect("it moves") - 1.0).abs() < 1e-9, "{known:?}");
+    for (largest, unit) in [(1e61, "m/s^2"), (1e300, ""), (1e59, "km"), (1e308, "km")] {
+        assert!(kurtosis(largest, unit).is_err(), "{largest:e} {unit}");
+    }
 }
 
 /// The shaft turns as fast as a wrong unit says.

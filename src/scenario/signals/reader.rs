@@ -1,5 +1,7 @@
 //! Channels of a record become signals in SI units.
 
+use std::ops::RangeInclusive;
+
 use super::sampled::SampledValues;
 use super::{Issue, Problems};
 use crate::analysis::Channel;
@@ -14,6 +16,10 @@ const MOST_SIGNALS: usize = 64;
 const MOST_NAMED: usize = 12;
 /// Letters of a name.
 const LONGEST_NAME: usize = 64;
+/// Least and largest magnitude of a scale.
+const SCALES: RangeInclusive<f64> = 1e-30..=1e30;
+/// Largest magnitude of a sample in SI units: sums of fourth powers, as in the kurtosis, do not overflow.
+const LARGEST: f64 = 1e60;
 /// A number of a file above this one may be a rate in Hz.
 const SLOWEST: f64 = 100.0;
 
@@ -198,6 +204,19 @@ impl<'a> SignalReader<'a> {
             ));
         }
         let scale = input.scale.or(self.input.scale).unwrap_or(1.0);
+        if !SCALES.contains(&scale.abs()) {
+            let path = match input.scale {
+                Some(_) => ".scale",
+                None => "record.scale",
+            };
+            let [least, most] = [SCALES.start(), SCALES.end()];
+            let message = format!("{scale:?} is no scale");
+            let help = format!(
+                "its magnitude is {least:e} to {most:e}; it is what one in the file means in the unit"
+            );
+            problems.refuse(Issue::new(path, message).help(help));
+            return None;
+        }
         let SampledValues {
             rate,
             start,
@@ -206,6 +225,14 @@ impl<'a> SignalReader<'a> {
         for value in &mut values {
             let in_unit = scale * *value + input.offset;
             *value = known.as_ref().map_or(in_unit, |(unit, _)| unit.si(in_unit));
+        }
+        let is_too_large = |value: &&f64| !(-LARGEST..=LARGEST).contains(*value);
+        if let Some(value) = values.iter().find(is_too_large) {
+            let message =
+                format!("a sample of `{name}` is {value:e} in SI units: {LARGEST:e} is the most");
+            let issue = Issue::new(".column", message);
+            problems.refuse(issue.help("check its unit, `scale` and `offset`"));
+            return None;
         }
         let symbol = known.map_or_else(|| unit.clone(), |(_, symbol)| symbol.to_owned());
         let column = match native_column(&channel).filter(|_| input.name.is_none()) {
