@@ -4,12 +4,19 @@ use std::sync::Arc;
 
 /// Largest distance of a time from those of an even rate, in steps: so much is lost where times are rounded.
 const EVEN: f64 = 0.05;
+/// Part of a step up to which times may be written coarsely and still count as even.
+const COARSEST: f64 = 0.25;
+/// Round-off in the last decimal up to which decimals of times are told.
+const ROUND_OFF: f64 = 0.1;
 
-/// Mean steps from which on a step is a gap, most gaps as a part of all steps, and steps from which on a gap need be no whole number of
-/// them.
+/// Steps from which on a step is a gap, and from which on a gap need be no whole number of them.
 const GAP: f64 = 1.5;
-const MOST_GAPS: f64 = 0.01;
 const LONG_GAP: f64 = 50.0;
+/// Part of the steps that may be shorter than those without a gap, and the longest of these, by the shortest of the others.
+const SHORTER: usize = 20;
+const UNIT: f64 = 1.25;
+/// Rounds in which a step is refined by whole numbers of it.
+const ROUNDS: usize = 3;
 
 /// Samples at an even rate but for gaps.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,25 +28,38 @@ pub(crate) struct Gaps {
 }
 
 impl Gaps {
-    /// The gaps of times in s that rise at an even rate elsewhere; none where those are uneven, or have no gap.
+    /// The gaps of times in s that lie on a grid, however many of its places are empty; none where they lie on no grid, or have no gap.
+    /// Its step is the shortest one, made exact by all that are whole numbers of it.
     pub fn of(times: &[f64]) -> Option<Self> {
         let steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let mut sorted = steps.clone();
         sorted.sort_by(f64::total_cmp);
-        let longest = GAP * sorted.get(sorted.len() / 2)?;
-        let most = (MOST_GAPS * steps.len() as f64).max(1.0);
-        let (even, gaps): (Vec<usize>, Vec<usize>) =
-            (0..steps.len()).partition(|place| steps[*place] <= longest);
-        if gaps.is_empty() || gaps.len() as f64 > most || even.is_empty() {
-            return None;
+        let shortest = *sorted.get(sorted.len() / SHORTER)?;
+        let is_unit = |length: &f64| *length <= UNIT * shortest;
+        let units = sorted.partition_point(is_unit);
+        let mut step = sorted[..units].iter().sum::<f64>() / units as f64;
+        for _ in 0..ROUNDS {
+            let whole = sorted
+                .iter()
+                .take_while(|length| **length <= LONG_GAP * step);
+            let [time, count] = whole.fold([0.0, 0.0], |[time, count], length| {
+                [time + length, count + (length / step).round()]
+            });
+            step = time / count;
         }
-        let step = even.iter().map(|place| steps[*place]).sum::<f64>() / even.len() as f64;
-        let gaps = gaps.iter().map(|place| {
-            let length = steps[*place] / step;
-            let is_gap = length > LONG_GAP || (length - length.round()).abs() <= 2.0 * EVEN;
-            is_gap.then(|| (place + 1, length.round() - 1.0))
+        let off = 2.0 * f64::max(EVEN, resolution(times, step) / step);
+        let gaps = (1..)
+            .zip(&steps)
+            .map(|(behind, length)| (behind, length / step));
+        let gaps = gaps.filter(|(_, length)| *length > GAP);
+        let gaps = gaps.map(|(behind, length)| {
+            let is_gap = length > LONG_GAP || (length - length.round()).abs() <= off;
+            is_gap.then(|| (behind, length.round() - 1.0))
         });
         let gaps: Vec<_> = gaps.collect::<Option<_>>()?;
+        if gaps.is_empty() {
+            return None;
+        }
         let starts = [0]
             .into_iter()
             .chain(gaps.iter().map(|(behind, _)| *behind));
@@ -47,8 +67,8 @@ impl Gaps {
         let mut parts = starts.zip(ends.chain([times.len()]));
         let is_even = |(start, end): (usize, usize)| {
             let part = times[start..end].iter().enumerate();
-            let mut off = part.map(|(index, time)| time - times[start] - index as f64 * step);
-            off.all(|off| off.abs() <= 2.0 * EVEN * step)
+            let mut beside = part.map(|(index, time)| time - times[start] - index as f64 * step);
+            beside.all(|beside| beside.abs() <= off * step)
         };
         let rate = 1.0 / step;
         parts.all(is_even).then_some(Self { rate, gaps })
@@ -99,7 +119,7 @@ pub enum Sampling {
 }
 
 impl Sampling {
-    /// The sampling of times in s: even where none is further than a twentieth of a step from an even rate.
+    /// The sampling of times in s: even where none is further than a twentieth of a step from an even rate, or than they are written.
     pub fn from_times(times: &[f64]) -> Self {
         let [start, .., end] = *times else {
             return Self::Unknown;
@@ -111,10 +131,12 @@ impl Sampling {
         }
         let steps = (times.len() - 1) as f64;
         let (step, rate) = ((end - start) / steps, steps / (end - start));
-        let is_near = |(index, time): (usize, &f64)| {
-            (time - start - index as f64 * step).abs() <= EVEN * step
+        let is_even = |most: f64| {
+            let beside = |(index, time)| time - start - index as f64 * step;
+            let mut beside = times.iter().enumerate().map(beside);
+            beside.all(|beside| beside.abs() <= most)
         };
-        match times.iter().enumerate().all(is_near) {
+        match is_even(EVEN * step) || is_even(resolution(times, step)) {
             true => Self::Even { rate, start },
             false => Self::Times(times.into()),
         }
@@ -128,13 +150,41 @@ impl Sampling {
         }
     }
 
-    /// Time from the first to the last of so many samples, s.
+    /// How long so many samples are, s: from the first to the last and a step behind it.
     pub fn duration(&self, samples: usize) -> Option<f64> {
         match self {
             Self::Unknown | Self::Unordered(_) => None,
-            Self::Even { rate, .. } => Some(samples.saturating_sub(1) as f64 / rate),
-            Self::Times(times) => Some(times.last()? - times.first()?),
+            Self::Even { rate, .. } => Some(samples as f64 / rate),
+            Self::Times(times) => {
+                let length = times.last()? - times.first()?;
+                let mean = || length / (times.len() - 1) as f64;
+                Some(length + Gaps::of(times).map_or_else(mean, |gaps| 1.0 / gaps.rate))
+            }
         }
+    }
+}
+
+/// How exactly times are written, s: the last digit of a double or of a decimal number; zero where that is more than a quarter of a step.
+fn resolution(times: &[f64], step: f64) -> f64 {
+    let largest = times
+        .iter()
+        .fold(0.0, |most, time| f64::max(most, time.abs()));
+    let binary = largest.next_up() - largest;
+    let round_off = |scale: f64| 2.0 * f64::EPSILON * largest * scale;
+    let is_whole = |scale: f64| {
+        let mut scaled = times.iter().map(|time| time * scale);
+        scaled.all(|time| (time - time.round()).abs() <= 1e-3 + round_off(scale))
+    };
+    let scales = (0..).map(|decimals| 10f64.powi(decimals));
+    let mut scales = scales.take_while(|scale| round_off(*scale) < ROUND_OFF);
+    let decimal = scales
+        .find(|scale| is_whole(*scale))
+        .map_or(0.0, |scale| 1.0 / scale);
+    let written = binary.max(decimal);
+    if written <= COARSEST * step {
+        written
+    } else {
+        0.0
     }
 }
 
@@ -158,9 +208,28 @@ mod tests {
         // a short one that is no whole number of steps is none, a long one is
         assert_eq!(Gaps::of(&times(2.4)), None);
         assert_eq!(Gaps::of(&times(800.4)).expect("a gap").missing(), 800.0);
+        let part: Vec<f64> = (0..2000).filter(|n| n % 7 < 2).map(f64::from).collect();
+        let gaps = Gaps::of(&part).expect("two of seven");
+        assert_eq!((gaps.rate, gaps.missing()), (1.0, 1425.0));
         let uneven: Vec<f64> = (0..200).map(|n| f64::from(n * n)).collect();
         assert_eq!(Gaps::of(&uneven), None);
         assert_eq!(Gaps::of(&[0.0, 1.0, 1.0]), None);
         assert_eq!(Gaps::of(&[]), None);
+    }
+
+    #[test]
+    fn times_are_even_as_exactly_as_they_are_written() {
+        let rate = |step: f64, written: fn(f64) -> f64| {
+            let times: Vec<f64> = (0..20_000).map(|n| written(f64::from(n) * step)).collect();
+            Sampling::from_times(&times).rate()
+        };
+        // seconds since 1970 at 1 MHz, microseconds at 204.8 kHz
+        let epoch = rate(1e-6, |time| 1_704_067_200.0 + time).expect("even");
+        assert!((epoch / 1e6 - 1.0).abs() < 1e-4, "{epoch}");
+        let micro = rate(1.0 / 204_800.0, |time| (time * 1e6).round() / 1e6);
+        assert!((micro.expect("even") / 204_800.0 - 1.0).abs() < 1e-4);
+        // a step of 1.5 s in whole seconds may be anything
+        assert_eq!(rate(1.5, f64::round), None);
+        assert_eq!(rate(1e-3, |time| time + 1e-4 * (1e6 * time).sin()), None);
     }
 }
