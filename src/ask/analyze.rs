@@ -61,7 +61,7 @@ pub fn record_setting(option: &str, values: &[String]) -> Option<String> {
         "window" => format!("output.window={}", quoted(first)),
         "tacho" => format!("speed.tacho={}", quoted(first)),
         "pulses" => format!("speed.pulses={first}"),
-        "speed" if first.starts_with(|sign: char| sign.is_ascii_digit() || sign == '.') => {
+        "speed" if is_number(first) => {
             format!("speed={{ constant = {} }}", quoted(first))
         }
         "speed" => format!("speed={{ channel = {} }}", quoted(first)),
@@ -72,6 +72,12 @@ pub fn record_setting(option: &str, values: &[String]) -> Option<String> {
         "bearing" => format!("bearing=[{}]", list(|given| bearing(given))),
         _ => return None,
     })
+}
+
+/// Whether a text begins as a number.
+fn is_number(text: &str) -> bool {
+    let text = text.trim_start().trim_start_matches(['-', '+']);
+    text.starts_with(|sign: char| sign.is_ascii_digit() || sign == '.')
 }
 
 fn quoted(text: &str) -> String {

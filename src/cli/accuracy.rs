@@ -32,10 +32,10 @@ pub struct Arguments {
     #[arg(long, value_name = "A,B", value_delimiter = ',', value_parser = scenario::method)]
     methods: Vec<Method>,
     /// Tolerances to measure them at. Default: 1e-4,1e-6,1e-8,1e-10
-    #[arg(long, value_name = "T,U", value_delimiter = ',', value_parser = scenario::tolerance)]
+    #[arg(long, value_name = "T,U", allow_hyphen_values = true, value_delimiter = ',', value_parser = scenario::tolerance)]
     tolerances: Vec<f64>,
     /// Leave out what would run longer than this; the reference may take four times as long
-    #[arg(long, value_name = "TIME", default_value = "2 s", value_parser = scenario::time)]
+    #[arg(long, value_name = "TIME", default_value = "2 s", allow_hyphen_values = true, value_parser = scenario::time)]
     longest: f64,
 }
 

@@ -44,13 +44,18 @@ pub struct Arguments {
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
     scale: Option<f64>,
     /// Speed of the shaft, as "1797 rpm", or the channel that holds it
-    #[arg(long, value_name = "SPEED|NAME")]
+    #[arg(long, value_name = "SPEED|NAME", allow_hyphen_values = true)]
     speed: Option<String>,
     /// Channel of a tacho or an encoder
     #[arg(long, value_name = "NAME", conflicts_with = "speed")]
     tacho: Option<String>,
     /// Pulses of the tacho a revolution
-    #[arg(long, value_name = "N", requires = "tacho")]
+    #[arg(
+        long,
+        value_name = "N",
+        allow_negative_numbers = true,
+        requires = "tacho"
+    )]
     pulses: Option<f64>,
     /// Bearing whose lines are looked for, as 6205, or balls, their diameter, pitch diameter and contact angle, as "9, 7.94 mm,
     /// 39 mm, 0 deg"; repeatable
@@ -60,10 +65,10 @@ pub struct Arguments {
     #[arg(long, value_name = "WINDOW")]
     window: Option<String>,
     /// Time of the record from which on it is analysed, as "0.5 s"
-    #[arg(long, value_name = "TIME")]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     start: Option<String>,
     /// How long a part is analysed
-    #[arg(long, value_name = "TIME")]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     duration: Option<String>,
     #[command(flatten)]
     common: Common,

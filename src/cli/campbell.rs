@@ -25,21 +25,27 @@ pub struct Arguments {
     #[command(flatten)]
     files: Files,
     /// Lowest speed
-    #[arg(long, value_name = "SPEED", default_value = "0 rpm", value_parser = scenario::speed)]
+    #[arg(long, value_name = "SPEED", default_value = "0 rpm", allow_hyphen_values = true, value_parser = scenario::speed)]
     from: f64,
     /// Highest speed. Default: one and a half times the highest of the scenario
-    #[arg(long, value_name = "SPEED", value_parser = scenario::speed)]
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true, value_parser = scenario::speed)]
     to: Option<f64>,
     /// Number of speeds
     #[arg(long, value_name = "N", default_value_t = 61, value_parser = clap::value_parser!(u32).range(2..=MOST_SPEEDS as i64))]
     count: u32,
     /// Frequency up to which branches are shown, as "20 kHz"; without it one and a half times the highest order at the highest
     /// speed
-    #[arg(long, value_name = "FREQUENCY", value_parser = scenario::frequency)]
+    #[arg(long, value_name = "FREQUENCY", allow_hyphen_values = true, value_parser = scenario::frequency)]
     highest_frequency: Option<f64>,
     /// Multiples of the shaft's frequency whose crossings are critical speeds: numbers, and "bpfo", "bpfi", "ftf"
     /// and "bsf" for those of the bearings with their cages as in a run that starts at the lowest speed
-    #[arg(long, value_name = "A,B", value_delimiter = ',', default_value = "1")]
+    #[arg(
+        long,
+        value_name = "A,B",
+        allow_hyphen_values = true,
+        value_delimiter = ',',
+        default_value = "1"
+    )]
     orders: Vec<Order>,
     /// Keys of the scenario that the numbers of the answer are differentiated by, as "bearing[*].preload,shaft.mass"
     #[arg(long, value_name = "KEY,KEY", value_delimiter = ',')]

@@ -67,10 +67,10 @@ pub struct Arguments {
     )]
     by: LinesBy,
     /// Part of its frequency or order within which a line finds its partner [default: a bin of the coarser axis]
-    #[arg(long, value_name = "PART", requires = "lines", value_parser = positive)]
+    #[arg(long, value_name = "PART", allow_hyphen_values = true, requires = "lines", value_parser = positive)]
     reach: Option<f64>,
     /// Let lines be so many dB apart, in place of the tolerances
-    #[arg(long, value_name = "DB", requires = "lines", value_parser = positive,
+    #[arg(long, value_name = "DB", allow_hyphen_values = true, requires = "lines", value_parser = positive,
           conflicts_with_all = ["columns", "tolerances", "relative", "absolute"])]
     decibels: Option<f64>,
     /// Leave out what only one of them has: files, columns, samples of a trace that was thinned

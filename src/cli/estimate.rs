@@ -19,37 +19,47 @@ use crate::scenario::{self, RatedLine};
 )]
 pub struct Arguments {
     /// Bore
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     bore: String,
     /// Outside diameter
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     outside_diameter: String,
     /// Of a roller bearing its kind: cylindrical, needle, tapered or spherical
     #[arg(long, value_name = "KIND", requires = "width")]
     kind: Option<String>,
     /// Width of a roller bearing
-    #[arg(long, value_name = "LENGTH", requires = "kind")]
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        allow_hyphen_values = true,
+        requires = "kind"
+    )]
     width: Option<String>,
     /// Nominal contact angle, 0deg of a deep-groove bearing
-    #[arg(long, value_name = "ANGLE", default_value = "0 deg")]
+    #[arg(
+        long,
+        value_name = "ANGLE",
+        default_value = "0 deg",
+        allow_hyphen_values = true
+    )]
     contact_angle: String,
     /// Basic dynamic load rating C
-    #[arg(long, value_name = "FORCE")]
+    #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
     dynamic: String,
     /// Basic static load rating C0
-    #[arg(long = "static", value_name = "FORCE")]
+    #[arg(long = "static", value_name = "FORCE", allow_hyphen_values = true)]
     statical: String,
     /// Number of balls, where it is printed
-    #[arg(long, value_name = "COUNT")]
+    #[arg(long, value_name = "COUNT", allow_hyphen_values = true)]
     balls: Option<String>,
     /// Ball diameter, where it is printed
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     ball_diameter: Option<String>,
     /// Pitch diameter, where it is printed
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pitch_diameter: Option<String>,
     /// Factor f0, where it is printed, whole or with one decimal
-    #[arg(long, value_name = "NUMBER")]
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     f0: Option<String>,
     /// Print as JSON
     #[arg(long)]

@@ -28,7 +28,7 @@ pub struct Arguments {
     #[arg(long, value_name = "POSITION", allow_hyphen_values = true, value_parser = scenario::position)]
     at: Vec<f64>,
     /// Speed of the shaft. Default: that at the start of the scenario
-    #[arg(long, value_name = "SPEED", value_parser = scenario::speed)]
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true, value_parser = scenario::speed)]
     speed: Option<f64>,
 }
 

@@ -25,10 +25,20 @@ pub struct Arguments {
     #[arg(value_name = "FILE")]
     file: PathBuf,
     /// Mass of all that moves with the shaft
-    #[arg(long, value_name = "MASS", default_value = "5 kg")]
+    #[arg(
+        long,
+        value_name = "MASS",
+        default_value = "5 kg",
+        allow_hyphen_values = true
+    )]
     mass: String,
     /// Speed
-    #[arg(long, value_name = "SPEED", default_value = "3000 rpm")]
+    #[arg(
+        long,
+        value_name = "SPEED",
+        default_value = "3000 rpm",
+        allow_hyphen_values = true
+    )]
     speed: String,
     /// Bearing, as `jeffcott catalogue` lists it
     #[arg(long, value_name = "NAME", default_value = "6205")]

@@ -37,13 +37,13 @@ pub struct Arguments {
     #[arg(long, value_name = "POINT", allow_hyphen_values = true)]
     by: Option<Place>,
     /// Lowest speed, or with --by lowest frequency
-    #[arg(long, value_name = "VALUE")]
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     from: String,
     /// Highest speed, or with --by highest frequency
-    #[arg(long, value_name = "VALUE")]
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     to: String,
     /// Speed of the shaft under a force. Default: that at the start of the scenario
-    #[arg(long, value_name = "SPEED", requires = "by", value_parser = scenario::speed)]
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true, requires = "by", value_parser = scenario::speed)]
     speed: Option<f64>,
     /// Number of speeds or frequencies
     #[arg(long, value_name = "N", default_value_t = 301, value_parser = clap::value_parser!(u32).range(COUNTS))]
