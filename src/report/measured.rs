@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use super::FileSet;
 use super::figure::Figure;
-use super::findings::{Findings, document};
+use super::findings::{Findings, document, versioned};
 use super::run::answer::SpectraSummary;
 use super::run::histories::Histories;
 use super::run::motion::{add_severity, rms_text};
@@ -302,11 +302,11 @@ pub fn record_json(name: &str, record: &Record) -> Value {
     let numbers: BTreeMap<_, _> = record.numbers.iter().cloned().collect();
     let texts: BTreeMap<_, _> = record.texts.iter().cloned().collect();
     let warnings = [&record.warnings[..], &record.missing()].concat();
-    json!({
+    versioned(json!({
         "file": name,
         "channels": record.list().records(),
         "numbers": numbers,
         "texts": texts,
         "warnings": warnings,
-    })
+    }))
 }
