@@ -195,6 +195,10 @@ impl Measurement {
         });
         let maps = (is_turning && steady.is_none())
             .then(|| maps(&recording, &channels, bearings, speed.unwrap_or_default()));
+        if maps.is_some() {
+            let [_, lowest, highest] = speed.unwrap_or_default();
+            warnings.push(smearing([lowest, highest], &spectra));
+        }
         warnings.extend(maps.iter().flat_map(|maps| maps.tracks.warnings()));
         let at_mean = |slip: Option<f64>, own: &MeasuredBearing| {
             own.bearing
@@ -262,6 +266,23 @@ fn estimated(
         }
     }
     found
+}
+
+/// What a speed in rad/s that changes does to lines, and the spectra that have them over orders.
+fn smearing(speeds: [f64; 2], spectra: &[EstimatedSpectrum]) -> String {
+    let [lowest, highest] = speeds.map(|speed| speed * 60.0 / TAU);
+    let over_orders = spectra.iter().filter(|of| of.request.axis == Axis::Order);
+    let files: Vec<_> = over_orders
+        .map(|of| format!("spectrum_{}.csv", of.request.name))
+        .collect();
+    let orders = match files[..] {
+        [] => "order_tracks.csv has their amplitudes over the speed".to_owned(),
+        _ => format!("over orders of the shaft they are in {}", files.join(", ")),
+    };
+    format!(
+        "the speed changes from {lowest:.0} to {highest:.0} rpm: lines of shaft and bearings smear in spectrum.csv and peaks.csv, which \
+         have no orders and no names; {orders}"
+    )
 }
 
 /// Sets envelopes to zero that are the round-off of their channels.
