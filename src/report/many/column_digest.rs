@@ -20,6 +20,11 @@ pub(super) struct ColumnDigest {
     /// Runs that have it.
     pub known: u64,
     pub mean: f64,
+    /// Of one run of a population of which these are a sample; none of a single run.
+    pub standard_deviation: Option<f64>,
+    /// Sum of the squares of the differences from the mean.
+    #[serde(skip)]
+    squares: f64,
     pub lowest: f64,
     /// The run that has the lowest value.
     pub lowest_in_run: u64,
@@ -35,6 +40,8 @@ impl ColumnDigest {
             column,
             known: 0,
             mean: 0.0,
+            standard_deviation: None,
+            squares: 0.0,
             lowest: f64::INFINITY,
             lowest_in_run: 0,
             highest: f64::NEG_INFINITY,
@@ -43,9 +50,15 @@ impl ColumnDigest {
         }
     }
 
-    /// Whether more than one run has it and it is not the same in all.
-    pub(super) fn varies(&self) -> bool {
-        let size = self.lowest.abs().max(self.highest.abs());
+    /// Largest absolute value of its ends, as far as they are finite.
+    pub(super) fn size(&self) -> f64 {
+        let ends = [self.lowest, self.highest].map(f64::abs);
+        let finite = ends.into_iter().filter(|end| end.is_finite());
+        finite.fold(0.0, f64::max)
+    }
+
+    /// Whether it varies by more than what is round-off beside a value of its kind.
+    pub(super) fn varies_beside(&self, size: f64) -> bool {
         self.known > 1 && self.highest - self.lowest > CONSTANT * size
     }
 
@@ -54,7 +67,12 @@ impl ColumnDigest {
             return;
         }
         self.known += 1;
-        self.mean += (value - self.mean) / self.known as f64;
+        // B. P. Welford, Technometrics 4 (1962) 419–420
+        let from_mean = value - self.mean;
+        self.mean += from_mean / self.known as f64;
+        self.squares += from_mean * (value - self.mean);
+        let freedoms = self.known - 1;
+        self.standard_deviation = (freedoms > 0).then(|| (self.squares / freedoms as f64).sqrt());
         if value < self.lowest {
             (self.lowest, self.lowest_in_run) = (value, run);
         }
@@ -73,7 +91,10 @@ pub(super) fn quantiles(values: impl Iterator<Item = f64>) -> Option<[f64; QUANT
         let place = share * last as f64;
         let below = place as usize;
         let above = (below + 1).min(last);
-        let part = place - below as f64;
-        sorted[below] * (1.0 - part) + sorted[above] * part
+        match place - below as f64 {
+            // beside an infinite life
+            0.0 => sorted[below],
+            part => sorted[below] * (1.0 - part) + sorted[above] * part,
+        }
     }))
 }

@@ -7,19 +7,31 @@ use serde_json::{Value, json};
 
 use super::column_digest::{ColumnDigest, QUANTILES, quantiles};
 use super::head::StudyHead;
-use super::statistics::{ResponsePeak, Sensitivity, peaks, sensitivities};
+use super::rows::Rows;
+use super::statistics::{ResponsePeak, Sensitivity, peaks, sensitivity, varies};
 use crate::report::figure::Figure;
 use crate::report::findings::versioned;
 use crate::report::terminal::{Lines, digits, or_dash, shown_column};
 use crate::report::variable::axis_label;
-use crate::report::{FileSet, Findings};
+use crate::report::{FileSet, Findings, ReportError};
+use crate::rotor::load::SplitMix64;
 use crate::study::many::{Direction, RunRecord};
+use crate::table::Table;
 
-/// Most rows that are looked at for quantiles and figures: of more, every so many.
-const MOST_ROWS: u64 = 8_000;
+/// Most runs of a grid that are drawn: a map has no finer cells than a screen has places for them.
+const MOST_ON_GRID: usize = 100_000;
+
+/// Most runs that are drawn of values that are themselves drawn at random.
+const MOST_SCATTERED: usize = 8_000;
+
+/// Most values that are held at once for quantiles and rank correlations, 256 MB.
+const MOST_VALUES: usize = 1 << 25;
 
 /// Most kinds of warnings that are told.
 const MOST_WARNINGS: usize = 20;
+
+/// Most numbers whose spread is told.
+const MOST_TOLD: usize = 8;
 
 /// Most failed runs that are named.
 const MOST_FAILURES: usize = 20;
@@ -62,9 +74,9 @@ pub(super) struct Digest {
     /// Warnings of the runs.
     warnings: Vec<RunsWarned>,
     pub(super) columns: Vec<ColumnDigest>,
-    /// Rows that are drawn, without spectra and points: every `stride`-th of those that were done.
+    /// Rows that are drawn, without spectra and points: of many one of `one_of`, as [`is_drawn`](Self::is_drawn) chooses.
     pub(super) rows: Vec<RunRecord>,
-    stride: u64,
+    one_of: u64,
     /// Highest frequency of all spectra, Hz.
     pub(super) highest_frequency: f64,
     /// Number of points of all runs.
@@ -89,7 +101,7 @@ impl Digest {
             failures: Vec::new(),
             warnings: Vec::new(),
             rows: Vec::new(),
-            stride: 1,
+            one_of: 1,
             highest_frequency: 0.0,
             points: 0,
             sensitivities: Vec::new(),
@@ -105,7 +117,8 @@ impl Digest {
             let highest = spectrum.last().map_or(0.0, |line| line.frequency);
             self.highest_frequency = self.highest_frequency.max(highest);
             self.points += std::mem::take(&mut outcome.points).len();
-            outcome.peaks.clear();
+            outcome.peaks = Vec::new();
+            outcome.around = Vec::new();
         }
         match &mut row.outcome {
             Err(error) => {
@@ -133,15 +146,29 @@ impl Digest {
 
     /// Keeps the row of a run that was done, if it is one of those that are drawn.
     fn keep(&mut self, row: RunRecord) {
-        let done = self.runs - self.failed - 1;
-        if done.is_multiple_of(self.stride) {
+        if self.is_drawn(row.run) {
             self.rows.push(row);
         }
-        if self.rows.len() as u64 > MOST_ROWS {
-            self.stride *= 2;
-            let rows = std::mem::take(&mut self.rows).into_iter();
-            self.rows = rows.step_by(2).collect();
+        let most = match self.head.drawn {
+            true => MOST_SCATTERED,
+            false => MOST_ON_GRID,
+        };
+        while self.rows.len() > most {
+            self.one_of *= 2;
+            let mut rows = std::mem::take(&mut self.rows);
+            rows.retain(|row| self.is_drawn(row.run));
+            self.rows = rows;
         }
+    }
+
+    /// Whether a run is among those that are drawn: of a grid every so many; of values drawn at random such as a random number
+    /// of its own chooses, as every 2ᵏ-th point of Sobol's sequence fills but a part of the ranges.
+    fn is_drawn(&self, run: u64) -> bool {
+        let place = match self.head.drawn {
+            true => SplitMix64::new(0).bits(run),
+            false => run,
+        };
+        place.is_multiple_of(self.one_of)
     }
 
     fn warn(&mut self, run: u64, warning: &str) {
@@ -164,22 +191,54 @@ impl Digest {
     }
 
     /// Ends the digest: what rests on all rows together.
-    pub(super) fn finish(&mut self) {
-        if !self.head.drawn {
-            self.peaks = peaks(self);
-            return;
+    ///
+    /// # Errors
+    /// [`ReportError::File`] where the rows cannot be read.
+    pub(super) fn finish(&mut self, rows: &Rows) -> Result<(), ReportError> {
+        match self.head.drawn {
+            true => self.take_orders(rows),
+            false => {
+                self.peaks = peaks(self);
+                Ok(())
+            }
         }
-        for (index, column) in self.columns.iter_mut().enumerate() {
-            let found = quantiles(self.rows.iter().map(|row| number(row, index)));
-            let shares = QUANTILES.map(|share| share.to_string());
-            column.quantiles = found.map(|values| shares.into_iter().zip(values).collect());
+    }
+
+    /// Quantiles and rank correlations of all runs, read as many columns at a time as memory is taken for.
+    fn take_orders(&mut self, rows: &Rows) -> Result<(), ReportError> {
+        let axes = self.head.axes.len();
+        let runs = (self.runs - self.failed).max(1) as usize;
+        let at_once = (MOST_VALUES / runs).saturating_sub(axes).max(1);
+        let known: Vec<_> = (0..self.columns.len())
+            .filter(|column| self.columns[*column].known > 0)
+            .collect();
+        for group in known.chunks(at_once) {
+            let mut values = vec![Vec::new(); axes + group.len()];
+            rows.each(|row| {
+                let numbers = group.iter().map(|column| number(&row, *column));
+                let row = row.values.iter().copied().chain(numbers);
+                values
+                    .iter_mut()
+                    .zip(row)
+                    .for_each(|(of, value)| of.push(value));
+                Ok::<_, ReportError>(())
+            })?;
+            let numbers = values.split_off(axes);
+            for (column, numbers) in group.iter().zip(&numbers) {
+                let found = quantiles(numbers.iter().copied());
+                let shares = QUANTILES.map(|share| share.to_string());
+                self.columns[*column].quantiles =
+                    found.map(|values| shares.into_iter().zip(values).collect());
+                let sensitivity = sensitivity(self, *column, &values, numbers);
+                self.sensitivities.extend(sensitivity);
+            }
         }
-        self.sensitivities = sensitivities(self);
+        Ok(())
     }
 
     /// Whether all runs are among the rows.
     pub(super) fn is_complete(&self) -> bool {
-        self.stride == 1
+        self.one_of == 1
     }
 
     /// A column by its name.
@@ -214,7 +273,12 @@ impl Digest {
             "digest": self.json(),
             "warnings": warnings,
         }));
+        let spread = self.spread_table();
         Findings {
+            tables: spread
+                .map(|table| ("distributions", table))
+                .into_iter()
+                .collect(),
             figures,
             incomplete: self.failed > 0,
             ..Findings::of_document(FileSet::RUNS, document, self.text())
@@ -240,8 +304,75 @@ impl Digest {
                 format!("at most {error:.1e} of the motion in the {runs} {noun} that measured it"),
             );
         }
+        if !self.is_complete() {
+            out.line("figures", self.drawn_text());
+        }
         self.tell_peaks(&mut out);
+        self.tell_spread(&mut out);
         out
+    }
+
+    /// Which runs the figures show.
+    fn drawn_text(&self) -> String {
+        let (drawn, done) = (self.rows.len(), self.runs - self.failed);
+        match self.head.drawn {
+            true => format!(
+                "show {drawn} of {done} runs, chosen at random; the numbers rest on all of them"
+            ),
+            false => format!(
+                "show every {}th run alone; with more than {MOST_ON_GRID} there is no map, no table of resonances and no \
+                 file for ROSS: divide the study, or take them from runs.csv",
+                self.one_of
+            ),
+        }
+    }
+
+    /// How the numbers that figures show are spread over what was drawn, a row each.
+    fn tell_spread(&self, out: &mut Lines) {
+        let shown = self.shown().into_iter().take(MOST_TOLD);
+        let rows = shown.filter_map(|shown| {
+            let of = &self.columns[shown.column];
+            let quantiles = of.quantiles.as_ref()?;
+            let ((number, unit), factor) = shown_column(&of.column);
+            let told = |value: f64| digits(factor * value);
+            let ends = ["0.05", "0.5", "0.95"].map(|share| told(quantiles[share]));
+            let row = [number, unit, told(of.mean), told(of.standard_deviation?)];
+            Some(row.into_iter().chain(ends).collect())
+        });
+        let rows: Vec<Vec<String>> = rows.collect();
+        if !rows.is_empty() {
+            out.table(
+                [
+                    "number",
+                    "unit",
+                    "mean",
+                    "standard\ndeviation",
+                    "5 %",
+                    "50 %",
+                    "95 %",
+                ],
+                rows,
+            );
+        }
+    }
+
+    /// How every number that varies is spread over what was drawn, in the units of their columns; none of a grid.
+    fn spread_table(&self) -> Option<Table<'static>> {
+        let varying: Vec<_> = (self.columns.iter())
+            .filter(|own| own.quantiles.is_some() && varies(self, own))
+            .collect();
+        let table = Table::of(&varying)
+            .word("number", |own| own.column.name())
+            .number("mean", "", |own| own.mean)
+            .number("standard_deviation", "", |own| own.standard_deviation);
+        let shares = QUANTILES.into_iter().fold(table, |table, share| {
+            let (name, key) = (
+                format!("percentile_{:.0}", 100.0 * share),
+                share.to_string(),
+            );
+            table.number(name, "", move |own| Some(own.quantiles.as_ref()?[&key]))
+        });
+        (!varying.is_empty()).then(|| shares.end())
     }
 
     /// The peaks along the only axis, a row each.
@@ -287,8 +418,6 @@ impl Digest {
             "largest_measured_error": self.largest_error(),
             "runs_with_measured_error": self.measured(),
             "numbers": numbers,
-            // null where the runs were not drawn
-            "quantiles_of_every": self.head.drawn.then_some(self.stride),
             // peaks along the only axis
             "resonances": self.peaks,
             // how the numbers follow the axes
@@ -335,7 +464,73 @@ impl std::fmt::Display for RunsWarned {
 
 #[cfg(test)]
 mod tests {
+    use super::super::RowFile;
     use super::*;
+    use crate::study::Variable;
+    use crate::study::many::Outcome;
+    use crate::table::Column;
+
+    /// The sequence of van der Corput, whose even points lie all in the lower half, with round-off of a second number.
+    #[test]
+    fn statistics_of_many_runs_rest_on_all_of_them() {
+        let runs = MOST_SCATTERED as u64 + 1192;
+        let folder = tempfile::tempdir().unwrap();
+        let variable = Variable {
+            key: "load[1].constant.z".to_owned(),
+            words: Vec::new(),
+            unit: "N".to_owned(),
+            shown_unit: "N".to_owned(),
+            shown_size: 1.0,
+        };
+        let head = StudyHead {
+            runs: 0..runs,
+            axes: vec![variable],
+            numbers: ["z_m", "x_m"].map(Column::from_name).to_vec(),
+            drawn: true,
+            ..StudyHead::of_tests()
+        };
+        let mut file =
+            RowFile::open(&folder.path().join("runs.jsonl"), head.clone(), true).unwrap();
+        let mut digest = Digest::new(&head);
+        for run in 0..runs {
+            let value = run.reverse_bits() as f64 / 2f64.powi(64);
+            let row = RunRecord {
+                run,
+                direction: Direction::Alone,
+                values: vec![value],
+                outcome: Ok(Outcome {
+                    numbers: vec![value * value, 1e-20 * value],
+                    ..Outcome::default()
+                }),
+            };
+            file.add(&row).unwrap();
+            digest.add(row);
+        }
+        digest.finish(&Rows::from_one(file)).unwrap();
+        let [own, _] = &digest.columns[..] else {
+            panic!()
+        };
+        let median = own.quantiles.as_ref().unwrap()["0.5"];
+        assert!((median - 0.25).abs() < 2e-3, "{median}");
+        // of u²: mean 1/3, variance 1/5 − 1/9
+        let deviation = own.standard_deviation.unwrap();
+        assert!(
+            (deviation - (4.0_f64 / 45.0).sqrt()).abs() < 1e-3,
+            "{deviation}"
+        );
+        let [only] = &digest.sensitivities[..] else {
+            panic!("{:?}", digest.sensitivities)
+        };
+        let correlation = only.rank_correlation["load_1_constant_z_N"];
+        assert!((correlation - 1.0).abs() < 1e-12, "{correlation}");
+        // five standard errors of the mean of what is drawn
+        let drawn = digest.rows.len() as f64;
+        let mean = digest.rows.iter().map(|row| row.values[0]).sum::<f64>() / drawn;
+        assert!(
+            (mean - 0.5).abs() < 5.0 * (12.0 * drawn).sqrt().recip(),
+            "{mean} of {drawn}"
+        );
+    }
 
     #[test]
     fn a_run_counts_once_in_a_warning_and_bearings_have_their_own() {

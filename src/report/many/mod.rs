@@ -106,7 +106,7 @@ fn write(folder: RunFolder, rows: &Rows) -> Result<WrittenFindings, StudyError> 
         digest.add(row);
         Ok::<_, ReportError>(())
     })?;
-    digest.finish();
+    digest.finish(rows)?;
     let mut files = tables.end()?;
     for (name, text) in ross_files(&digest) {
         files.push(folder.write(&name, text.as_bytes())?);

@@ -1,6 +1,7 @@
 //! The numbers of a study that its figures show.
 
 use super::digest::{Digest, number};
+use super::statistics::varies;
 use crate::report::figure::Label;
 use crate::report::terminal::shown_column;
 use crate::study::many::RunRecord;
@@ -54,7 +55,7 @@ impl Digest {
         let known = |name: &&str| {
             let column = self.column(name)?;
             let digest = &self.columns[column];
-            let tells = digest.varies() || (self.head.named.is_some() && digest.known > 1);
+            let tells = varies(self, digest) || (self.head.named.is_some() && digest.known > 1);
             let (label, factor) = shown_column(&digest.column);
             let is_code = digest.column.quantity == PERIOD;
             let label = if is_code {

@@ -130,36 +130,44 @@ pub(super) struct Sensitivity {
     pub rank_correlation: BTreeMap<String, f64>,
 }
 
-/// Of every number that varies Spearman's rank correlation with every axis.
+/// Of a number that varies Spearman's rank correlation with every axis, by their values in every run.
 ///
 /// Source: C. Spearman, *The proof and measurement of association between two things*, Am. J. Psychol. 15
 /// (1904) 72–101; equal values get the mean of their ranks.
-pub(super) fn sensitivities(digest: &Digest) -> Vec<Sensitivity> {
-    let of = |index: usize| {
-        let known: Vec<_> = digest
-            .rows
-            .iter()
-            .filter(|row| !number(row, index).is_nan())
-            .collect();
-        let column = &digest.columns[index];
-        if known.len() < FEWEST_RUNS || column.lowest == column.highest {
-            return None;
-        }
-        let numbers = ranks(known.iter().map(|row| number(row, index)));
-        let axes = digest.head.axes.iter().enumerate();
-        let axes = axes.map(|(axis, variable)| {
-            let values = ranks(known.iter().map(|row| row.values[axis]));
-            (
-                variable_column(variable).name(),
-                correlation(&values, &numbers),
-            )
-        });
-        Some(Sensitivity {
-            number: column.column.clone(),
-            rank_correlation: axes.collect(),
-        })
+pub(super) fn sensitivity(
+    digest: &Digest,
+    column: usize,
+    axes: &[Vec<f64>],
+    numbers: &[f64],
+) -> Option<Sensitivity> {
+    let of = &digest.columns[column];
+    let known = |values: &[f64]| {
+        let pairs = values.iter().zip(numbers);
+        ranks(pairs.filter_map(|(value, number)| (!number.is_nan()).then_some(*value)))
     };
-    (0..digest.columns.len()).filter_map(of).collect()
+    if (of.known as usize) < FEWEST_RUNS || !varies(digest, of) {
+        return None;
+    }
+    let ranked = known(numbers);
+    let axes = digest.head.axes.iter().zip(axes);
+    let axes = axes.map(|(variable, values)| {
+        let name = variable_column(variable).name();
+        (name, correlation(&known(values), &ranked))
+    });
+    Some(Sensitivity {
+        number: of.column.clone(),
+        rank_correlation: axes.collect(),
+    })
+}
+
+/// Whether a number is not the same in all runs that have it. What changes by a billionth of the largest number that is measured
+/// alike, as a displacement across a shaft that is pushed along its axis, is round-off; pure numbers are not alike.
+pub(super) fn varies(digest: &Digest, own: &ColumnDigest) -> bool {
+    let Column { unit, kind, .. } = &own.column;
+    let alike = digest.columns.iter().filter(|of| {
+        of.known > 0 && !unit.is_empty() && of.column.unit == *unit && of.column.kind == *kind
+    });
+    own.varies_beside(alike.map(ColumnDigest::size).fold(own.size(), f64::max))
 }
 
 /// Place of every value in their order, from 0 on; equal ones share the mean of their places.
