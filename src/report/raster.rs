@@ -32,12 +32,12 @@ pub(in crate::report) struct Raster {
     pub ends: [f64; 2],
     /// Ends of the axis of frequencies, Hz.
     pub frequencies: [f64; 2],
-    /// Columns by the first axis, each by rising frequency, m.
+    /// Columns by the first axis, each by rising frequency.
     columns: Vec<Vec<f64>>,
 }
 
 impl Raster {
-    /// Of columns at even steps, each by rising frequency, m.
+    /// Of columns at even steps, each by rising frequency.
     pub fn new(ends: [f64; 2], frequencies: [f64; 2], columns: Vec<Vec<f64>>) -> Self {
         Self {
             ends,
@@ -92,7 +92,7 @@ impl Raster {
         scale * self.ends[0]..scale * self.ends[1]
     }
 
-    /// Loudest cell but for the mean, m.
+    /// Loudest cell but for the mean.
     pub fn loudest(&self) -> f64 {
         let cells = self
             .columns
@@ -101,24 +101,32 @@ impl Raster {
         cells.copied().fold(0.0, f64::max)
     }
 
-    /// Without what is far above the highest frequency of its content.
-    pub fn up_to_content(&self, loudest: f64) -> Self {
+    /// Frequency a little above the highest one of its content, Hz.
+    pub fn content(&self, loudest: f64) -> f64 {
         let counts = |value: &f64| *value > CONTENT * loudest;
         let highest = |column: &Vec<f64>| column.iter().rposition(counts);
         let rows = self.columns.iter().filter_map(highest).max();
-        let all = self.columns.first().map_or(0, Vec::len);
-        let kept = rows
-            .map_or(all, |row| (BEYOND * (row + 1) as f64).ceil() as usize)
-            .min(all);
+        let all = self.columns.iter().map(Vec::len).max().unwrap_or(0);
         let [low, high] = self.frequencies;
-        let columns = self
-            .columns
-            .iter()
-            .map(|column| column[..kept.min(column.len())].to_vec());
+        rows.map_or(high, |row| {
+            let kept = (BEYOND * (row + 1) as f64).ceil().min(all as f64);
+            low + (high - low) * kept / all.max(1) as f64
+        })
+    }
+
+    /// Without what is above a frequency in Hz, to a cell.
+    pub fn up_to(&self, highest: f64) -> Self {
+        let all = self.columns.iter().map(Vec::len).max().unwrap_or(0);
+        let [low, high] = self.frequencies;
+        let size = (high - low) / all.max(1) as f64;
+        let kept = ((highest - low) / size).round().clamp(0.0, all as f64) as usize;
+        let columns = self.columns.iter();
         Self {
             ends: self.ends,
-            frequencies: [low, low + (high - low) * kept as f64 / all.max(1) as f64],
-            columns: columns.collect(),
+            frequencies: [low, low + kept as f64 * size],
+            columns: columns
+                .map(|column| column[..kept.min(column.len())].to_vec())
+                .collect(),
         }
     }
 

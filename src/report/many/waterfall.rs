@@ -20,8 +20,8 @@ const SPEED: &str = "speed.constant";
 impl Digest {
     /// Amplitudes of the displacements of a grid over an axis and frequency: at even steps of the axis the nearest run.
     ///
-    /// Over a single axis every displacement has a panel; of two axes it is the speed, or else the last one, and the loudest
-    /// displacement has a panel for each value of the other axis.
+    /// Over a single axis every displacement that moves has a panel; of two axes it is the speed, or else the last one, and the
+    /// displacement that is loudest anywhere has a panel for each value of the other axis.
     pub(super) fn waterfall(&self, rows: &Rows) -> Result<Option<Figure>, ReportError> {
         let axes = &self.head.axes;
         if self.head.drawn || !(1..=2).contains(&axes.len()) {
@@ -32,33 +32,42 @@ impl Digest {
         let Some(ends) = self.ends(over) else {
             return Ok(None);
         };
-        let mut panels: Vec<(String, Raster)> = Vec::new();
+        let level = |(_, raster): &(Channel, Raster)| raster.loudest();
+        let mut panels = Vec::new();
         if let [_] = axes[..] {
             let drawn = self.rasters(rows, over, ends, &|_| true)?;
-            panels.extend(
-                drawn
-                    .into_iter()
-                    .map(|(channel, raster)| (channel.to_string(), raster)),
-            );
+            let levels: Vec<f64> = drawn.iter().map(level).collect();
+            panels.extend(moving(&levels).map(|row| {
+                let (channel, raster) = drawn[row].clone();
+                (channel.to_string(), channel, raster)
+            }));
         } else {
             let other = 1 - over;
             let values = rising(self.rows.iter().map(|row| row.values[other]));
             let every = values.len().div_ceil(MOST_MAPS).max(1);
-            for value in values.into_iter().step_by(every) {
+            let values = values.into_iter().step_by(every).map(|value| {
                 let drawn = self.rasters(rows, over, ends, &|row| row.values[other] == value)?;
-                let level = |(_, raster): &(Channel, Raster)| raster.loudest();
-                let loudest = drawn
+                Ok((shown(&axes[other], value), drawn))
+            });
+            let values = values.collect::<Result<Vec<_>, ReportError>>()?;
+            // one and the same displacement, so that panels can be compared
+            let all = values.iter().flat_map(|(_, drawn)| drawn);
+            let loudest = all.max_by(|a, b| level(a).total_cmp(&level(b)));
+            let Some(loudest) = loudest.filter(|own| level(own) > 0.0).map(|own| own.0) else {
+                return Ok(None);
+            };
+            panels.extend(values.into_iter().flat_map(|(value, drawn)| {
+                let own = drawn
                     .into_iter()
-                    .max_by(|a, b| level(a).total_cmp(&level(b)));
-                let value = shown(&axes[other], value);
-                panels.extend(loudest.map(|(of, raster)| (format!("{value}: {of}"), raster)));
-            }
+                    .filter(move |(channel, _)| *channel == loudest);
+                own.map(move |(of, raster)| (format!("{value}: {of}"), of, raster))
+            }));
         }
         let label = axis_label(&axes[over]);
         Ok((!panels.is_empty()).then(|| runs_figure(&self.head.title, label, &panels)))
     }
 
-    /// The displacements that move, each over an axis, of those runs that are asked for.
+    /// The displacements, each over an axis, of those runs that are asked for.
     fn rasters(
         &self,
         rows: &Rows,
@@ -87,9 +96,7 @@ impl Digest {
         };
         let named = channels.iter().enumerate();
         let drawn = named.map(|(place, (_, channel))| (*channel, raster(place)));
-        let drawn: Vec<_> = drawn.collect();
-        let loudest: Vec<f64> = drawn.iter().map(|(_, raster)| raster.loudest()).collect();
-        Ok(moving(&loudest).map(|row| drawn[row].clone()).collect())
+        Ok(drawn.collect())
     }
 
     /// The run nearest to each of so many even steps of an axis.

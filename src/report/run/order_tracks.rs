@@ -3,7 +3,7 @@
 use crate::analysis::{Channel, OrderTracks, Track};
 use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
 use crate::report::raster::moving;
-use crate::report::terminal::{MICRO, PER_MINUTE, shown_column};
+use crate::report::terminal::{PER_MINUTE, shown_column};
 use crate::table::Table;
 
 /// Height of a plot, px.
@@ -56,16 +56,16 @@ pub(super) fn order_figure(title: &str, tracks: &OrderTracks) -> Figure {
 }
 
 pub(in crate::report) fn amplitudes(tracks: &OrderTracks, row: usize) -> Panel {
-    let name = (format!("amplitude of {}", tracks.channels[row]), "µm");
+    let (name, factor) = shown_column(&tracks.channels[row].measure("amplitude"));
     let curve = |order: usize| {
-        let points = over_speed(tracks, row, order, |track| Some(MICRO * track.amplitude));
+        let points = over_speed(tracks, row, order, |track| Some(factor * track.amplitude));
         Curve::line(distinct(order), points)
     };
     let curves = (0..tracks.tracked.len()).map(curve);
     Panel::holding(speeds(tracks), name, ORDERS_HEIGHT, curves.collect())
 }
 
-/// Where an order is louder than `least`, m.
+/// Where an order is louder than `least`, in the unit of the channel.
 pub(in crate::report) fn phases(tracks: &OrderTracks, row: usize, least: f64) -> Panel {
     let name = (format!("phase of {}", tracks.channels[row]), "deg");
     let phase = |track: &Track| (track.amplitude > least).then(|| track.phase.to_degrees());

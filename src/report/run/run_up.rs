@@ -140,16 +140,31 @@ const WATERFALL_HEIGHT: u32 = 242;
 /// Name of the file.
 const FILE: &str = "waterfall";
 
-/// The spectra of several runs over what differs between them: a raster with its name a row.
+/// The spectra of several runs over what differs between them: a raster with its title and channel a row.
 pub(in crate::report) fn runs_figure(
     title: &str,
     over: impl Into<Label>,
-    rows: &[(String, Raster)],
+    rows: &[(String, Channel, Raster)],
 ) -> Figure {
     let over = over.into();
-    let panels = rows.iter().map(|(name, raster)| {
-        let x = Axis::over(over.clone(), raster.range(1.0));
-        panel(raster, name, raster.loudest(), x)
+    // one scale a channel and one range of frequencies, so that rows can be compared
+    let loudest = |of: Channel| {
+        let own = rows.iter().filter(|(_, channel, _)| *channel == of);
+        own.map(|(.., raster)| raster.loudest()).fold(0.0, f64::max)
+    };
+    let contents = rows
+        .iter()
+        .map(|(_, channel, raster)| raster.content(loudest(*channel)));
+    let highest = contents.fold(0.0, f64::max);
+    let panels = rows.iter().map(|(title, channel, raster)| {
+        let (x, loudest) = (
+            Axis::over(over.clone(), raster.range(1.0)),
+            loudest(*channel),
+        );
+        Panel {
+            title: title.clone(),
+            ..panel(&raster.up_to(highest), *channel, loudest, x)
+        }
     });
     Figure::new(FILE, title, 1, panels.collect())
 }
@@ -162,30 +177,30 @@ fn waterfall_figure(title: &str, maps: &Maps) -> Figure {
     let over_time: Vec<Raster> = over_time.collect();
     let loudest: Vec<f64> = over_time.iter().map(Raster::loudest).collect();
     let panels = moving(&loudest).flat_map(|channel| {
-        let (name, loudest) = (waterfall.channels[channel].name(), loudest[channel]);
+        let (of, loudest) = (waterfall.channels[channel], loudest[channel]);
         let [time, speed] = [&over_time[channel], &Raster::over_speed(waterfall, channel)];
         let [seconds, speeds] =
             [(Channel::Time, time), (Channel::Speed, speed)].map(|(of, raster)| {
                 let (label, factor) = shown_column(&of.column());
                 Axis::over(label, raster.range(factor))
             });
-        let time = panel(time, name, loudest, seconds);
-        let mut speed = panel(speed, name, loudest, speeds);
+        let [time, speed] = [time, speed].map(|raster| raster.up_to(raster.content(loudest)));
+        let time = panel(&time, of, loudest, seconds);
+        let mut speed = panel(&speed, of, loudest, speeds);
         draw_orders(&mut speed, maps);
         [time, speed]
     });
     Figure::new(FILE, title, 2, panels.collect())
 }
 
-/// A raster over an axis that it fills, up to a little above its content.
-fn panel(raster: &Raster, name: &str, loudest: f64, x: Axis) -> Panel {
-    let raster = &raster.up_to_content(loudest);
+/// A raster of a channel over an axis that it fills.
+fn panel(raster: &Raster, channel: Channel, loudest: f64, x: Axis) -> Panel {
     let [low, high] = raster.frequencies;
     let y = Axis::over(shown_column(&Column::frequency()).0, low..high);
     let is_seen = x.ends[1] > x.ends[0] && loudest > 0.0;
-    let top = (MICRO * loudest).log10();
-    let amplitudes =
-        || Axis::of_logarithms((format!("{name} amplitude"), "µm"), top - DECADES..top);
+    let (label, factor) = shown_column(&channel.measure("amplitude"));
+    let top = (factor * loudest).log10();
+    let amplitudes = || Axis::of_logarithms(label, top - DECADES..top);
     Panel {
         map: is_seen.then(|| raster.map(loudest)),
         bar: is_seen.then(amplitudes),
