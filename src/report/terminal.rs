@@ -295,19 +295,19 @@ pub(super) fn shown_unit(unit: &str) -> (String, f64) {
     }
 }
 
-/// Words of quantities that are shown in degrees.
-const ANGLES: [&str; 2] = ["angle", "azimuth"];
+/// Words of angles that are small rotations of a shaft or a housing; every other angle is shown in degrees.
+const ROTATIONS: [&str; 2] = ["tilt", "twist"];
 
 /// What a column is called in figures, with the unit that it is drawn in, and how many of that make one of its own:
 /// `θx`, `force x`, `amplitude of x`, `x, order 1`.
 pub(super) fn shown_column(column: &Column) -> ((String, String), f64) {
     let quantity = shown_quantity(&column.quantity);
     let mut words = column.quantity.split('_');
+    let is_rotation =
+        column.kind != ColumnKind::Phase && words.any(|word| ROTATIONS.contains(&word));
     let (unit, factor) = match (&*column.quantity, &*column.unit) {
         ("speed", "rad/s") => ("1/min".to_owned(), PER_MINUTE),
-        (_, "rad") if words.any(|word| ANGLES.contains(&word)) => {
-            ("deg".to_owned(), 1f64.to_degrees())
-        }
+        (_, "rad") if !is_rotation => ("deg".to_owned(), 1f64.to_degrees()),
         (_, unit) => shown_unit(unit),
     };
     let name = match column.kind {
@@ -373,6 +373,27 @@ mod tests {
         out.line("b", format!("{:.1}", -0.01));
         let text = out.text(false);
         assert!(!text.contains('-'), "{text}");
+    }
+
+    #[test]
+    fn angles_are_shown_in_degrees_and_tilts_in_microradians() {
+        let unit = |column: Column| shown_column(&column).0.1;
+        for column in [
+            Column::phase("x"),
+            Column::phase("tilt_x"),
+            Column::number("phase", "rad"),
+            Column::number("shoulder_margin", "rad"),
+            Column::number("bearing_1_largest_angle_inner", "rad"),
+        ] {
+            assert_eq!(unit(column.clone()), "deg", "{column:?}");
+        }
+        for column in [
+            Column::number("twist", "rad"),
+            Column::measure("tilt_x", "rms", "rad"),
+            Column::number("housing1_tilt_y", "rad"),
+        ] {
+            assert_eq!(unit(column.clone()), "µrad", "{column:?}");
+        }
     }
 
     #[test]

@@ -88,8 +88,8 @@ fn rows(name: &str, table: &Table<'_>) -> Value {
         let shown = values.iter().take(MOST_ROWS);
         let (label, factor) = shown_column(column);
         let cell = |value: &f64| match column.kind {
-            ColumnKind::Number | ColumnKind::Measure(_) => json!(factor * value),
-            _ => column.kind.json(*value),
+            ColumnKind::Count | ColumnKind::Word(_) => column.kind.json(*value),
+            _ => json!(factor * value),
         };
         json!({ "name": Label::from(label).to_string(), "cells": shown.map(cell).collect::<Value>() })
     });
