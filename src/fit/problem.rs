@@ -99,9 +99,9 @@ impl Observation {
         }
     }
 
-    /// What residuals are parts of where no standard deviation is known: of an angle a radian.
+    /// What residuals are parts of where no standard deviation is known: of an angle a radian; what was measured is not zero.
     pub fn scale(&self) -> f64 {
-        match self.wraps || self.measured == 0.0 {
+        match self.wraps {
             true => 1.0,
             false => self.measured.abs(),
         }

@@ -199,7 +199,10 @@ impl Problem<'_> {
     fn minima(&self, places: &[Place]) -> Vec<Minimum> {
         let mut found: Vec<(&Place, usize)> = Vec::new();
         let deviation = self.deviation(places[0].chi_square());
-        for place in places.iter().filter(|place| place.is_lowest) {
+        // the values that are told are the first, even of a search that was stopped
+        let told = places.iter().enumerate();
+        let told = told.filter(|(index, place)| *index == 0 || place.is_lowest);
+        for (_, place) in told {
             let same = |(other, _): &&mut (&Place, usize)| {
                 let apart = self.apart(&place.shares, &other.shares);
                 let slopes = other.slopes.as_ref();

@@ -60,10 +60,7 @@ impl Amplitude {
             })
         });
         found.ok_or_else(|| {
-            let message = format!(
-                "`{}` is no amplitude of `{channel}`",
-                text.as_str().unwrap_or("it")
-            );
+            let message = format!("{text} is no amplitude of `{channel}`");
             let units: Vec<_> = dimensions
                 .iter()
                 .map(|dimension| dimension.si_symbol())
@@ -73,6 +70,21 @@ impl Amplitude {
                 units.join(", ")
             ))
         })
+    }
+
+    /// A standard deviation of the amplitude, as a part of it or in its unit.
+    pub fn deviation(&self, text: &Value, channel: Channel, place: &str) -> Result<f64, Issue> {
+        let in_unit = || {
+            let own = Self::read(text, channel, place).ok();
+            own.filter(|own| own.rate == self.rate).map(|own| own.value)
+        };
+        let part = percent(text).map(|part| part * self.value);
+        let sigma = part.or_else(in_unit).ok_or_else(|| {
+            let message = format!("{text} is no standard deviation of the amplitude");
+            Issue::new(place, message)
+                .help("give it as a part, \"5 %\", or with a unit of what the amplitude measures")
+        })?;
+        positive_deviation(sigma, place)
     }
 }
 
@@ -111,8 +123,7 @@ pub(super) fn read(value: &Value, unit: &str, place: &str) -> Result<f64, Issue>
 /// `5 %` as a part; none of another text.
 pub(super) fn percent(value: &Value) -> Option<f64> {
     let number = value.as_str()?.trim().strip_suffix('%')?;
-    let part = number.trim().parse::<f64>().ok()? / 100.0;
-    (part > 0.0).then_some(part)
+    Some(number.trim().parse::<f64>().ok()? / 100.0)
 }
 
 /// A standard deviation, as a part of what was measured or in its unit.

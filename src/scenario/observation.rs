@@ -107,8 +107,27 @@ fn line_name(text: &str) -> String {
 }
 
 impl ObservationInput {
-    /// The observations that it makes, each with what it is compared with.
+    /// The observations that it makes, each with what it is compared with, called by what was set for them.
     pub fn build(
+        &self,
+        rotor: &RotorDefinition,
+        folder: &Path,
+        problems: &mut Problems<'_>,
+    ) -> Option<Vec<Reading>> {
+        let mut readings = self.readings(rotor, folder, problems)?;
+        for (.., observation) in &mut readings {
+            for SetInput { key, value } in &self.set {
+                let value = value
+                    .0
+                    .as_str()
+                    .map_or_else(|| value.0.to_string(), str::to_owned);
+                observation.name += &format!(", {} = {value}", key.all().join(" = "));
+            }
+        }
+        Some(readings)
+    }
+
+    fn readings(
         &self,
         rotor: &RotorDefinition,
         folder: &Path,
@@ -157,11 +176,13 @@ impl ObservationInput {
             .sigma
             .as_ref()
             .map(|sigma| deviation(&sigma.0, measured, &column.unit, ".sigma"));
+        let sigma = sigma.transpose()?;
+        has_scale(measured, sigma, ".value")?;
         let observation = Observation {
             name: name.to_owned(),
             unit: column.unit.clone().into_owned(),
             measured,
-            sigma: sigma.transpose()?,
+            sigma,
             wraps: false,
         };
         Ok((kind, Wanted::Number(name.to_owned()), observation))
@@ -202,18 +223,19 @@ impl ObservationInput {
         let rate = amplitude.as_ref().map_or(0, |amplitude| amplitude.rate);
         let mut readings = Vec::new();
         if let Some(amplitude) = &amplitude {
-            let measured = self.detector.peak() * amplitude.value;
-            let sigma = self.sigma.as_ref().map(|sigma| {
-                let sigma = match percent(&sigma.0) {
-                    Some(part) => part * measured.abs(),
-                    None => {
-                        let own = Amplitude::read(&sigma.0, channel, ".sigma")?;
-                        self.detector.peak() * own.value
-                    }
-                };
-                positive_deviation(sigma, ".sigma")
-            });
-            readings.push(reading(channel, &name, rate, measured, sigma.transpose()?));
+            let peak = self.detector.peak();
+            let measured = peak * amplitude.value;
+            if measured < 0.0 {
+                let issue = Issue::new(".amplitude", "an amplitude is not negative");
+                return Err(issue.help("half a turn of the `phase` changes the sign of a line"));
+            }
+            let sigma = self
+                .sigma
+                .as_ref()
+                .map(|sigma| Ok(peak * amplitude.deviation(&sigma.0, channel, ".sigma")?));
+            let sigma = sigma.transpose()?;
+            has_scale(measured, sigma, ".amplitude")?;
+            readings.push(reading(channel, &name, rate, measured, sigma));
         }
         if let Some(phase) = &self.phase {
             let measured = read(&phase.0, "rad", ".phase")?;
@@ -276,12 +298,11 @@ impl ObservationInput {
             let text = format!("{} {}", value.unwrap_or(f64::NAN), unit.unwrap_or_default());
             let amplitude = Amplitude::read(&text.into(), channel, ".record")?;
             let sigma = self.sigma.as_ref().map(|sigma| {
-                percent(&sigma.0)
-                    .map(|part| part * amplitude.value)
-                    .ok_or_else(|| {
-                        Issue::new(".sigma", "of lines of a record it is a part of each")
-                            .help("as \"10 %\"")
-                    })
+                let part = percent(&sigma.0).ok_or_else(|| {
+                    Issue::new(".sigma", "of lines of a record it is a part of each")
+                        .help("as \"10 %\"")
+                })?;
+                positive_deviation(part * amplitude.value, ".sigma")
             });
             Ok(reading(
                 channel,
@@ -292,6 +313,18 @@ impl ObservationInput {
             ))
         });
         taken.collect()
+    }
+}
+
+/// Refuses a zero without a standard deviation: without any, residuals are parts of what was measured.
+fn has_scale(measured: f64, sigma: Option<f64>, place: &str) -> Result<(), Issue> {
+    match measured == 0.0 && sigma.is_none() {
+        true => Err(Issue::new(
+            place,
+            "a measured zero says nothing without its standard deviation",
+        )
+        .help("give `sigma` of all observations, in the unit of each or as \"5 %\"")),
+        false => Ok(()),
     }
 }
 

@@ -83,6 +83,7 @@ impl ColumnKind {
             Self::Word(_) => Some(self.word(number))
                 .filter(|word| !word.is_empty())
                 .into(),
+            Self::Count if number.is_finite() => (number as i64).into(),
             _ => number.into(),
         }
     }

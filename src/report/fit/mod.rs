@@ -58,8 +58,17 @@ pub fn fit_findings(file: &FitFile, fit: &Fit, answers: u64) -> Findings {
         true => Vec::new(),
         false => overlay_figures(&[vec![predicted], records].concat()),
     });
+    let mut unknowns = tables[0].1.records();
+    for (unknown, at_bound) in unknowns
+        .as_array_mut()
+        .into_iter()
+        .flatten()
+        .zip(&fit.at_bound)
+    {
+        unknown["at_bound"] = json!(at_bound);
+    }
     let found = json!({
-        "unknowns": tables[0].1.records(),
+        "unknowns": unknowns,
         "correlations": fit.correlations.row_iter().map(|row| row.iter().copied().collect()).collect::<Vec<Vec<f64>>>(),
         "not_identified": fit.unidentified.iter().map(|one| unidentified_json(file, one)).collect::<Value>(),
         "chi_square": fit.chi_square,

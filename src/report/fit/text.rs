@@ -3,7 +3,7 @@
 use super::{Row, found};
 use crate::fit::Fit;
 use crate::numerics::digits::to_digits;
-use crate::report::terminal::{Lines, digits, shown_unit};
+use crate::report::terminal::{Lines, digits, in_digits, shown_unit};
 use crate::report::variable::shown;
 use crate::scenario::{Balance, FitFile};
 use crate::study::Variable;
@@ -44,7 +44,7 @@ pub(super) fn tell(text: &mut Lines, file: &FitFile, fit: &Fit, rows: &[Row<'_>]
             "scatter",
             format!(
                 "{} % of what was measured, from the residuals: no sigma is given",
-                to_digits(100.0 * sigma, 3)
+                in_digits(100.0 * sigma, 3)
             ),
         ),
         (None, Some(probability)) => text.line(
@@ -53,7 +53,7 @@ pub(super) fn tell(text: &mut Lines, file: &FitFile, fit: &Fit, rows: &[Row<'_>]
                 "{} where {} are expected; by chance it is larger in {} % of all cases",
                 digits(fit.chi_square),
                 fit.freedoms,
-                to_digits(100.0 * probability, 2)
+                in_digits(100.0 * probability, 2)
             ),
         ),
         (None, None) => text.line("χ²", digits(fit.chi_square)),
