@@ -36,6 +36,8 @@ type Growing = (f64, Option<GrowingMotion>);
 pub struct LinearResponse {
     /// Of every frequency or speed.
     pub points: Vec<Motions>,
+    /// Those with further ones about the resonances, close enough that a curve through them is smooth.
+    pub drawn: Vec<Motions>,
     /// Resonances, by pickup and speed or frequency.
     pub resonances: Vec<Resonance>,
     /// Of a shaft that bends: largest difference from the response with fewer modes of bending, of the largest motion of the
@@ -143,9 +145,10 @@ impl LinearResponseQuestion {
         };
         let looked_at = solver.with_resonances(&points)?;
         let mut resonances = Vec::new();
-        for pickup in 0..self.at.len() {
+        for pickup in self.moving(&looked_at) {
             solver.add_resonances(pickup, &looked_at, &mut resonances)?;
         }
+        let drawn = solver.about_resonances(looked_at, &resonances)?;
         let speeds = match self.by {
             Some(_) => [self.rotor.speed; 2],
             None => self.range,
@@ -164,6 +167,7 @@ impl LinearResponseQuestion {
         warnings.extend(beyond_clearances(excursions));
         Ok(LinearResponse {
             points,
+            drawn,
             resonances,
             reduction_error,
             warnings: self.rotor.warnings_with(warnings),
@@ -188,17 +192,43 @@ impl LinearResponseQuestion {
         solver: &Solver<'_>,
         points: &[Motions],
     ) -> Result<f64, LinearResponseError> {
-        let mut sizes = vec![[0.0_f64; 2]; self.at.len()];
+        let mut apart = vec![0.0_f64; self.at.len()];
         for (value, found) in points {
             let other = solver.motions(*value)?;
             let pairs = found.iter().flatten().zip(other.iter().flatten());
-            for ([apart, size], (found, other)) in sizes.iter_mut().zip(pairs) {
+            for (apart, (found, other)) in apart.iter_mut().zip(pairs) {
                 *apart = apart.max((found - other).norm());
-                *size = size.max(found.norm());
             }
         }
-        let parts = sizes.into_iter().filter(|[_, size]| *size > 0.0);
-        Ok(parts.map(|[apart, size]| apart / size).fold(0.0, f64::max))
+        let sizes = self.sizes(points);
+        let parts = self
+            .moving(points)
+            .map(|pickup| apart[pickup] / sizes[pickup]);
+        Ok(parts.fold(0.0, f64::max))
+    }
+
+    /// Largest amplitude of every pickup, as far as it is bounded.
+    fn sizes(&self, points: &[Motions]) -> Vec<f64> {
+        let mut sizes = vec![0.0_f64; self.at.len()];
+        for motions in points.iter().filter_map(|(_, motions)| motions.as_ref()) {
+            for (size, motion) in sizes.iter_mut().zip(motions) {
+                *size = size.max(motion.norm());
+            }
+        }
+        sizes
+    }
+
+    /// The pickups whose motion is more than round-off beside the largest displacement, or tilt.
+    fn moving(&self, points: &[Motions]) -> impl Iterator<Item = usize> {
+        let sizes = self.sizes(points);
+        let is_length = |pickup: usize| self.at[pickup].axis < 3;
+        let largest = |pickup: usize| {
+            let alike = (0..sizes.len()).filter(|other| is_length(*other) == is_length(pickup));
+            alike.map(|other| sizes[other]).fold(0.0, f64::max)
+        };
+        let moves = |pickup: &usize| sizes[*pickup] > ROUND_OFF * largest(*pickup);
+        let moving: Vec<usize> = (0..sizes.len()).filter(moves).collect();
+        moving.into_iter()
     }
 }
 
@@ -307,6 +337,28 @@ impl<'a> Solver<'a> {
         let mut all = [points, &further].concat();
         all.sort_by(|a, b| a.0.total_cmp(&b.0));
         Ok(all)
+    }
+
+    /// The points with further ones about every resonance, evenly in the phase of a single mode: its loop in the plane is round.
+    fn about_resonances(
+        &self,
+        mut points: Vec<Motions>,
+        resonances: &[Resonance],
+    ) -> Result<Vec<Motions>, LinearResponseError> {
+        let [from, to] = self.question.range;
+        let bounded = resonances.iter().filter(|own| !own.is_unbounded());
+        for (own, factor) in bounded.filter_map(|own| Some((own, own.amplification?))) {
+            for step in -PHASE_STEPS..=PHASE_STEPS {
+                let phase = f64::from(step) * PHASE_STEP;
+                let value = own.peak * (1.0 + 0.5 * phase.tan() / factor);
+                if (from..to).contains(&value) {
+                    points.push((value, self.motions(value)?));
+                }
+            }
+        }
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        points.dedup_by(|a, b| a.0 == b.0);
+        Ok(points)
     }
 
     /// Natural frequencies at the speed of a force, or critical speeds of unbalances; none where they cannot be followed.
@@ -427,6 +479,13 @@ impl<'a> Solver<'a> {
 
 /// Speeds at which modes are looked at for critical speeds.
 const FOLLOWED: usize = 41;
+
+/// Phases from that of a peak at which its surroundings are drawn: up to 85° to either side.
+const PHASE_STEP: f64 = 5.0 * TAU / 360.0;
+const PHASE_STEPS: i32 = 17;
+
+/// A pickup that moves less than this part of the largest motion stands still.
+const ROUND_OFF: f64 = 1e-9;
 
 /// Part of a frequency to which peaks and sides are found: the amplitude about a peak is flat.
 const FOUND: f64 = 1e-7;

@@ -6,7 +6,7 @@ use nalgebra::Complex;
 
 use super::{Told, place};
 use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
-use crate::report::terminal::{MICRO, PER_MINUTE, significant};
+use crate::report::terminal::{MICRO, PER_MINUTE, digits};
 
 /// Height of a plot, px.
 const HEIGHT: u32 = 240;
@@ -20,7 +20,7 @@ impl Told<'_> {
     fn curves(&self, point: impl Fn(f64, Complex<f64>) -> Point) -> Vec<Curve> {
         let pickups = 0..self.question.at.len();
         let curve = |index: usize| {
-            let all = self.response.points.iter();
+            let all = self.response.drawn.iter();
             let points =
                 all.filter_map(|(value, motions)| Some(point(*value, motions.as_ref()?[index])));
             Curve::line(distinct(index), points.collect())
@@ -54,8 +54,12 @@ impl Told<'_> {
                 HEIGHT,
             )
         };
+        let mut phases = self.curves(|value, motion| (factor * value, motion.arg().to_degrees()));
+        for curve in &mut phases {
+            curve.points = broken_at_turns(&curve.points);
+        }
         let phases = Panel {
-            curves: self.curves(|value, motion| (factor * value, motion.arg().to_degrees())),
+            curves: phases,
             ..Panel::new(axis, Axis::over(("phase", "deg"), -180.0..180.0), HEIGHT)
         };
         Figure::new("bode", title, 1, vec![amplitudes, phases]).with_names(self.names())
@@ -68,17 +72,18 @@ impl Told<'_> {
         let most = points.map(|own| own.0.hypot(own.1)).fold(0.0, f64::max);
         let most = if most > 0.0 { 1.1 * most } else { 1.0 };
         let label = |part: &str| (format!("{part} part"), self.unit("µ"));
-        let (_, factor) = self.axis();
+        let (axis, factor) = self.axis();
         let peaks = self.response.resonances.iter().filter_map(|own| {
             let nearest = self
                 .response
-                .points
+                .drawn
                 .iter()
                 .min_by(|a, b| (a.0 - own.peak).abs().total_cmp(&(b.0 - own.peak).abs()))?;
             let motion = nearest.1.as_ref()?[own.pickup];
+            let place = (MICRO * motion.re, MICRO * motion.im);
             Some((
-                (MICRO * motion.re, MICRO * motion.im),
-                significant(factor * own.peak),
+                place,
+                format!("{} {}", digits(factor * own.peak), axis.label.unit),
             ))
         });
         let panel = Panel {
@@ -92,5 +97,33 @@ impl Told<'_> {
             )
         };
         Figure::new("polar", title, 1, vec![panel]).with_names(self.names())
+    }
+}
+
+/// Half a turn, degrees.
+const HALF_TURN: f64 = 180.0;
+
+/// Points of an angle without the lines between those where it begins anew.
+fn broken_at_turns(points: &[Point]) -> Vec<Point> {
+    let mut broken: Vec<Point> = Vec::new();
+    for point in points {
+        let before = broken.last().copied();
+        let jumps = |before: &Point| (point.1 - before.1).abs() > HALF_TURN;
+        broken.extend(before.filter(jumps).map(|_| (point.0, f64::NAN)));
+        broken.push(*point);
+    }
+    broken
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_line_runs_from_half_a_turn_to_its_other_side() {
+        let points = [(1.0, 170.0), (2.0, 179.0), (3.0, -179.0), (4.0, -20.0)];
+        let broken = broken_at_turns(&points);
+        let gaps: Vec<_> = broken.iter().map(|point| point.1.is_nan()).collect();
+        assert_eq!(gaps, [false, false, true, false, false]);
     }
 }

@@ -256,13 +256,12 @@ impl Told<'_> {
     /// The resonances, and which of their columns people are shown under which heads.
     fn resonances(&self) -> (Table<'static>, Vec<(&'static str, String)>) {
         let by_force = self.question.by.is_some();
-        // of displacements and tilts side by side the place says which unit it is
-        let unit = self.unit("");
-        let unit = if unit.contains(',') {
-            String::new()
-        } else {
-            unit
-        };
+        let mut unit = self.unit("");
+        let is_mixed = unit.contains(',');
+        if is_mixed {
+            // displacements and tilts side by side have their units in a column of their own
+            unit.clear();
+        }
         let amplitude = match by_force {
             true => Column::number("receptance", unit),
             false => Column::number("amplitude", unit),
@@ -271,16 +270,22 @@ impl Told<'_> {
             ("place", "place".to_owned()),
             ("resonance", self.first_column().quantity.into_owned()),
             ("amplitude", amplitude.quantity.to_string()),
+            ("unit", "unit".to_owned()),
             ("amplification\nfactor", "amplification_factor".to_owned()),
         ];
         let mut table = Table::of(&self.response.resonances)
             .word("column", |own| self.name(own.pickup))
             .word("place", |own| place(&self.question.at[own.pickup]))
             .column(self.first_column(), |own| self.own_unit(own.peak))
-            .column(amplitude, |own| bounded(own, Some(own.amplitude)))
-            .number("amplification_factor", "", |own| {
-                bounded(own, own.amplification)
+            .column(amplitude, |own| bounded(own, Some(own.amplitude)));
+        if is_mixed {
+            table = table.word("unit", |own| {
+                motion_unit(&self.question.at[own.pickup]).to_owned() + self.per_force()
             });
+        }
+        table = table.number("amplification_factor", "", |own| {
+            bounded(own, own.amplification)
+        });
         if !by_force {
             shown.push(("margin", "separation_margin".to_owned()));
             shown.push(("margin by\nAPI 617", "separation_margin_asked".to_owned()));
