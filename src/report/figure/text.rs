@@ -1,4 +1,5 @@
-//! How wide a text is, and what to do with one that is too wide. The font is the viewer's: widths are those of Helvetica.
+//! How wide a text is, and what to do with one that is too wide. The font is the viewer's: widths are those of DejaVu Sans,
+//! the widest of those that take the place of Helvetica.
 
 use crate::scenario::visible;
 
@@ -10,12 +11,14 @@ pub(super) const LINE: f64 = 16.0;
 /// Width of a text, px.
 pub(super) fn width(text: &str, size: f64) -> f64 {
     let letter = |letter: char| match letter {
-        'i' | 'j' | 'l' | '\'' | '|' => 0.23,
-        ' ' | 'f' | 't' | 'I' | '.' | ',' | ':' | ';' | '/' | '!' | '(' | ')' | '-' | 'r' => 0.3,
-        '⁰'..='⁹' | '¹' | '²' | '³' | '⁻' => 0.37,
-        'm' | 'w' | 'M' | 'W' | '%' | '@' | '…' | '→' => 0.9,
-        'A'..='Z' | '=' | '+' | '−' | '<' | '>' | '×' => 0.7,
-        _ => 0.56,
+        'i' | 'j' | 'l' | '\'' | 'I' | ' ' | '.' | ',' => 0.32,
+        'f' | 't' | ':' | ';' | '/' | '|' | '!' | '(' | ')' | '-' | 'r' => 0.41,
+        '⁰'..='⁹' | '¹' | '²' | '³' | '⁻' => 0.41,
+        'm' | 'w' | 'M' | 'W' | '%' | '@' | '…' | '→' => 1.0,
+        'A'..='Z' => 0.75,
+        '=' | '+' | '−' | '<' | '>' | '×' => 0.84,
+        'c' | 'k' | 's' | 'v' | 'x' | 'y' | 'z' => 0.59,
+        _ => 0.64,
     };
     size * text.chars().map(letter).sum::<f64>()
 }
