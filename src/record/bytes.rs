@@ -104,10 +104,10 @@ impl<'a> Bytes<'a> {
         Ok(())
     }
 
-    /// Puts the next line into a buffer, with its end; false where there is none.
-    pub fn line(&mut self, into: &mut Vec<u8>) -> Result<bool, Problem> {
+    /// Puts the next line into a buffer, with the byte that ends it; false where there is none.
+    pub fn line(&mut self, end: u8, into: &mut Vec<u8>) -> Result<bool, Problem> {
         into.clear();
-        Ok(self.reader.read_until(b'\n', into)? > 0)
+        Ok(self.reader.read_until(end, into)? > 0)
     }
 
     /// Gives `take` so many numbers one by one.

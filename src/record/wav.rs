@@ -77,7 +77,7 @@ impl Layout {
             (FLOAT, 32) => Kind::F32,
             (FLOAT, 64) => Kind::F64,
             _ => {
-                let way = "save the file as PCM of 16, 24 or 32 bits, or as floating point";
+                let way = "save the file as PCM of 8, 16, 24 or 32 bits, or as floating point";
                 return Err(format!(
                     "samples of form {tag} with {bits} bits are not read; {way}"
                 ));

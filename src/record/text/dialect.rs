@@ -122,9 +122,10 @@ impl Dialect {
         is_filled.then_some(values.len())
     }
 
-    /// The number in a cell, or the seconds of its date or time.
+    /// The number in a cell, or that of its date or time.
     fn value(self, cell: &[u8]) -> Option<f64> {
-        self.number(cell).or_else(|| stamp::seconds(cell))
+        let stamp = || stamp::nanoseconds(cell).map(|time| time as f64);
+        self.number(cell).or_else(stamp)
     }
 
     /// The first neighbouring cells of a line that hold dates or times.
@@ -170,7 +171,14 @@ impl Dialect {
             let separates = sign == self.separator.into() || (by_blanks && sign == '\t');
             separates && !is_quoted
         });
-        let cells = cells.map(|cell| cell.trim().trim_matches('"').trim().to_owned());
+        let cells = cells.map(|cell| {
+            let cell = cell.trim();
+            let inner = cell.strip_prefix('"').and_then(|it| it.strip_suffix('"'));
+            // within quotes two of them stand for one
+            let inner = inner.map(|inner| inner.replace("\"\"", "\""));
+            let text = inner.unwrap_or_else(|| cell.trim_matches('"').to_owned());
+            text.trim().to_owned()
+        });
         if !by_blanks {
             return cells.collect();
         }
@@ -190,7 +198,7 @@ impl Dialect {
             return Some(f64::NAN);
         }
         if !self.decimal_comma {
-            return std::str::from_utf8(cell).ok()?.parse().ok();
+            return parsed(std::str::from_utf8(cell).ok()?);
         }
         // a point would separate thousands
         if cell.contains(&b'.') {
@@ -202,12 +210,18 @@ impl Dialect {
         if let Some(comma) = copy.iter_mut().find(|sign| **sign == b',') {
             *comma = b'.';
         }
-        std::str::from_utf8(copy).ok()?.parse().ok()
+        parsed(std::str::from_utf8(copy).ok()?)
     }
 }
 
+/// A number, whose exponent may follow a D, as Fortran writes it: `1.0D-3`.
+fn parsed(text: &str) -> Option<f64> {
+    let fortran = || text.replacen(['D', 'd'], "e", 1).parse().ok();
+    text.parse().ok().or_else(fortran)
+}
+
 /// Says of the first line what in it is not a number, written as most of all lines can be read; lines above that have fewer numbers than
-/// most are no rows.
+/// most are no rows. Where most lines have none, the first one with a cell that begins as a number is meant as a row.
 fn no_rows(lines: &[&[u8]]) -> Problem {
     let filled = lines.iter().enumerate();
     let filled: Vec<_> = filled.filter(|(_, line)| !is_passed(line)).collect();
@@ -230,8 +244,12 @@ fn no_rows(lines: &[&[u8]]) -> Problem {
     let mut sorted = counts.clone();
     sorted.sort_unstable();
     let usual = sorted[sorted.len() / 2];
+    let begins_as_number = |cell: &[u8]| matches!(cell.first(), Some(b'0'..=b'9' | b'+' | b'-'));
     let rows = filled.iter().zip(counts);
-    let mut rows = rows.skip_while(|(_, count)| *count < usual);
+    let mut rows = rows.skip_while(|((_, line), count)| match usual {
+        0 => !dialect.cells(line).any(begins_as_number),
+        _ => *count < usual,
+    });
     let wrong = rows.find_map(|((place, line), _)| {
         let mut cells = dialect.cells(line).enumerate();
         let (column, cell) = cells.find(|(_, cell)| !is_number(dialect, cell))?;
@@ -240,7 +258,7 @@ fn no_rows(lines: &[&[u8]]) -> Problem {
     let needed = "rows with equally many numbers are needed, with commas, semicolons, tabs or blanks between them";
     match wrong {
         Some((place, what)) => Problem::line(place as u64 + 1, format!("{what}; {needed}")),
-        None => Problem::Unfit(needed.to_owned()),
+        None => Problem::Unfit(format!("no line has numbers alone: {needed}")),
     }
 }
 

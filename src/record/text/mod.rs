@@ -23,7 +23,12 @@ const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 pub(super) fn read(record: &mut Record, head: &[u8], mut bytes: Bytes<'_>) -> Result<(), Problem> {
     let is_whole = head.len() as u64 == bytes.left();
     let text = head.strip_prefix(BYTE_ORDER_MARK).unwrap_or(head);
-    let mut lines: Vec<&[u8]> = text.split(|byte| *byte == b'\n').collect();
+    // old Macintosh programs end lines with a carriage return alone
+    let end = match text.contains(&b'\n') || !text.contains(&b'\r') {
+        true => b'\n',
+        false => b'\r',
+    };
+    let mut lines: Vec<&[u8]> = text.split(|byte| *byte == end).collect();
     if !is_whole {
         // the rest of the last line is not known
         lines.pop();
@@ -46,7 +51,7 @@ pub(super) fn read(record: &mut Record, head: &[u8], mut bytes: Bytes<'_>) -> Re
     let expected = bytes.left() as usize / row_length;
     let empty = |_| Vec::with_capacity(expected);
     let mut columns: Vec<_> = (0..rows.columns).map(empty).collect();
-    fill(record, &mut columns, &mut bytes, &rows)?;
+    fill(record, &mut columns, &mut bytes, end, &rows)?;
     if !rows.stamps.is_empty() {
         stamp::join(&mut columns[rows.stamps.clone()]);
         headings[rows.stamps.start] = Heading::of_times();
@@ -54,22 +59,24 @@ pub(super) fn read(record: &mut Record, head: &[u8], mut bytes: Bytes<'_>) -> Re
     columns::add(record, headings, columns)
 }
 
-/// Reads all rows.
+/// Reads all rows, in lines that end with a byte.
 fn fill(
     record: &mut Record,
     columns: &mut [Vec<f64>],
     bytes: &mut Bytes<'_>,
+    end: u8,
     rows: &Rows,
 ) -> Result<(), Problem> {
     let (mut line, mut number) = (Vec::new(), 0);
-    while bytes.line(&mut line)? {
+    let mut first_stamps = vec![None; columns.len()];
+    while bytes.line(end, &mut line)? {
         number += 1;
         if number <= rows.start || is_passed(&line) {
             continue;
         }
-        match row(columns, rows, &line) {
+        match row(columns, &mut first_stamps, rows, &line) {
             Ok(()) => {}
-            Err(what) if line.ends_with(b"\n") => return Err(Problem::line(number as u64, what)),
+            Err(what) if line.ends_with(&[end]) => return Err(Problem::line(number as u64, what)),
             // a recorder that was stopped, or a copy, may end within a line
             Err(what) => {
                 record.warn(format!(
@@ -84,13 +91,18 @@ fn fill(
 }
 
 /// Adds the numbers of a row to the columns.
-fn row(columns: &mut [Vec<f64>], rows: &Rows, line: &[u8]) -> Result<(), String> {
+fn row(
+    columns: &mut [Vec<f64>],
+    first_stamps: &mut [Option<i128>],
+    rows: &Rows,
+    line: &[u8],
+) -> Result<(), String> {
     let expected = columns.len();
     let mut count = 0;
     for cell in rows.dialect.cells(line) {
         if let Some(column) = columns.get_mut(count) {
             let number = match rows.stamps.contains(&count) {
-                true => stamp::seconds(cell),
+                true => stamp::since_first(cell, &mut first_stamps[count]),
                 false => rows.dialect.number(cell),
             };
             column.push(number.ok_or_else(|| no_number(cell, count))?);
