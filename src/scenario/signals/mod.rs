@@ -139,6 +139,15 @@ impl Signals {
             });
             return None;
         }
+        let is_early = si(&input.start).is_some_and(|start| start < self.start - 1.5 / rate);
+        let is_cut = input.duration.is_some() && first.saturating_add(count) > length + 1;
+        if is_early || is_cut {
+            let [from, to] = [kept.start, kept.end].map(|place| self.start + place as f64 / rate);
+            let [from, to, analysed] = [from, to, to - from].map(significant);
+            problems.warn(format!(
+                "the record does not hold all of the part that is asked for: {analysed} s are analysed, from {from} to {to} s"
+            ));
+        }
         self.keep(kept);
         Some(())
     }

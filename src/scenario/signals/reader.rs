@@ -2,12 +2,12 @@
 
 use std::ops::RangeInclusive;
 
-use super::sampled::SampledValues;
+use super::sampled::{ALMOST_THE_RATE, SampledValues};
 use super::{Issue, Problems};
 use crate::analysis::Channel;
-use crate::record::{Record, RecordChannel, in_brackets};
+use crate::record::{Record, RecordChannel, Sampling, in_brackets};
 use crate::scenario::input::{RecordInput, RecordSpeedInput, SignalInput};
-use crate::scenario::quantity::sensor_unit;
+use crate::scenario::quantity::{sensor_unit, si};
 use crate::table::Column;
 
 /// Most channels that are analysed at a time.
@@ -20,6 +20,8 @@ const LONGEST_NAME: usize = 64;
 const SCALES: RangeInclusive<f64> = 1e-30..=1e30;
 /// Largest magnitude of a sample in SI units: sums of fourth powers, as in the kurtosis, do not overflow.
 const LARGEST: f64 = 1e60;
+/// Units in which times may be, in parts of a second.
+const PER_SECOND: [f64; 4] = [1.0, 1e3, 1e6, 1e9];
 /// A number of a file above this one may be a rate in Hz.
 const SLOWEST: f64 = 100.0;
 
@@ -79,6 +81,11 @@ impl<'a> SignalReader<'a> {
         self.channels[index].as_ref()?.unit.clone()
     }
 
+    /// Samples of a channel that is not taken yet.
+    pub fn samples(&mut self, index: usize) -> Option<&mut [f64]> {
+        Some(&mut self.channels[index].as_mut()?.samples)
+    }
+
     /// The place of a channel of a run of this program.
     pub fn of_run(&self, wanted: Channel) -> Option<usize> {
         let mut channels = self.channels.iter();
@@ -129,9 +136,15 @@ impl<'a> SignalReader<'a> {
         let of_speed = of_speed.and_then(|name| self.find(name, "").ok());
         let known = self.channels.iter().enumerate();
         let known = known.filter(|(index, _)| Some(*index) != of_speed);
-        let known: Vec<(usize, &RecordChannel)> = known
-            .filter_map(|(index, channel)| Some((index, channel.as_ref()?)))
-            .collect();
+        let known = known.filter_map(|(index, channel)| Some((index, channel.as_ref()?)));
+        let (times, known): (Vec<_>, Vec<_>) =
+            known.partition(|(_, channel)| self.is_time(channel));
+        for (_, channel) in times {
+            problems.warn(format!(
+                "`{}` rises by a step of the rate from sample to sample: it is taken for the time, and left out; `--channel` takes it",
+                channel.name
+            ));
+        }
         let is_of_run = |channel: &RecordChannel| {
             let is_shown = match native(channel) {
                 Some(Channel::Displacement(_) | Channel::Force(_)) => true,
@@ -164,6 +177,17 @@ impl<'a> SignalReader<'a> {
         }
         let signal = |(index, _): (usize, _)| (index, SignalInput::of_column(&self.names[index]));
         chosen.into_iter().map(signal).collect()
+    }
+
+    /// Whether a channel without a unit holds the times of samples at the rate that is given, in s or parts of it.
+    fn is_time(&self, channel: &RecordChannel) -> bool {
+        let rate = si(&self.input.rate).filter(|_| channel.unit.is_none());
+        let steps = rate.zip(Sampling::from_times(&channel.samples).rate());
+        steps.is_some_and(|(rate, found)| {
+            let is_unit =
+                |per_second: &f64| (found * per_second / rate - 1.0).abs() <= ALMOST_THE_RATE;
+            PER_SECOND.iter().any(is_unit)
+        })
     }
 
     /// A channel in SI units.

@@ -9,8 +9,8 @@ use crate::scenario::input::SignalInput;
 use crate::scenario::quantity::{si, significant};
 
 /// Part of a rate by which the one that is given may differ from that of the file.
-const ALMOST_THE_RATE: f64 = 1e-3;
-/// Most missing samples that are bridged, as a part of those that are there.
+pub(super) const ALMOST_THE_RATE: f64 = 1e-3;
+/// Most missing samples that are bridged, as a part of all.
 const MOST_MISSING: f64 = 0.1;
 /// Missing samples in a row from which on a way around them is told.
 const LONG_GAP: f64 = 10.0;
@@ -47,7 +47,7 @@ impl SignalReader<'_> {
         let mut found = self.at_equal_times(channel, input, values, &known, problems)?;
         let missing = [known.start, count - known.end];
         self.tell_cut(&channel.name, &found, missing, problems);
-        self.bridge(&channel.name, &mut found, problems);
+        self.bridge(&channel.name, &mut found, problems)?;
         Some(found)
     }
 
@@ -96,7 +96,7 @@ impl SignalReader<'_> {
                 let times = &times[known.clone()];
                 return match Gaps::of(times) {
                     Some(gaps) => self.with_gaps(name, times, values, gaps, problems),
-                    None => Some(self.uneven(name, times, values, problems)),
+                    None => self.uneven(name, times, values, problems),
                 };
             }
             (Sampling::Unknown, None) => {
@@ -119,7 +119,7 @@ impl SignalReader<'_> {
         times: &[f64],
         values: Vec<f64>,
         problems: &mut Problems<'_>,
-    ) -> SampledValues {
+    ) -> Option<SampledValues> {
         let (first, last) = (times[0], times[times.len() - 1]);
         let rate = (times.len() - 1) as f64 / (last - first);
         problems.warn(format!(
@@ -128,12 +128,12 @@ impl SignalReader<'_> {
             significant(rate)
         ));
         let mut found = SampledValues::new(rate, first, values);
-        self.bridge(name, &mut found, problems);
+        self.bridge(name, &mut found, problems)?;
         found.values = at_even_times(times, &found.values, rate);
-        found
+        Some(found)
     }
 
-    /// Values at times with gaps, of which those within the part that is asked for are not too long: missing samples are NaN.
+    /// Values at times with gaps, of which those within the part that is asked for are not too many: missing samples are NaN.
     fn with_gaps(
         &self,
         name: &str,
@@ -156,40 +156,41 @@ impl SignalReader<'_> {
             ..gaps
         };
         let (times, values) = (&times[first..end], &values[first..end]);
-        if let Some((at, missing)) = gaps.longest().filter(|(_, missing)| *missing > LONG_GAP) {
-            let [before, behind] = [times[at - 1], times[at]].map(significant);
-            let message = format!(
-                "from {before} to {behind} s {missing} samples of `{name}` are missing, of {} in all",
-                gaps.missing()
-            );
-            let help = format!(
-                "a part without them is analysed with `--start` and `--duration`, as with --start \"{behind} s\""
-            );
-            if gaps.missing() > MOST_MISSING * values.len() as f64 {
-                problems.refuse(Issue::new("", message).help(help));
-                return None;
-            }
-            problems.warn(format!("{message}; {help}"));
+        if let Some((at, longest)) = gaps.longest() {
+            let missing = Missing {
+                count: gaps.missing(),
+                all: values.len() as f64 + gaps.missing(),
+                longest,
+                beside: [times[at - 1], times[at]],
+            };
+            // before the places of a gap of days take memory
+            missing.accept(name, problems)?;
         }
         Some(SampledValues::new(gaps.rate, times[0], gaps.filled(values)))
     }
 
-    /// Bridges missing samples, and tells how many of the part that is asked for were.
-    fn bridge(&self, name: &str, found: &mut SampledValues, problems: &mut Problems<'_>) {
+    /// Bridges missing samples, if those of the part that is asked for are not too many, and tells them.
+    fn bridge(
+        &self,
+        name: &str,
+        found: &mut SampledValues,
+        problems: &mut Problems<'_>,
+    ) -> Option<()> {
         let place = |time: f64| ((time - found.start) * found.rate).round().max(0.0) as usize;
         let [from, end] = self.asked(found.start).map(place);
-        let asked = found
-            .values
-            .iter()
-            .skip(from)
-            .take(end.saturating_sub(from));
-        let missing = asked.filter(|value| !value.is_finite()).count();
-        bridge(&mut found.values);
-        if missing > 0 {
+        let end = end.min(found.values.len());
+        if let Some(missing) = Missing::within(found, from.min(end)..end) {
+            missing.accept(name, problems)?;
+            let way_around = missing.way_around().map(|way| format!("; {way}"));
             problems.warn(format!(
-                "missing samples of `{name}`, {missing}, are bridged by straight lines"
+                "{}: they are bridged by straight lines, by which lines at half the rate lose up to {:.2} %{}",
+                missing.told(name),
+                200.0 * missing.count / missing.all,
+                way_around.unwrap_or_default()
             ));
         }
+        bridge(&mut found.values);
+        Some(())
     }
 
     /// Tells that samples are missing before the first and behind the last that is known, where they are asked for.
@@ -226,6 +227,81 @@ impl SignalReader<'_> {
     }
 }
 
+/// Samples that are missing in a part of a channel.
+struct Missing {
+    count: f64,
+    /// How many the part has with them.
+    all: f64,
+    /// Most in a row, and the times in s of the samples on either side of these.
+    longest: f64,
+    beside: [f64; 2],
+}
+
+impl Missing {
+    /// Those within a range of samples; `None` where there are none.
+    fn within(found: &SampledValues, range: Range<usize>) -> Option<Self> {
+        let all = range.len() as f64;
+        let known = found.values[range.clone()].iter().enumerate();
+        let known = known.filter(|(_, value)| value.is_finite());
+        // a sample before the first and one behind the last count as known
+        let known = known.map(|(place, _)| (range.start + place) as f64);
+        let ends = [range.start as f64 - 1.0, range.end as f64];
+        let (mut count, mut longest, mut last) = (0.0, 0.0, ends[0]);
+        let mut beside = ends;
+        for place in known.chain([ends[1]]) {
+            let missing = place - last - 1.0;
+            count += missing;
+            if missing > longest {
+                (longest, beside) = (missing, [last, place]);
+            }
+            last = place;
+        }
+        (count > 0.0).then(|| Self {
+            count,
+            all,
+            longest,
+            beside: beside.map(|place| found.start + place / found.rate),
+        })
+    }
+
+    /// Refuses too many.
+    fn accept(&self, name: &str, problems: &mut Problems<'_>) -> Option<()> {
+        if self.count <= MOST_MISSING * self.all {
+            return Some(());
+        }
+        let message = format!(
+            "{}: up to {:.0} % are bridged",
+            self.told(name),
+            100.0 * MOST_MISSING
+        );
+        let leave_out = || "leave the channel out, or record it without losses".to_owned();
+        let help = self.way_around().unwrap_or_else(leave_out);
+        problems.refuse(Issue::new("", message).help(help));
+        None
+    }
+
+    fn told(&self, name: &str) -> String {
+        let [before, behind] = self.beside.map(significant);
+        format!(
+            "of {} samples of `{name}` {} ({:.2} %) are missing, at most {} in a row, from {before} to {behind} s",
+            self.all,
+            self.count,
+            100.0 * self.count / self.all,
+            self.longest,
+        )
+    }
+
+    /// How a part without a long gap is analysed.
+    fn way_around(&self) -> Option<String> {
+        let behind = significant(self.beside[1]);
+        (self.longest > LONG_GAP).then(|| {
+            format!(
+                "a part without them is analysed with `--start` and `--duration`, as with --start \"{behind} s\""
+            )
+        })
+    }
+}
+
 impl SampledValues {
     fn new(rate: f64, start: f64, values: Vec<f64>) -> Self {
         Self {
@@ -237,7 +313,7 @@ impl SampledValues {
 }
 
 /// From the first to the last value that is known.
-fn known_range(values: &[f64]) -> Option<Range<usize>> {
+pub(super) fn known_range(values: &[f64]) -> Option<Range<usize>> {
     let first = values.iter().position(|value| value.is_finite())?;
     let last = values.iter().rposition(|value| value.is_finite())?;
     Some(first..last + 1)

@@ -1,9 +1,11 @@
 //! What the speed of a record follows from.
 
 use super::reader::{Signal, SignalReader};
+use super::sampled::known_range;
 use super::{ALWAYS, FEWEST, Issue, Problems, Signals};
 use crate::analysis::Channel;
 use crate::measurement::{TachoError, Turning};
+use crate::record::bridge;
 use crate::scenario::input::{RecordSpeedInput, SignalInput};
 use crate::scenario::quantity::{Dimension, parse, si};
 
@@ -169,6 +171,12 @@ impl SignalReader<'_> {
             unit: Some(String::new()),
             ..input
         };
+        // speeds change little from one to the next: however many are missing, as where they were taken less often
+        if let Some(samples) = self.samples(index)
+            && let Some(known) = known_range(samples)
+        {
+            bridge(&mut samples[known]);
+        }
         let mut signal = self.signal(index, &plain, problems)?;
         signal.values.iter_mut().for_each(|value| *value *= factor);
         if signal.values.iter().any(|value| *value < 0.0) {
