@@ -6,8 +6,11 @@ use crate::bearing::{MountedBearing, Support, Surface};
 use crate::physics::{BallPass, Race};
 use crate::rotor::NaturalFrequency;
 
-/// Shaft orders looked for, 1× … this, and multiples of a ball-pass frequency.
+/// Shaft orders looked for, 1× … this.
 const SHAFT_ORDERS: u32 = 20;
+/// Multiples of a ball-pass frequency looked for: a spall rings a housing at several kilohertz, some hundred times the frequency at
+/// which balls pass.
+const BALL_PASS_ORDERS: u32 = 100;
 /// Multiples of a ball-pass frequency whose sidebands and halves are looked for.
 const BALL_PASS_MULTIPLES: u32 = 6;
 /// Multiples of a cage frequency looked for.
@@ -311,7 +314,7 @@ fn bearing_lines(
         Race::Outer => Characteristic::InnerRace,
     };
     let halves = halves.filter(|_| has(standing) && standing == Characteristic::OuterRace);
-    let higher = (BALL_PASS_MULTIPLES + 1..=SHAFT_ORDERS).map(|multiple| (multiple, 0));
+    let higher = (BALL_PASS_MULTIPLES + 1..=BALL_PASS_ORDERS).map(|multiple| (multiple, 0));
     let passes = multiples(BALL_PASS_MULTIPLES).chain(higher);
     let races = [Characteristic::OuterRace, Characteristic::InnerRace];
     let passes = passes.flat_map(|number| races.map(|race| (race, number)));

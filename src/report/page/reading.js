@@ -182,8 +182,10 @@ const figures = (() => {
 
   // Figures on the page.
 
+  const velocities = "Velocities: displacements times 2πf, accelerations divided by it; the strongest lines have names.";
   const captions = {
-    velocity_spectrum: "Velocities of the shaft, 2πf times its displacements; the strongest lines have names.",
+    velocity_spectrum: velocities,
+    housing_velocity_spectrum: velocities,
     trace: "Of a long run a filled band shows between which values a curve stays; its end, and what is around the first events, is drawn sample by sample.",
     histories: "Forces, loads, speed and energies over time, as far as they change.",
     waterfall: "Amplitudes over frequency in colours; lines are orders of the shaft.",

@@ -96,10 +96,14 @@ pub(in crate::report) fn spectra_figures(
     peaks: &[Peak],
 ) -> Vec<Figure> {
     let table = spectrum_table(spectrum);
+    let lines = named_lines(peaks);
     let figures = shown_groups(&table, spectrum, peaks).map(|(name, group)| {
         let (name, group) = match (name, velocity_rate(group.of)) {
-            ("displacement", Some(rate)) => ("velocity", velocity_of(group, rate, 0.0)),
-            (_, Some(rate)) => (HOUSINGS, velocity_of(group, rate, beyond_mean(spectrum))),
+            ("displacement", Some(rate)) => ("velocity", velocity_of(group, &lines, rate, 0.0)),
+            (_, Some(rate)) => {
+                let lowest = beyond_mean(spectrum);
+                (HOUSINGS, velocity_of(group, &lines, rate, lowest))
+            }
             (name, None) => (name, group),
         };
         figure(&format!("{name}_spectrum"), title, name, group, PAGE_HEIGHT).only_on_page()
@@ -109,13 +113,9 @@ pub(in crate::report) fn spectra_figures(
     figures
 }
 
-/// Amplitudes of channels of one unit together, each group with its name.
-fn shown_groups<'a>(
-    table: &'a Table<'_>,
-    spectrum: &Spectrum,
-    peaks: &[Peak],
-) -> impl Iterator<Item = (&'static str, ShownSpectrum<'a>)> {
-    let lines = peaks.iter().filter_map(|peak| {
+/// The lines of all channels that have a name.
+fn named_lines(peaks: &[Peak]) -> Vec<NamedLine> {
+    let named = peaks.iter().filter_map(|peak| {
         let [column, _] = peak.channel.lines();
         Some(NamedLine {
             column,
@@ -124,8 +124,17 @@ fn shown_groups<'a>(
             name: peak.line?.kind.to_string(),
         })
     });
+    named.collect()
+}
+
+/// Amplitudes of channels of one unit together, each group with its name.
+fn shown_groups<'a>(
+    table: &'a Table<'_>,
+    spectrum: &Spectrum,
+    peaks: &[Peak],
+) -> impl Iterator<Item = (&'static str, ShownSpectrum<'a>)> {
     let shown = 0.0..frequency_limit(spectrum, peaks);
-    let groups = ShownSpectrum::grouped(table, &lines.collect::<Vec<_>>(), &shown);
+    let groups = ShownSpectrum::grouped(table, &named_lines(peaks), &shown);
     groups.into_iter().map(|group| {
         let known = GROUPS.iter().find(|(_, unit)| *unit == group.of);
         (known.map_or(OTHERS, |(name, _)| name), group)
@@ -141,6 +150,7 @@ pub(in crate::report) fn measured_figures(
     lowest: f64,
 ) -> Vec<Figure> {
     let table = spectrum_table(spectrum);
+    let lines = named_lines(peaks);
     let groups = shown_groups(&table, spectrum, peaks).enumerate();
     let figures = groups.flat_map(|(place, (name, group))| {
         let file = match place {
@@ -149,7 +159,7 @@ pub(in crate::report) fn measured_figures(
         };
         let velocity = velocity_rate(group.of).map(|rate| {
             let lowest = lowest.max(beyond_mean(spectrum));
-            let velocity = velocity_of(group.clone(), rate, lowest);
+            let velocity = velocity_of(group.clone(), &lines, rate, lowest);
             let name = format!("velocity_{file}");
             figure(&name, title, "velocity", velocity, PAGE_HEIGHT).only_on_page()
         });
@@ -166,27 +176,55 @@ fn beyond_mean(spectrum: &Spectrum) -> f64 {
 }
 
 /// Velocities in place of displacements or accelerations, from a frequency in Hz on.
-fn velocity_of(group: ShownSpectrum<'_>, rate: Rate, lowest: f64) -> ShownSpectrum<'_> {
+///
+/// The strongest lines of a velocity are others than those of a displacement or an acceleration: named are the lines that any
+/// channel has a name for, where the velocity has them.
+fn velocity_of<'a>(
+    group: ShownSpectrum<'a>,
+    lines: &[NamedLine],
+    rate: Rate,
+    lowest: f64,
+) -> ShownSpectrum<'a> {
     let rate = |at: f64| if at < lowest { 0.0 } else { rate(at) };
+    let places = group.over.1;
     let value = |(at, value): (&f64, &f64)| rate(*at) * value;
     let columns = group.columns.iter().map(|(name, values)| {
-        let rates = group.over.1.iter().zip(values.iter()).map(value);
-        (
-            name.replace(" acceleration", ""),
-            Cow::Owned(rates.collect()),
-        )
+        let rates: Vec<f64> = places.iter().zip(values.iter()).map(value).collect();
+        (name.replace(" acceleration", ""), Cow::Owned(rates))
     });
-    let peaks = group.peaks.iter().map(|peak| ShownPeak {
-        height: MILLI / group.factor * rate(peak.at) * peak.height,
-        ..peak.clone()
+    let columns: Vec<(String, Cow<'a, [f64]>)> = columns.collect();
+    let peaks = lines.iter().flat_map(|line| {
+        let own = columns.iter().enumerate();
+        own.filter_map(|(column, (_, values))| {
+            let height = line_height(places, values, line.at)?;
+            Some(ShownPeak {
+                column,
+                at: line.at,
+                height: MILLI * height,
+                name: line.name.clone(),
+            })
+        })
     });
     ShownSpectrum {
         unit: "mm/s".to_owned(),
         factor: MILLI,
-        columns: columns.collect(),
         peaks: peaks.collect(),
+        columns,
         ..group
     }
+}
+
+/// Height of a curve at a line; none where the curve is higher just beyond the main lobe of a window.
+fn line_height(places: &[f64], values: &[f64], at: f64) -> Option<f64> {
+    const LOBE: usize = 3;
+    let above = places.partition_point(|place| *place < at);
+    let inside = values.get(above.checked_sub(1)?..=above)?;
+    let height = inside.iter().copied().fold(0.0, f64::max);
+    let beyond = [above.checked_sub(1 + LOBE)?, above + LOBE];
+    let is_line = beyond
+        .into_iter()
+        .all(|place| values.get(place).is_none_or(|value| *value < height));
+    is_line.then_some(height)
 }
 
 /// Largest frequency shown, Hz: a little above the highest peak, at least ten shaft orders.
