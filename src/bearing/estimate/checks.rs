@@ -112,7 +112,7 @@ impl CatalogueLine {
             notes.extend(match is_of_given {
                 true => off("C0", [internal.static_rating, printed], 0.02),
                 false => Some(format!(
-                    "the printed C0 is that of grooves of {} and {}, as ISO 76 rates narrower ones:                      in the given grooves it is {:.0} N",
+                    "the printed C0 is that of grooves of {} and {}, as ISO 76 rates narrower ones: in the given grooves it is {:.0} N",
                     REFERENCE_GROOVES[0], REFERENCE_GROOVES[1], internal.static_rating
                 )),
             });

@@ -101,7 +101,7 @@ impl ImperfectSurfaces {
         })
     }
 
-    /// BallIdentity of them turn.
+    /// Which of them turn.
     pub fn turning(&self) -> TurningSurfaces {
         let rolls = |ball: &BallSurface| !ball.dents.is_empty() || !ball.waves.is_none();
         TurningSurfaces {
