@@ -280,6 +280,7 @@ fn a_list_shows_what_a_file_holds() {
     );
     let json: Value =
         serde_json::from_str(&listed(&["analyze", "timed.csv", "--list", "--json"])).unwrap();
+    assert_eq!(json["schema_version"], 1);
     assert_eq!(json["channels"][0]["samples"], 100.0);
     assert!((json["channels"][0]["rate_Hz"].as_f64().unwrap() - 25_600.0).abs() < 1e-6);
 }

@@ -150,6 +150,36 @@ fn orders_of_bearings_mix_with_numbers() {
     assert_eq!(wrong.status.code(), Some(2));
 }
 
+/// A negative quantity is a value of its option, of which the range says what is wrong, and no unknown option.
+#[test]
+fn negative_quantities_come_to_their_checks() {
+    let folder = folder_with("a.toml", &scenario());
+    fs::write(folder.path().join("a.csv"), "t [s],a [g]\n0,1\n1,2\n2,3\n").unwrap();
+    for (arguments, option) in [
+        ("analyze a.csv", "duration=-2 s"),
+        ("analyze a.csv", "speed=-3000 rpm"),
+        ("new -", "mass=-3 kg"),
+        ("new -", "speed=-3000 rpm"),
+        ("campbell a.toml", "to=-1 rpm"),
+        ("response a.toml --at 0mm --to 9rpm", "from=-1 rpm"),
+        (
+            "estimate --outside-diameter 9mm --dynamic 1N --static 1N",
+            "bore=-1 mm",
+        ),
+    ] {
+        let (name, value) = option.split_once('=').unwrap();
+        let option = format!("--{name}");
+        let all: Vec<&str> = arguments.split(' ').chain([&option[..], value]).collect();
+        let output = jeffcott_in(&folder, &all);
+        let told = told(&output);
+        assert_eq!(output.status.code(), Some(2), "{all:?}: {told}");
+        assert!(
+            told.contains(value) && !told.contains("unexpected"),
+            "{told}"
+        );
+    }
+}
+
 #[test]
 fn check_warns_of_what_a_run_would_find_out_late() {
     let fast = scenario().replace("500 rad/s", "300000 rpm");
