@@ -52,6 +52,20 @@ const HOURS_PER_MREV: f64 = 1e6 * std::f64::consts::TAU / 3600.0;
 /// limit are left out. Balls thrown outwards load the outer race alone, and wear it.
 ///
 /// Source: ISO/TS 16281:2008, eqs. for radial ball and roller bearings; ISO 281.
+///
+/// ```
+/// use jeffcott::bearing::{Bearing, reference_rating_life};
+/// use jeffcott::physics::dynamic_rating;
+/// // without clearance F_r = C loads the balls of a 6205 by 4.37 F_r/Z cos^(3/2) φ (Harris & Kotzalas, ch. 7): L10 = (C/F_r)³ = 1
+/// let geometry = Bearing::catalogue("6205").unwrap().geometry;
+/// let rating = dynamic_rating(9, 7.9375e-3, 38.5e-3, 0.0);
+/// let loads = (0..9).map(|ball| {
+///     let cosine = (std::f64::consts::TAU * f64::from(ball) / 9.0).cos().max(0.0);
+///     [4.37 * rating / 9.0 * cosine.powf(1.5); 2]
+/// });
+/// let life = reference_rating_life(&geometry, rating, loads).unwrap();
+/// assert!((life - 1.0).abs() < 5e-3, "{life}");
+/// ```
 pub fn reference_rating_life(
     geometry: &Geometry,
     dynamic_rating: f64,

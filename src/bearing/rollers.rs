@@ -238,3 +238,42 @@ impl Rollers {
 fn logarithmic(scale: f64, part: f64) -> f64 {
     -scale * (-part * part).ln_1p()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Drop in µm at a distance in mm from the middle of a roller of 10 mm and a length in mm.
+    fn drop(kind: RollerKind, profile: Profile, length: f64, distance: f64) -> f64 {
+        let rollers = Rollers {
+            kind,
+            length: 1e-3 * length,
+            profile,
+            laminae: Rollers::FEWEST_LAMINAE,
+            clearance: 0.0,
+        };
+        1e6 * rollers.drop_at(1e-3 * distance, 10e-3)
+    }
+
+    #[test]
+    fn profiles_drop_by_hand_at_places_of_their_own() {
+        let (kind, profile) = (RollerKind::Cylindrical, Profile::Logarithmic);
+        // where the logarithm is 1: (2s/L)² = 1 − 1/e, 0.79506 of the half length
+        let part = (1.0 - (-1.0_f64).exp()).sqrt();
+        assert!((drop(kind, profile, 20.0, 10.0 * part) - 3.5).abs() < 1e-9);
+        assert!((drop(RollerKind::Tapered, profile, 20.0, 10.0 * part) - 4.5).abs() < 1e-9);
+        // 40 mm: flat to 7.5 mm, and its ends are those of 25 mm
+        assert_eq!(drop(kind, profile, 40.0, 7.5), 0.0);
+        assert!((drop(kind, profile, 40.0, 7.5 + 12.5 * part) - 5.0).abs() < 1e-9);
+        // a barrel: the distance of two arcs, R − √(R² − s²)
+        let [roller_radius, race_radius] = [33.2e-3, 34e-3];
+        let barrel = Profile::Barrel {
+            roller_radius,
+            race_radius,
+        };
+        let arc = |radius: f64| 1e6 * (radius - (radius * radius - 1e-6).sqrt());
+        let arcs = arc(roller_radius) - arc(race_radius);
+        let found = drop(RollerKind::Spherical, barrel, 13.0, 1.0);
+        assert!((found / arcs - 1.0).abs() < 1e-3, "{found} {arcs}");
+    }
+}

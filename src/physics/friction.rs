@@ -119,9 +119,12 @@ impl FrictionFactors {
     ///
     /// ```
     /// use jeffcott::physics::FrictionFactors;
-    /// // by hand, deep groove, F_r = C_0/32 = 1000 N: f_1 = 0.0005/32^0.55, P_1 = F_r
+    /// // by hand, deep groove, F_r = C_0/32 = 1000 N: 32^0.55 = 4 √2 ⁴√2 = 6.7272, f_1 = 0.0005/6.7272 = 7.4325e-5, P_1 = F_r;
+    /// // F_a alone presses 3 times as hard as P_1, and P_0 = F_a/2: M_1 is 3/2^0.55 = 2.0491 times that
     /// let moment = FrictionFactors::DEEP_GROOVE.load_moment(1e3, 0.0, 32e3, 0.05);
-    /// assert!((moment - 5e-4 / 32f64.powf(0.55) * 1e3 * 0.05).abs() < 1e-15);
+    /// assert!((moment - 3.7163e-3).abs() < 1e-7);
+    /// let axial = FrictionFactors::DEEP_GROOVE.load_moment(0.0, 1e3, 32e3, 0.05);
+    /// assert!((axial / moment - 2.0491).abs() < 1e-4);
     /// ```
     pub fn load_moment(
         &self,
