@@ -83,34 +83,3 @@ impl LineContact {
         PI * pressure * pressure / (self.modulus * self.curvature)
     }
 }
-
-/// Basic static radial load rating C_0 of a radial roller bearing, N.
-///
-/// `C_0 = 44 (1 − γ) i Z L D cos α` in N and mm
-///
-/// | symbol | meaning | unit |
-/// |---|---|---|
-/// | γ | D cos α/d_m | – |
-/// | i Z | rollers in all rows | – |
-/// | L, D | effective length and diameter of a roller | m |
-/// | α | contact angle | rad |
-///
-/// Source: ISO 76:2006, eq. 12.
-///
-/// ```
-/// use jeffcott::physics::roller_static_rating;
-/// // 13 rollers 7.5 × 8 mm on 46 mm: 28.7 kN
-/// let rating = roller_static_rating(13, 7.5e-3, 8e-3, 46e-3, 0.0);
-/// assert!((rating - 44.0 * (1.0 - 7.5 / 46.0) * 13.0 * 8.0 * 7.5).abs() < 1e-9 * rating);
-/// ```
-pub fn roller_static_rating(
-    rollers: usize,
-    diameter: f64,
-    length: f64,
-    pitch_diameter: f64,
-    angle: f64,
-) -> f64 {
-    let gamma = diameter * angle.cos() / pitch_diameter;
-    // 44 N/mm²
-    44e6 * (1.0 - gamma) * rollers as f64 * length * diameter * angle.cos()
-}

@@ -1,9 +1,10 @@
-//! Closed-form laws of solid contact and rolling kinematics, one law per file.
+//! Closed-form laws of contact, rolling, films, friction, beams and life, and formulas of standards and makers.
 //!
 //! Everything here is a pure function of numbers in SI units: no bearing, no shaft, no time. What is not a number leads to what
 //! is none.
 
 mod ball_motion;
+mod ball_rating;
 mod beam;
 mod curvature;
 mod elliptic;
@@ -17,12 +18,13 @@ mod kinematics;
 mod life_modification;
 mod line_contact;
 mod material;
-mod rating;
+mod roller_rating;
 mod skf_friction;
 mod vibration_zones;
 mod viscosity;
 
 pub use ball_motion::{BallMotion, Race, RaceControl, controlling_race};
+pub use ball_rating::{dynamic_rating, open_groove_factor, rating_factor};
 pub use beam::{BeamElement, ElementMatrix};
 pub use curvature::{Curvature, inner_race_curvature, outer_race_curvature};
 pub use elliptic::{complete_elliptic_first, complete_elliptic_second};
@@ -38,11 +40,9 @@ pub use kinematics::{BallPass, ball_pass_frequencies, nominal_cage_speed};
 pub use life_modification::{
     Contamination, LifeModification, reference_viscosity, reliability_factor,
 };
-pub use line_contact::{LINE_EXPONENT, LineContact, line_stiffness, roller_static_rating};
+pub use line_contact::{LINE_EXPONENT, LineContact, line_stiffness};
 pub use material::{Material, contact_modulus};
-pub use rating::{
-    dynamic_rating, open_groove_factor, rating_factor, roller_dynamic_rating, roller_rating_factor,
-};
+pub use roller_rating::{roller_dynamic_rating, roller_rating_factor, roller_static_rating};
 pub use skf_friction::{SkfFriction, SkfOperation};
 pub use vibration_zones::{
     MachineGroup, MachineSupport, VibrationZone, velocity_band, zone_boundaries,
