@@ -245,6 +245,9 @@ fn roller_ratings(geometry: &Geometry, dynamic_rating: f64, slices: usize) -> [f
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct RatingLives {
+    /// C that they rest on, N: the one given or printed, which is not exactly that of the dimensions.
+    #[serde(rename = "dynamic_rating_N")]
+    pub dynamic_rating: f64,
     /// P of ISO 281, N; none without load.
     #[serde(rename = "equivalent_load_N")]
     pub equivalent_load: Option<f64>,
@@ -347,6 +350,7 @@ impl Bearing {
         let loaded = load > NO_LOAD * carried;
         let basic = loaded.then_some(basic);
         Some(RatingLives {
+            dynamic_rating: rating,
             equivalent_load: loaded.then_some(load),
             basic,
             basic_hours: basic.and_then(|life| hours(life, speed)),

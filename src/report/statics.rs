@@ -291,8 +291,12 @@ fn add_lives(out: &mut Lines, state: &BearingState) {
         out.more(format!("{} h at this speed (ISO/TS 16281)", digits(hours)));
     }
     if let (Some(basic), Some(load)) = (lives.basic, lives.equivalent_load) {
-        let (life, load) = (shown(basic, lives.basic_hours), digits(load));
-        out.line("life L10", format!("{life} (ISO 281, P {load} N)"));
+        let life = shown(basic, lives.basic_hours);
+        let [rating, load] = [lives.dynamic_rating, load].map(digits);
+        out.line(
+            "life L10",
+            format!("{life} (ISO 281, C {rating} N, P {load} N)"),
+        );
     } else {
         let reason =
             "not known: P of ISO 281 counts radial and axial forces only, and there are none";

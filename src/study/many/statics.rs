@@ -31,7 +31,7 @@ const EXTREMES: [Named<BallLine>; 3] = [
 ];
 
 /// Numbers of one bearing after these.
-const BEARING: [Named<BearingState>; 8] = [
+const BEARING: [Named<BearingState>; 9] = [
     ("range_of_angle_inner", "rad", |state| {
         let angle = |ball: &BallLine| ball.inner.angle;
         extreme(state, angle, f64::max) - extreme(state, angle, f64::min)
@@ -39,6 +39,10 @@ const BEARING: [Named<BearingState>; 8] = [
     ("largest_pressure", "Pa", |state| {
         let pressure = |ball: &BallLine| ball.inner.peak_pressure.max(ball.outer.peak_pressure);
         extreme(state, pressure, f64::max)
+    }),
+    ("dynamic_rating", "N", |state| {
+        let lives = state.rating_lives.as_ref();
+        lives.map_or(f64::NAN, |lives| lives.dynamic_rating)
     }),
     ("life", "Mrev", |state| state.life.unwrap_or(f64::NAN)),
     ("life", "h", |state| {

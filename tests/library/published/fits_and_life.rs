@@ -482,4 +482,13 @@ fn no_basic_life_without_a_force() {
     }
     let lives = state(squeezed, "y = \"-1 N\"").rating_lives.expect("lives");
     assert_near("P", lives.equivalent_load.expect("a load"), 1.0, 1e-6);
+    // (C/P)³ by the printed C, which is not that of the dimensions
+    let ratio = lives.dynamic_rating / lives.equivalent_load.expect("a load");
+    assert_near(
+        "L10",
+        lives.basic.expect("a life") / ratio.powi(3),
+        1.0,
+        1e-12,
+    );
+    assert_eq!(lives.dynamic_rating, 19_500.0);
 }
