@@ -288,6 +288,9 @@ impl Reader<'_, '_> {
     ) -> Option<&'k str> {
         let key = &entry.key;
         let message = format!("{} has no key `{key}`", self.table_name());
+        let has_it = |(_, of): &(_, &Value)| of["properties"].get(key).is_some();
+        let tables = known.iter().filter(has_it);
+        let tables: Vec<_> = tables.map(|(table, _)| join(self.path, table)).collect();
         let known = known.keys().map(String::as_str);
         let known = known.filter(|known| !known.starts_with('$'));
         // a key nearest to one that is here already is no misspelling of another
@@ -299,6 +302,10 @@ impl Reader<'_, '_> {
             (None, Some(known)) => {
                 self.problems.mark_faulty(&join(self.path, known));
                 format!("did you mean `{known}`?")
+            }
+            (None, None) if !tables.is_empty() => {
+                let tables = quoted(tables.iter().map(String::as_str), " and ");
+                format!("`{key}` is a key of {tables}")
             }
             (None, None) => format!("it knows {}", quoted(known, ", ")),
         };

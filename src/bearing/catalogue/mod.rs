@@ -76,6 +76,11 @@ fn all_balls(file: &Catalogue) -> impl Iterator<Item = &CatalogueEntry> {
     all(file).flat_map(|catalogue| &catalogue.balls)
 }
 
+/// All roller bearings.
+fn all_rollers(file: &Catalogue) -> impl Iterator<Item = &RollerEntry> {
+    all(file).flat_map(|catalogue| &catalogue.rollers)
+}
+
 /// A bearing that was looked up.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Found<'a> {
@@ -97,8 +102,7 @@ pub(crate) fn look_up<'a>(
         Ok((entry, said)) => return Ok((Found::Balls(entry), said)),
         Err(odd) => odd,
     };
-    let rollers = all(file).flat_map(|catalogue| &catalogue.rollers);
-    matching(rollers, &wanted, ROLLER_SUFFIXES)
+    matching(all_rollers(file), &wanted, ROLLER_SUFFIXES)
         .map(|(entry, said)| (Found::Rollers(entry), said))
         .map_err(|_| UnknownBearing::new(file, designation, odd))
 }
@@ -195,8 +199,8 @@ impl UnknownBearing {
             ),
             (_, _, None, Some(entry)) => format!("did you mean \"{}\"?", entry.designation),
             (_, _, None, None) => format!(
-                "there are {}; any other ball bearing with one row of balls is found from its catalogue line in \
-                 [bearing.ratings]",
+                "there are {}; any other bearing with one row of balls, or with rollers, is found from its catalogue line in \
+                 [bearing.ratings], which of rollers has `kind` and `width`",
                 series(file)
             ),
         };
@@ -207,17 +211,18 @@ impl UnknownBearing {
     }
 }
 
-/// The designations, series by series: `6000 to 6024`.
-pub(crate) fn series(file: &Catalogue) -> String {
-    let mut groups: BTreeMap<(String, String), [&str; 2]> = BTreeMap::new();
-    for entry in all_balls(file) {
-        let name = entry.designation.as_str();
-        let letters = name.trim_start_matches(|c: char| c.is_ascii_digit());
-        let digits = &name[..name.len() - letters.len()];
-        let series = digits[..digits.len().saturating_sub(2)].to_owned();
-        let [first, last] = groups
-            .entry((series, letters.to_owned()))
-            .or_insert([name, name]);
+/// The designations, balls before rollers, series by series: `6000 to 6024`.
+fn series(file: &Catalogue) -> String {
+    let balls = all_balls(file).map(|entry| (false, entry.designation.as_str()));
+    let rollers = all_rollers(file).map(|entry| (true, entry.designation.as_str()));
+    let mut groups: BTreeMap<_, [&str; 2]> = BTreeMap::new();
+    for (rolls, name) in balls.chain(rollers) {
+        let number = name.trim_start_matches(|c: char| !c.is_ascii_digit());
+        let suffix = number.trim_start_matches(|c: char| c.is_ascii_digit());
+        let series = number.len().saturating_sub(suffix.len() + 2);
+        let prefix = &name[..name.len() - number.len()];
+        let group = (rolls, prefix, &number[..series], suffix);
+        let [first, last] = groups.entry(group).or_insert([name, name]);
         *first = name.min(first);
         *last = name.max(last);
     }
@@ -439,6 +444,22 @@ mod tests {
             assert!(
                 help.contains("7205C") && !help.contains("did you mean"),
                 "{help}"
+            );
+        }
+    }
+
+    #[test]
+    fn series_of_balls_and_of_rollers_are_listed() {
+        let series = series(&EMPTY);
+        for expected in [
+            "6200 to 6220",
+            "7200C to 7210C",
+            "30204 to 30212",
+            "NU2205 to NU2212",
+        ] {
+            assert!(
+                series.split(", ").any(|found| found == expected),
+                "{series}"
             );
         }
     }

@@ -30,7 +30,7 @@ pub enum EstimateError {
     /// No balls have these ratings.
     #[error(
         "no balls of a bearing of this size have the ratings C0 = {statical} N and, 2 % below to 10 % above ISO 281, \
-         C = {dynamic} N{}; check the line, or give `balls` and `ball_diameter`",
+         C = {dynamic} N{}; check the line, or give `balls` and `ball_diameter`; a roller bearing needs `kind` and `width`",
         closest.map_or(String::new(), |closest| format!(": closest are {closest}"))
     )]
     Impossible {
