@@ -121,6 +121,16 @@ pub(super) struct AxisReader<'a, 'p> {
 impl AxisReader<'_, '_> {
     /// The axis with what varies, if nothing contradicts it.
     pub fn build(mut self) -> Option<(Axis, Variable)> {
+        let AxisInput {
+            values,
+            count,
+            distribution,
+            ..
+        } = self.input;
+        if values.is_none() && count.is_none() && distribution.is_none() {
+            // the one that is due was found missing or wrong before
+            return None;
+        }
         self.refuse_unrelated();
         if self.key.is_text() {
             return self.words();

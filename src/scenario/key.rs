@@ -71,6 +71,10 @@ pub(super) fn find(known: &[Key], paths: &[String], place: &str) -> Result<Key, 
     for path in paths {
         let matching = known.iter().filter(|key| matches(path, &key.path));
         let matching: Vec<_> = matching.collect();
+        if matching.is_empty() && is_left_out(known, path) {
+            let message = format!("what is asked does not depend on `{path}`");
+            return Err(Issue::new(place, message));
+        }
         if matching.is_empty() {
             let paths = known.iter().map(|key| key.path.as_str());
             let issue = Issue::new(place, format!("the scenario has no number `{path}`"));
@@ -94,6 +98,16 @@ pub(super) fn find(known: &[Key], paths: &[String], place: &str) -> Result<Key, 
         }
     }
     found.ok_or_else(|| Issue::new(place, "it names no key"))
+}
+
+/// Whether a path is that of a key of a scenario whose table is not among those known.
+fn is_left_out(known: &[Key], path: &str) -> bool {
+    let (table, _) = path.split_once('.').unwrap_or((path, ""));
+    let is_in_it = |key: &Key| key.path.split('.').next() == Some(table);
+    let named = path
+        .split('.')
+        .try_fold(schema(), |own, step| own["properties"].get(step));
+    named.is_some() && !known.iter().any(is_in_it)
 }
 
 impl Key {

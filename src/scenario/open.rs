@@ -40,10 +40,7 @@ impl OpenScenario {
     ) -> Result<Self, Issue> {
         let known = number_keys(&scenario.echo, &OF_RUNS);
         let key = |path: &'p str| {
-            let key = find(&known, &[path.to_owned()], path).map_err(|issue| Issue {
-                message: format!("{} that its answer depends on", issue.message),
-                ..issue
-            })?;
+            let key = find(&known, &[path.to_owned()], path)?;
             check(scenario, &key, path)?;
             Ok(key)
         };
