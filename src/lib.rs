@@ -7,7 +7,8 @@
 //!
 //! # Floors
 //!
-//! Data climbs once; code depends downwards only.
+//! Data climbs once; code depends downwards only. Floors with a link are public; the others are how they work inside, which
+//! may change with every version.
 //!
 //! | floor | what it does |
 //! |---|---|
@@ -28,15 +29,15 @@
 //! | [`bearing`] | geometry, catalogue, laws of a ball, the ring that sums over balls, equilibrium, life, friction |
 //! | [`physics`] | closed-form laws: material, curvature, Hertz contact, films, kinematics, friction |
 //!
-//! Below them `table` has columns that know their quantity and unit, [`record`] reads the files of sensors and recorders, `keys` names quantities in results, and `numerics` has
-//! what knows nothing of bearings and shafts: roots, eigenvectors, products of matrices that have blocks of zeros, steps
-//! compiled for wide registers.
+//! Below them [`record`] reads the files of sensors and recorders; inside, `table` has columns that know their quantity and
+//! unit, `keys` names quantities in results, and `numerics` has what knows nothing of bearings and shafts: roots,
+//! eigenvectors, products of matrices that have blocks of zeros, steps compiled for wide registers.
 //!
-//! A ball law, `bearing::BallLaw`, is a pure function from the position of a ball's inner groove centre to the force
-//! there, written once for plain numbers, for balls side by side and for numbers with slopes. A `bearing::Ring`
-//! visits the balls once and sums over them. A `rotor::Rotor` holds a linear part, the elements at their attachments, which
-//! know where and how turned each sits, and what excites the shaft. It is an `integrate::System` and never knows which law
-//! runs; a `rotor::Sample` is what is observed of it, and [`analysis::Channel`] lists its columns.
+//! Inside, a ball law is a pure function from the position of a ball's inner groove centre to the force there, written once
+//! for plain numbers, for balls side by side and for numbers with slopes. A ring visits the balls once and sums over them. A
+//! rotor holds a linear part, the elements at their attachments, which know where and how turned each sits, and what excites
+//! the shaft; the integrator never knows which law runs. What is observed of an instant is a sample, whose columns
+//! [`analysis::Channel`] lists.
 //!
 //! [`seed_paper`] holds no code: it says figure by figure where the paper that the crate started from
 //! and this crate agree, and where they cannot.

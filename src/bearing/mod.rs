@@ -1,8 +1,8 @@
 //! The ball or roller bearing as a nonlinear spring: geometry, ball laws, ring sum.
 //!
 //! What rolls is called a ball throughout, and is a roller where the law of its contacts is that of one. Data climbs from
-//! a [`Bearing`] (dimensions, materials) over a [`BallLaw`] (force of one ball) and a [`Ring`] (the positions of the balls, and sums over them) to a [`Support`] (the bearing at its place on the
-//! shaft).
+//! a [`Bearing`] (dimensions, materials) over the law of one ball and the ring (the positions of the balls, and sums over them)
+//! to the bearing at its place on the shaft.
 
 mod bearing_friction;
 mod cage;
