@@ -42,20 +42,28 @@ fn bearings_out_of_proportion_have_typed_errors() {
         let geometry = Geometry::new(3, ball, pitch, angle, 0.52, 0.53);
         assert!(matches!(geometry, Err(GeometryError::Length { .. })));
     }
-    for radii in [[f64::NAN, 0.1], [0.1, f64::NAN], [0.0, 0.0], [0.1, 0.05]] {
+    let barrels = |roller_radius, race_radius| {
+        let profile = Profile::Barrel {
+            roller_radius,
+            race_radius,
+        };
         let rollers = Rollers {
             kind: RollerKind::Spherical,
             length: 0.01,
-            profile: Profile::Barrel {
-                roller_radius: radii[0],
-                race_radius: radii[1],
-            },
+            profile,
             laminae: 30,
             clearance: 0.0,
         };
-        let geometry = Geometry::of_rollers(18, 0.01, 0.085, 0.16, rollers);
+        Geometry::of_rollers(18, 0.01, 0.085, 0.16, rollers)
+    };
+    for [roller, race] in [[f64::NAN, 0.1], [0.1, f64::NAN], [0.0, 0.0], [0.1, 0.05]] {
+        let geometry = barrels(roller, race);
         assert!(matches!(geometry, Err(GeometryError::Barrel { .. })));
     }
+    let rollers = Bearing::of_steel(barrels(0.05, 0.051).unwrap());
+    let contacts = [rollers.inner_contact(), rollers.outer_contact()];
+    let all_refused = |contact| matches!(contact, Err(BearingError::Rollers { .. }));
+    assert!(contacts.into_iter().all(all_refused));
 }
 
 /// Cases over all laws together.
