@@ -106,6 +106,41 @@ fn clearance_and_damping_are_found_from_lines() {
     check_twin(FAN, &fit, &[11e-6, 0.025], 1e-4);
 }
 
+#[test]
+fn observations_that_cannot_be_weighed_are_refused() {
+    let scenario = Scenario::from_toml(FAN).expect("a scenario");
+    let read = |amplitude: &str, others: &str| {
+        let text = format!(
+            "base = \"-\"\n[[unknown]]\nkey = \"damping.ratio\"\nfrom = 0.01\nto = 0.1\n\
+             [[observation]]\nchannel = \"y\"\nline = \"1x\"\namplitude = \"{amplitude}\"\n{others}\n"
+        );
+        let read = parse_fit(&text, Format::Toml, &scenario, Path::new(""));
+        read.map(|file| file.observations[0].clone())
+    };
+    for (amplitude, others, sigma) in [
+        ("1 mm/s", "sigma = \"50 %\"", 0.5e-3),
+        ("1 mm/s", "sigma = \"0.1 mm/s\"", 1e-4),
+        ("0 um", "sigma = \"2 um\"", 2e-6),
+    ] {
+        let found = read(amplitude, others).map(|own| own.sigma);
+        let found = found.unwrap_or_else(|error| panic!("{}", error.render(false)));
+        assert!((found.unwrap() / sigma - 1.0).abs() < 1e-12, "{found:?}");
+    }
+    for (amplitude, others) in [
+        ("-1 um", "sigma = \"50 %\""),
+        ("0 um", "phase = \"10 deg\""),
+        ("1 um", "sigma = 0.1"),
+        ("1 um", "sigma = \"0 %\""),
+        ("1 um", "sigma = \"-1 %\""),
+        ("1 um", "sigma = \"1 mm/s\""),
+    ] {
+        assert!(read(amplitude, others).is_err(), "{amplitude} {others}");
+    }
+    let set = "sigma = \"50 %\"\nset = [{ key = \"speed.constant\", value = \"900 rpm\" }]";
+    let name = |others: &str| read("1 um", others).expect("a fit").name;
+    assert_ne!(name("sigma = \"50 %\""), name(set));
+}
+
 /// A pair with a preload, on a shaft that tilts.
 const PAIR: &str = "[shaft]\nmass = \"5 kg\"\nfreedoms = \"all\"\neccentricity = \"0.5 um\"\ninertia_transverse = \"0.02 kg m^2\"\n\
     inertia_polar = \"0.01 kg m^2\"\n[speed]\nconstant = \"500 rad/s\"\n\
@@ -436,6 +471,7 @@ fn a_search_that_is_stopped_tells_the_errors_that_it_knows() {
     for (error, known) in stopped.errors.iter().zip(&whole.errors) {
         assert!((error / known - 1.0).abs() < 0.5, "{error} {known}");
     }
+    assert_eq!(stopped.minima[0].values, stopped.values);
     // before any slope is known there are none
     assert!(decay(0, 1).errors.iter().all(|error| error.is_nan()));
 }

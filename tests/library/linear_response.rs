@@ -77,6 +77,26 @@ fn the_unbalance_of_a_laval_rotor_answers_in_closed_form() {
     }
 }
 
+/// Points of a curve about the resonance are a twelfth of its height apart or nearer, however coarse the grid, and a direction
+/// that nothing moves has no resonance.
+#[test]
+fn the_loop_of_a_resonance_is_round_in_the_plane() {
+    let along_y = Pickup {
+        position: 0.0,
+        axis: 1,
+    };
+    let found = asked(LAVAL, across(0.0), Some(along_y), [50.0, 5000.0]);
+    let [own] = &found.resonances[..] else {
+        panic!("{:?}", found.resonances);
+    };
+    assert_eq!(found.points.len(), 101);
+    let motions = found.drawn.iter().filter_map(|(_, own)| own.as_ref());
+    let along: Vec<_> = motions.map(|motion| motion[own.pickup]).collect();
+    let steps = along.windows(2).map(|pair| (pair[1] - pair[0]).norm());
+    let longest = steps.fold(0.0, f64::max);
+    assert!(longest < own.amplitude / 11.0, "{longest} {own:?}");
+}
+
 /// A force along y: receptance 1/D on y, nothing on x.
 #[test]
 fn a_force_answers_in_closed_form() {

@@ -136,7 +136,7 @@ fn room_left(panels: &[Panel], index: usize, columns: usize, all: f64) -> f64 {
         .iter()
         .map(|tick| width(&tick.text, SIZE))
         .fold(20.0, f64::max);
-    (widest + 14.0).min(0.45 * all / columns as f64)
+    (widest + 14.0).min(0.55 * all / columns as f64)
 }
 
 /// Most ticks upwards.

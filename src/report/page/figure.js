@@ -182,7 +182,7 @@ const drawing = (() => {
     const leftRoom = (panel, index) => {
       if (panel.y.texts.length && !namesRows(index)) return MARGIN;
       const texts = ticks(panel.y, panel.view.y, stepsUp(panel.aspect ? HIGHEST : panel.height)).map(({ text }) => widthOf(text, SIZE));
-      return Math.min(Math.max(20, ...texts) + 14, (0.45 * width) / columns);
+      return Math.min(Math.max(20, ...texts) + 14, (0.55 * width) / columns);
     };
     const rooms = (room) => Array.from({ length: columns }, (_, column) =>
       Math.max(0, ...panels.map(room).filter((_room, index) => index % columns === column)));

@@ -226,3 +226,35 @@ fn draw_orders(panel: &mut Panel, maps: &Maps) {
         panel.labels.push(((near, at(near)), name, WHITE));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::BodyQuantity;
+
+    #[test]
+    fn panels_of_one_channel_have_its_unit_and_one_scale() {
+        let channel = Channel::Body {
+            body: crate::rotor::Body::Housing(0),
+            quantity: BodyQuantity::Acceleration,
+            axis: 1,
+        };
+        let columns = |size: f64| vec![vec![0.0, size, 1e-2 * size, 1e-5 * size]; 2];
+        let rasters = [(1.0, 40.0), (1e-3, 40.0)].map(|(size, high)| {
+            let raster = Raster::new([0.0, 1.0], [0.0, high], columns(size));
+            (size.to_string(), channel, raster)
+        });
+        let figure = runs_figure("", "load", &rasters);
+        let [first, second] = &figure.panels[..] else {
+            panic!("two rows");
+        };
+        let bar = first.bar.as_ref().unwrap();
+        assert_eq!(bar.label.unit, "m/s²");
+        assert!((bar.most() - 1.0).abs() < 1e-12);
+        assert_eq!(first.bar, second.bar);
+        assert_eq!(first.y, second.y);
+        // 60 dB below what the scale ends at
+        let level = |panel: &Panel| *panel.map.as_ref().unwrap().levels.iter().max().unwrap();
+        assert_eq!([level(first), level(second)], [255, 64]);
+    }
+}

@@ -101,6 +101,10 @@ pub(in crate::report) fn spectra_figures(
         let (name, group) = match (name, velocity_rate(group.of)) {
             ("displacement", Some(rate)) => ("velocity", velocity_of(group, &lines, rate, 0.0)),
             (_, Some(rate)) => {
+                // a housing rings far above the motion of the shaft
+                let own = peaks.iter().filter(|peak| peak.channel.unit() == group.of);
+                let shown = 0.0..limit(spectrum, own);
+                let group = ShownSpectrum { shown, ..group };
                 let lowest = beyond_mean(spectrum);
                 (HOUSINGS, velocity_of(group, &lines, rate, lowest))
             }
@@ -229,8 +233,11 @@ fn line_height(places: &[f64], values: &[f64], at: f64) -> Option<f64> {
 
 /// Largest frequency shown, Hz: a little above the highest peak, at least ten shaft orders.
 pub(in crate::report) fn frequency_limit(spectrum: &Spectrum, peaks: &[Peak]) -> f64 {
+    limit(spectrum, peaks.iter())
+}
+
+fn limit<'a>(spectrum: &Spectrum, peaks: impl Iterator<Item = &'a Peak> + Clone) -> f64 {
     let end = spectrum.frequency(spectrum.bins().saturating_sub(1).max(1));
-    let peaks = peaks.iter();
     let peaks = peaks.map(|peak| (peak.channel.unit(), peak.frequency));
     content_limit(peaks, spectrum.shaft_frequency).min(end)
 }
@@ -277,4 +284,18 @@ fn figure(name: &str, title: &str, of: &str, mut shown: ShownSpectrum<'_>, heigh
     shown.quantity = format!("{} {}", of.replace('_', " "), shown.quantity);
     let figure = Figure::new(name, title, 1, vec![shown.panel(height)]);
     figure.with_names(shown.names())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::line_height;
+
+    #[test]
+    fn a_line_has_a_height_where_the_curve_has_a_peak() {
+        let places: Vec<f64> = (0..12).map(f64::from).collect();
+        let mut values = vec![0.1; 12];
+        values[4..7].copy_from_slice(&[1.0, 2.0, 1.0]);
+        assert_eq!(line_height(&places, &values, 5.2), Some(2.0));
+        assert_eq!(line_height(&places, &values, 8.5), None);
+    }
 }

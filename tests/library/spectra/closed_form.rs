@@ -316,6 +316,8 @@ fn a_spot_on_a_ball_shows_at_its_spin_beside_the_cage() {
     assert_eq!(name(2.0 * 235.7 - 39.83).as_deref(), Some("2×BSF − 1×cage"));
     // the outer race's line stands where the simulated cage puts it
     assert_eq!(name(358.5).as_deref(), Some("BPFO"));
+    // what a spall rings is far above the frequency at which balls pass
+    assert_eq!(name(22.0 * 358.5).as_deref(), Some("22×BPFO"));
     let line = nearest_cause(358.5, 0.1, &lines).unwrap();
     assert!((line.nominal.unwrap() - 354.915).abs() < 1e-9);
 }
