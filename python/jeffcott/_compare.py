@@ -61,6 +61,10 @@ def compare(
     `reach` of its frequency, without it within a bin, and agrees within so many `decibels` in place of the tolerances. `common` leaves out what only one of them has; `worst` places of every column are told.
     """
     with ExitStack() as stack:
+    if lines is None and (reach is not None or decibels is not None or by != "frequency"):
+        raise ValueError("by, reach and decibels are of `lines`: say how many of them, as lines=10")
+    if decibels is not None and columns:
+        raise ValueError("columns: lines agree within `decibels`, or within tolerances; give one of them")
 
         def path(result: Compared) -> Path:
             if not isinstance(result, Result):

@@ -40,7 +40,7 @@ pub fn compare(
     let by = by.parse().map_err(PyValueError::new_err::<String>)?;
     let rules = Rules {
         tolerances,
-        worst: worst.max(1),
+        worst,
         common,
         lines: lines.map(|count| LineRules {
             count,

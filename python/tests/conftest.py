@@ -11,6 +11,28 @@ import jeffcott as jc
 ROOT = Path(__file__).resolve().parents[2]
 
 
+LINEAR = {
+    "title": "linear",
+    "shaft": {"mass": "5 kg", "eccentricity": "10 um", "freedoms": "radial"},
+    "speed": {"constant": "300 rad/s"},
+    "element": [
+        {
+            "linear": {
+                "stiffness": {"x": "1e6 N/m", "y": "2e6 N/m"},
+                "damping": {"x": "100 N s/m", "y": "150 N s/m"},
+            }
+        }
+    ],
+    "time": {"duration": "1 s", "settle": "0.5 s"},
+}
+"""A shaft whose answers take some milliseconds."""
+
+
+@pytest.fixture(scope="session")
+def linear_run() -> jc.Run:
+    return jc.Scenario(LINEAR).run()
+
+
 @pytest.fixture(scope="session")
 def scenarios() -> Path:
     return ROOT / "scenarios"

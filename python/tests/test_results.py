@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import short
+from conftest import LINEAR, short
 
 import jeffcott as jc
 
@@ -189,6 +189,79 @@ def test_results_are_compared(steady_run: jc.Run, scenarios: Path, tmp_path: Pat
 
 def test_a_shaft_that_bends_is_drawn(scenarios: Path) -> None:
     scenario = jc.Scenario(scenarios / "laval-rotor.toml")
+@pytest.mark.parametrize("wrong", [float("nan"), float("inf"), -1.0])
+def test_lines_do_not_agree_without_bounds(wrong: float, linear_run: jc.Run) -> None:
+    for allowed in ({"decibels": wrong}, {"reach": wrong}, {"decibels": wrong, "reach": 0.1}):
+        with pytest.raises(ValueError, match="finite"):
+            jc.compare(linear_run, linear_run, lines=3, **allowed)
+    with pytest.raises(ValueError, match="lines"):
+        jc.compare(linear_run, linear_run, decibels=1.0)
+    heavier = jc.Scenario(LINEAR).with_({"shaft.mass": "5.1 kg"}).run()
+    assert not jc.compare(linear_run, heavier, lines=3, decibels=0.01)
+    assert jc.compare(linear_run, heavier, lines=3, decibels=20.0, reach=0.1)
+
+
+def test_columns_are_those_that_the_machine_has(linear_run: jc.Run) -> None:
+    assert linear_run.keys() == list(linear_run) and "x_acceleration_m_s2" in linear_run
+    assert np.array_equal(dict(linear_run)["element1_force_x_N"], linear_run["element1_force_x_N"])
+    assert all(np.isfinite(linear_run[column]).all() for column in linear_run)
+    # there is no bearing, and one element
+    for column in ("bearing1_force_x_N", "bearing7_force_x_N", "element2_force_x_N", "kinetic_J", "x"):
+        assert column not in linear_run
+        with pytest.raises(KeyError, match="element1_force_x_N"):
+            linear_run[column]
+    again = pickle.loads(pickle.dumps(linear_run))
+    assert again.keys() == linear_run.keys()
+
+
+def test_columns_of_other_results_have_names() -> None:
+    scenario = jc.Scenario(LINEAR)
+    steady = scenario.steady()
+    assert "x_m" in steady and "x" not in steady and list(steady) == list(steady.trace)
+    response = scenario.frequency_response("0 mm", "100 rpm", "500 rpm", count=3)
+    assert list(response) == ["x_1", "y_1"]
+    assert all(np.iscomplexobj(column) for column in dict(response).values())
+
+
+def test_results_cannot_be_changed(linear_run: jc.Run) -> None:
+    steady = jc.Scenario(LINEAR).steady()
+    for result in (steady, copy.deepcopy(steady), pickle.loads(pickle.dumps(steady))):
+        with pytest.raises(TypeError, match="read only"):
+            result.summary["stable"] = False
+        with pytest.raises(ValueError, match="read-only"):
+            result.trace["x_m"][0] = 1.0
+        assert result.stable
+    values = np.zeros(3)
+    table = jc.Table("own", [("x", values)])
+    values[0] = 1.0  # the array of the caller stays one that can be changed
+    assert table["x"][0] == 1.0
+    columns = linear_run["x_m"], linear_run["x_m"]
+    columns[0][:] = 0.0
+    assert np.abs(columns[1]).max() > 0.0
+
+
+def test_tables_are_equal_by_their_columns(linear_run: jc.Run) -> None:
+    trace = linear_run.trace
+    assert trace == jc.Table("other", list(trace.items())) and not trace != trace
+    assert trace != jc.Table("trace", list(trace.items())[1:]) and trace != linear_run.peaks
+    assert jc.Table("a", [("x", [1.0])]) != jc.Table("a", [("x", ["1.0"])])
+
+
+def test_words_of_a_table_without_rows_are_words(linear_run: jc.Run) -> None:
+    assert linear_run.events.rows == 0
+    assert linear_run.events["event"].dtype.kind == "U"
+
+
+def test_questions_that_say_nothing_are_refused() -> None:
+    scenario = jc.Scenario(LINEAR)
+    with pytest.raises(ValueError, match="`by`"):
+        scenario.frequency_response("0 mm", "1 Hz", "5 Hz", speed="5 rpm")
+    with pytest.raises(jc.ScenarioError, match="no place"):
+        scenario.frequency_response([], "100 rpm", "500 rpm")
+    with pytest.raises(ValueError, match="tolerances"):
+        scenario.accuracy(tolerances=[])
+
+
     assert "deflection" in scenario.bearing().figures
     campbell = scenario.campbell("3000 rpm", count=5)
     assert "mode_shapes" in campbell.figures

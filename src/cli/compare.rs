@@ -67,10 +67,15 @@ pub struct Arguments {
     )]
     by: LinesBy,
     /// Part of its frequency or order within which a line finds its partner [default: a bin of the coarser axis]
-    #[arg(long, value_name = "PART", allow_hyphen_values = true, requires = "lines", value_parser = positive)]
+    #[arg(
+        long,
+        value_name = "PART",
+        requires = "lines",
+        allow_negative_numbers = true
+    )]
     reach: Option<f64>,
     /// Let lines be so many dB apart, in place of the tolerances
-    #[arg(long, value_name = "DB", allow_hyphen_values = true, requires = "lines", value_parser = positive,
+    #[arg(long, value_name = "DB", requires = "lines", allow_negative_numbers = true,
           conflicts_with_all = ["columns", "tolerances", "relative", "absolute"])]
     decibels: Option<f64>,
     /// Leave out what only one of them has: files, columns, samples of a trace that was thinned
@@ -86,15 +91,6 @@ pub struct Arguments {
     /// Print the result as JSON: an object, or an array for more than two
     #[arg(long)]
     json: bool,
-}
-
-/// A number that is not negative.
-fn positive(text: &str) -> Result<f64, String> {
-    let number = text
-        .parse()
-        .ok()
-        .filter(|number: &f64| *number >= 0.0 && number.is_finite());
-    number.ok_or_else(|| "expected a number of zero or more".to_owned())
 }
 
 /// The tolerance of one column.

@@ -509,6 +509,19 @@ fn decibels_leave_out_lines_of_round_off() {
     }
 }
 
+/// Within a difference that is not finite everything would agree.
+#[test]
+fn reach_and_decibels_are_finite_and_not_negative() {
+    let spectrum = "f_Hz,x_amplitude_m\n0,0\n1,1e-6\n2,0\n";
+    let (_folder, a, b) = files(spectrum, &spectrum.replace("1e-6", "5e-6"));
+    for option in ["--decibels", "--reach"] {
+        for value in ["NaN", "inf", "-1"] {
+            let (code, told) = result(&command(&[&a, &b], &["--lines", option, value]));
+            assert_eq!(code, 2, "{option} {value}: {told}");
+        }
+    }
+}
+
 /// What has nothing in common but the axis, or nothing at all, does not agree: the guard of a spectrum would sleep.
 #[test]
 fn nothing_in_common_is_no_agreement() {

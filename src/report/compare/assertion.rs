@@ -49,6 +49,7 @@ pub fn spectra_close(
     rules: &Rules,
 ) -> Result<(), String> {
     let compared = || {
+        rules.check()?;
         let tables = [first.table(first_name)?, second.table(second_name)?];
         let name = format!("{first_name} against {second_name}");
         let table = compare_tables(name, &tables, rules)?;

@@ -61,9 +61,9 @@ pub enum CompareError {
         text: String,
     },
     /// A tolerance is negative or not a number.
-    #[error("the {kind} tolerance is {value}; it must be zero or positive and finite")]
+    #[error("the {kind} is {value}; it must be zero or positive and finite")]
     Tolerance {
-        /// `relative` or `absolute`.
+        /// Which one, as `relative tolerance`.
         kind: &'static str,
         /// Value as given.
         value: f64,

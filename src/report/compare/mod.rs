@@ -80,6 +80,7 @@ const SPECTRUM: &str = "spectrum.csv";
 /// # Errors
 /// [`CompareError`] where there is nothing to compare; that results differ is no error.
 pub fn compare(first: &Path, second: &Path, rules: &Rules) -> Result<Comparison, CompareError> {
+    rules.check()?;
     for path in [first, second] {
         fs::metadata(path).map_err(|source| CompareError::Read {
             path: path.to_owned(),

@@ -23,11 +23,8 @@ impl Tolerance {
     /// # Errors
     /// [`CompareError::Tolerance`] where one is negative or not finite.
     pub fn new(relative: f64, absolute: f64) -> Result<Self, CompareError> {
-        for (kind, value) in [("relative", relative), ("absolute", absolute)] {
-            if !(value >= 0.0 && value.is_finite()) {
-                return Err(CompareError::Tolerance { kind, value });
-            }
-        }
+        check("relative tolerance", relative)?;
+        check("absolute tolerance", absolute)?;
         Ok(Self { relative, absolute })
     }
 
@@ -45,6 +42,14 @@ impl Tolerance {
     /// ```
     pub fn allowed(self, scale: f64) -> f64 {
         self.absolute + self.relative * scale
+    }
+}
+
+/// Refuses what is negative, and what lets everything agree.
+fn check(kind: &'static str, value: f64) -> Result<(), CompareError> {
+    match value >= 0.0 && value.is_finite() {
+        true => Ok(()),
+        false => Err(CompareError::Tolerance { kind, value }),
     }
 }
 
@@ -182,6 +187,18 @@ impl Rules {
             common: false,
             lines: None,
         }
+    }
+
+    /// Refuses lines that would always agree, or never.
+    ///
+    /// # Errors
+    /// [`CompareError::Tolerance`] where their reach or their decibels are negative or not finite.
+    pub(super) fn check(&self) -> Result<(), CompareError> {
+        let (reach, decibels) = self
+            .lines
+            .map_or((None, None), |own| (own.reach, own.decibels));
+        check("reach", reach.unwrap_or(0.0))?;
+        check("difference in decibels", decibels.unwrap_or(0.0))
     }
 }
 
