@@ -225,7 +225,7 @@ impl CheckedScenario {
             CampbellQuestion::new(&self.scenario, range, count, &orders, highest.transpose()?);
         let mut question = question.map_err(|error| ask_error(py, &error))?;
         question.sensitivity = self.sensitivity(py, &sensitivity)?;
-        Self::answer(py, None, |_| question.answer())
+        Self::answer(py, None, |watch| question.answer(watch.stop))
     }
 
     /// The response of the linearised shaft to a force, or to its unbalances.
@@ -265,7 +265,7 @@ impl CheckedScenario {
         let at = at.map_err(|issue| issue_error(py, &issue))?;
         let question = MatricesQuestion::new(&self.scenario, &at, given_speed(py, at_speed)?);
         let question = question.map_err(|error| ask_error(py, &error))?;
-        Self::answer(py, None, |_| question.answer())
+        Self::answer(py, None, |watch| question.answer(watch.stop))
     }
 
     /// Speed against error of methods at tolerances.

@@ -33,11 +33,13 @@ STUDY = 'jc.sweep(scenario, {"shaft.mass": ["5 kg", "6 kg", "7 kg"]}, OPTIONS)'
     "work",
     [
         "scenario.run()",
+        "scenario.campbell('60000 rpm', count=100_000)",
+        "scenario.frequency_response('0 mm', '500 rpm', '9000 rpm', count=100_000)",
         STUDY.replace("OPTIONS", "threads=2"),
         "from concurrent.futures import ThreadPoolExecutor\n    with ThreadPoolExecutor(2) as pool:\n        "
         + STUDY.replace("OPTIONS", "executor=pool"),
     ],
-    ids=["run", "study", "executor"],
+    ids=["run", "campbell", "frequency_response", "study", "executor"],
 )
 def test_an_interrupt_ends_it(work: str, scenarios: Path) -> None:
     script = LONG.replace("WORK", work)

@@ -109,12 +109,12 @@ impl<'a> CampbellQuestion<'a> {
         })
     }
 
-    /// Branches and critical speeds.
+    /// Branches and critical speeds, until `stop` is set.
     ///
     /// # Errors
-    /// [`AskError::Failed`] where the shaft has no equilibrium at a speed.
-    pub fn answer(&self) -> Result<Findings, AskError> {
-        let found = self.question.solve().map_err(AskError::failed)?;
+    /// [`AskError::Failed`] where the shaft has no equilibrium at a speed, or it was stopped.
+    pub fn answer(&self, stop: &AtomicBool) -> Result<Findings, AskError> {
+        let found = self.question.solve(stop).map_err(AskError::failed)?;
         let (found, rotor) = (
             found.up_to(self.question.highest_frequency),
             &self.question.rotor,
@@ -126,7 +126,7 @@ impl<'a> CampbellQuestion<'a> {
                 critical.rotor = statics.rotor.clone();
                 Question::Campbell(Box::new(statics.rotor), Some(Box::new(critical)))
             };
-            findings.add_sensitivity(&asked.answer(question, &AtomicBool::new(false))?);
+            findings.add_sensitivity(&asked.answer(question, stop)?);
         }
         Ok(findings)
     }

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 use std::str::FromStr;
+use std::sync::atomic::AtomicBool;
 
 use super::AskError;
 use crate::report::{Findings, linear_response_findings};
@@ -66,13 +67,17 @@ impl<'a> LinearResponseQuestion<'a> {
     /// rad/s.
     ///
     /// # Errors
-    /// [`AskError::Asked`] where the range is empty, or a place is off the shaft.
+    /// [`AskError::Asked`] where the range is empty, no place is named, or one is off the shaft.
     pub fn new(
         scenario: &'a Scenario,
         at: &[Place],
         by: Option<(&Place, Option<f64>)>,
         range: &LinearRange<'_>,
     ) -> Result<Self, AskError> {
+        if at.is_empty() {
+            let issue = Issue::new("at", "no place is named");
+            return Err(issue.help("for instance: \"250 mm\"").into());
+        }
         let mut rotor = scenario.question.rotor.clone();
         let force = match by {
             None => None,
@@ -122,12 +127,12 @@ impl<'a> LinearResponseQuestion<'a> {
         })
     }
 
-    /// Responses and resonances.
+    /// Responses and resonances, until `stop` is set.
     ///
     /// # Errors
-    /// [`AskError::Failed`] where the shaft has no equilibrium at a speed.
-    pub fn answer(&self) -> Result<Findings, AskError> {
-        let found = self.question.solve().map_err(AskError::failed)?;
+    /// [`AskError::Failed`] where the shaft has no equilibrium at a speed, or it was stopped.
+    pub fn answer(&self, stop: &AtomicBool) -> Result<Findings, AskError> {
+        let found = self.question.solve(stop).map_err(AskError::failed)?;
         let rotor = &self.scenario.question.rotor;
         Ok(linear_response_findings(
             self.scenario,

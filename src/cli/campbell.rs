@@ -2,8 +2,8 @@
 
 use std::io;
 
-use super::Outcome;
 use super::jobs::Files;
+use super::{Outcome, terminal};
 use crate::ask::{CampbellQuestion, Order};
 use crate::scenario;
 use crate::study::campbell::MOST_SPEEDS;
@@ -61,7 +61,9 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
         |job| {
             let mut question = CampbellQuestion::new(&job.scenario, range, count, orders, highest)?;
             question.sensitivity = job.sensitivity(&arguments.sensitivity)?;
-            Ok(Box::new(move || job.write(&question.answer()?)))
+            Ok(Box::new(move || {
+                job.write(&question.answer(terminal::stop())?)
+            }))
         },
     )
 }

@@ -2,8 +2,8 @@
 
 use std::io;
 
-use super::Outcome;
 use super::jobs::Files;
+use super::{Outcome, terminal};
 use crate::ask::{COUNTS, LinearRange, LinearResponseQuestion, Place};
 use crate::scenario;
 
@@ -62,7 +62,9 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
         |_| {},
         |job| {
             let question = LinearResponseQuestion::new(&job.scenario, &arguments.at, by, &range)?;
-            Ok(Box::new(move || job.write(&question.answer()?)))
+            Ok(Box::new(move || {
+                job.write(&question.answer(terminal::stop())?)
+            }))
         },
     )
 }

@@ -15,7 +15,7 @@ use crate::simulate::{Model, StaticState, reference_settings};
 use crate::steady::{
     MotionRange, Orbit, SteadyError, SteadyLines, SteadyQuestion, orbit_alone, orbit_near, steady,
 };
-use crate::study::campbell::CampbellQuestion;
+use crate::study::campbell::{CampbellError, CampbellQuestion};
 use crate::study::many::{Keep, Maker, NumberColumn, Schedule, Unmade, static_columns};
 use crate::study::plan::{Plan, Sampling};
 
@@ -43,7 +43,7 @@ impl Question {
     pub fn answer(&self, near: Option<&Orbit>, stop: &AtomicBool) -> Result<Answer, NoAnswer> {
         match self {
             Self::Bearing(question) => of_statics(question),
-            Self::Campbell(rotor, critical) => of_modes(rotor, critical.as_deref()),
+            Self::Campbell(rotor, critical) => of_modes(rotor, critical.as_deref(), stop),
             Self::Steady(model, multiple) => of_motion(model, *multiple, near, stop),
             Self::Run(model, columns, order) => of_run(model, columns, *order, stop),
         }
@@ -66,6 +66,7 @@ fn of_statics(question: &StaticQuestion) -> Result<Answer, NoAnswer> {
 fn of_modes(
     rotor: &RotorDefinition,
     critical: Option<&CampbellQuestion>,
+    stop: &AtomicBool,
 ) -> Result<Answer, NoAnswer> {
     let assembled = Rotor::assemble(rotor).map_err(NoAnswer::failed)?;
     let modes = StaticState::from_rotor(&assembled).natural_frequencies;
@@ -76,7 +77,10 @@ fn of_modes(
         numbers.push(Number::new(&ratio, mode.damping_ratio, f64::NAN));
     }
     if let Some(critical) = critical {
-        let found = critical.solve().map_err(NoAnswer::failed)?;
+        let found = critical.solve(stop).map_err(|error| match error {
+            CampbellError::Stopped => NoAnswer::Stopped,
+            error => NoAnswer::failed(error),
+        })?;
         let speeds = (1..=CRITICAL_SPEEDS).zip(&found.critical_speeds);
         numbers.extend(speeds.map(|(place, own)| {
             let error = own.speed * own.error();

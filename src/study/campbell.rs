@@ -1,6 +1,7 @@
 //! Natural frequencies over the speed: the Campbell diagram of the linearised rotor.
 
 use std::f64::consts::{PI, TAU};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::numerics::digits::to_digits;
 use crate::rotor::{Rotor, RotorDefinition, RotorError, Whirl};
@@ -51,7 +52,7 @@ pub(crate) fn along_run_up(model: &Model, run: &mut Run) -> Option<Campbell> {
         let warning = format!("there is no diagram of natural frequencies: {error}");
         run.warnings.push(warning);
     };
-    let found = question.diagram().map_err(refused).ok()?;
+    let found = question.diagram(&NEVER).map_err(refused).ok()?;
     Some(found.up_to(None))
 }
 
@@ -215,6 +216,9 @@ pub enum CampbellError {
         /// Why.
         source: RotorError,
     },
+    /// It was to stop.
+    #[error("the diagram was stopped before its end")]
+    Stopped,
 }
 
 /// A speed in rad/s as revolutions per minute, with the digits that people read.
@@ -251,10 +255,10 @@ impl CampbellQuestion {
     /// critical speed is found by a search for the root of `f(ω) − order ω/2π` between two speeds.
     ///
     /// # Errors
-    /// [`CampbellError`] where the range is empty, or the shaft has no equilibrium at a speed.
-    pub fn solve(&self) -> Result<Campbell, CampbellError> {
-        let mut campbell = self.diagram()?;
-        let reduced = self.with_modes();
+    /// [`CampbellError`] where the range is empty, the shaft has no equilibrium at a speed, or `stop` was set.
+    pub fn solve(&self, stop: &AtomicBool) -> Result<Campbell, CampbellError> {
+        let mut campbell = self.diagram(stop)?;
+        let reduced = self.with_modes(stop);
         for critical in &mut campbell.critical_speeds {
             critical.reduction_error = reduced.reduction_error(critical)?;
         }
@@ -264,17 +268,20 @@ impl CampbellQuestion {
     }
 
     /// Critical speeds alone, without the error of the reduction.
-    pub(super) fn critical_speeds(&self) -> Result<Vec<CriticalSpeed>, CampbellError> {
-        self.diagram().map(|found| found.critical_speeds)
+    pub(super) fn critical_speeds(
+        &self,
+        stop: &AtomicBool,
+    ) -> Result<Vec<CriticalSpeed>, CampbellError> {
+        self.diagram(stop).map(|found| found.critical_speeds)
     }
 
     /// Branches and critical speeds, without the error of the reduction and warnings.
-    fn diagram(&self) -> Result<Campbell, CampbellError> {
+    fn diagram(&self, stop: &AtomicBool) -> Result<Campbell, CampbellError> {
         check_range([self.from, self.to], self.count, &self.orders)?;
         let speeds = self.speeds();
-        let reduced = self.with_modes();
+        let reduced = self.with_modes(stop);
         let (branches, least_assurance) = follow(&reduced, &speeds)?;
-        let critical_speeds = critical_speeds(&reduced, &speeds, &branches)?;
+        let critical_speeds = critical_speeds(&reduced, &speeds, &branches, &self.orders)?;
         Ok(Campbell {
             speeds,
             branches,
@@ -287,17 +294,17 @@ impl CampbellQuestion {
         })
     }
 
-    /// The question about a shaft whose number of modes is that for the highest frequency, whatever the speed: by the speed
-    /// its branches would jump, and at rest they would be those of too few modes.
-    fn with_modes(&self) -> Self {
+    /// The shaft with the number of modes for the highest frequency, whatever the speed: by the speed its branches would
+    /// jump, and at rest they would be those of too few modes.
+    fn with_modes<'a>(&self, stop: &'a AtomicBool) -> Reduced<'a> {
         let fastest = self.rotor.at_constant_speed(self.to);
         let highest = self
             .highest_frequency
             .unwrap_or_else(|| shown(&self.orders, self.to));
         let excitation = fastest.highest_excitation().max(TAU * highest);
-        Self {
+        Reduced {
             rotor: self.rotor.with_modes_for(excitation),
-            ..self.clone()
+            stop,
         }
     }
 
@@ -306,9 +313,23 @@ impl CampbellQuestion {
         let inside = (0..self.count - 1).map(|index| self.from + index as f64 * step);
         inside.chain([self.to]).collect()
     }
+}
 
+/// Nobody stops it.
+pub(crate) static NEVER: AtomicBool = AtomicBool::new(false);
+
+/// A shaft with a fixed number of modes, which is linearised at one speed after the other.
+pub(super) struct Reduced<'a> {
+    rotor: RotorDefinition,
+    stop: &'a AtomicBool,
+}
+
+impl Reduced<'_> {
     /// Modes of the shaft at a speed in rad/s.
     pub(super) fn modes(&self, speed: f64) -> Result<Vec<Mode>, CampbellError> {
+        if self.stop.load(Ordering::Relaxed) {
+            return Err(CampbellError::Stopped);
+        }
         Ok(assembled(&self.rotor.at_constant_speed(speed), speed)?.modes())
     }
 
@@ -351,18 +372,15 @@ type Slots = Vec<Option<Mode>>;
 /// Follows all modes from the highest speed down, where gyroscopic moments tell them apart best.
 ///
 /// Returns the branches, and the least likeness by which two modes were taken for the same.
-fn follow(
-    question: &CampbellQuestion,
-    speeds: &[f64],
-) -> Result<(Vec<Branch>, f64), CampbellError> {
+fn follow(shaft: &Reduced<'_>, speeds: &[f64]) -> Result<(Vec<Branch>, f64), CampbellError> {
     let mut least = 1.0;
     let mut rows: Vec<Slots> = Vec::with_capacity(speeds.len());
     for (index, speed) in speeds.iter().enumerate().rev() {
         let slots = match rows.last() {
-            None => question.modes(*speed)?.into_iter().map(Some).collect(),
+            None => shaft.modes(*speed)?.into_iter().map(Some).collect(),
             Some(above) => {
                 let ends = [speeds[index + 1], *speed];
-                carry(question, above, ends, MOST_HALVINGS, &mut least)?
+                carry(shaft, above, ends, MOST_HALVINGS, &mut least)?
             }
         };
         rows.push(slots);
@@ -383,20 +401,20 @@ fn follow(
 /// The branches at the second of two speeds, known at the first; in steps where they change much. Notes the `least`
 /// likeness of all pairs.
 fn carry(
-    question: &CampbellQuestion,
+    shaft: &Reduced<'_>,
     known: &Slots,
     [at, to]: [f64; 2],
     halvings: u32,
     least: &mut f64,
 ) -> Result<Slots, CampbellError> {
-    let modes = question.modes(to)?;
+    let modes = shaft.modes(to)?;
     let pairs = matches(known, &modes);
     let likeness = pairs.iter().map(|pair| pair.2).fold(1.0, f64::min);
     let lost = pairs.len() < known.iter().flatten().count().min(modes.len());
     if halvings > 0 && (likeness < SURE || lost) {
         let middle = 0.5 * (at + to);
-        let between = carry(question, known, [at, middle], halvings - 1, least)?;
-        return carry(question, &between, [middle, to], halvings - 1, least);
+        let between = carry(shaft, known, [at, middle], halvings - 1, least)?;
+        return carry(shaft, &between, [middle, to], halvings - 1, least);
     }
     *least = least.min(likeness);
     Ok(placed(known.len(), modes, &pairs))

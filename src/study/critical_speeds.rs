@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use serde::Serialize;
 
-use super::campbell::{Branch, CampbellError, CampbellQuestion};
+use super::campbell::{Branch, CampbellError, Reduced};
 use crate::keys;
 use crate::numerics::root::Bracket;
 use crate::rotor::{Mode, Whirl};
@@ -51,11 +51,12 @@ pub(super) const FOUND: f64 = 1e-12;
 /// Trials of a search.
 pub(super) const MOST_TRIALS: usize = 80;
 
-/// All crossings of branches and orders between the speeds, by speed.
+/// All crossings of branches and some orders between the speeds, by speed.
 pub(super) fn critical_speeds(
-    question: &CampbellQuestion,
+    shaft: &Reduced<'_>,
     speeds: &[f64],
     branches: &[Branch],
+    orders: &[f64],
 ) -> Result<Vec<CriticalSpeed>, CampbellError> {
     let mut found = Vec::new();
     for (index, branch) in branches.iter().enumerate() {
@@ -63,9 +64,9 @@ pub(super) fn critical_speeds(
             let (Some(low), Some(high)) = (&pair[0], &pair[1]) else {
                 continue;
             };
-            for &order in &question.orders {
+            for &order in orders {
                 let ends = [(ends[0], low), (ends[1], high)];
-                found.extend(crossing(question, ends, order, index)?);
+                found.extend(crossing(shaft, ends, order, index)?);
             }
         }
     }
@@ -76,7 +77,7 @@ pub(super) fn critical_speeds(
 /// The crossing of a branch and an order between two speeds at which its mode is known, if there is one. Between them
 /// its mode is that most like both.
 pub(super) fn crossing(
-    question: &CampbellQuestion,
+    shaft: &Reduced<'_>,
     [(from, low), (to, high)]: [(f64, &Mode); 2],
     order: f64,
     branch: usize,
@@ -91,7 +92,7 @@ pub(super) fn crossing(
     let mut found: Option<CriticalSpeed> = None;
     for _ in 0..MOST_TRIALS {
         let speed = bracket.guess();
-        let modes = question.modes(speed)?.into_iter();
+        let modes = shaft.modes(speed)?.into_iter();
         let most_alike = modes.max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
         let Some(mode) = most_alike else { break };
         let value = distance(&mode, speed);

@@ -1,6 +1,7 @@
 //! The response of the linearised shaft: to a harmonic force at a point over its frequency, or to its unbalances over the speed.
 
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use nalgebra::Complex;
 
@@ -123,16 +124,22 @@ pub enum LinearResponseError {
         /// The position, m.
         position: f64,
     },
+    /// It was to stop.
+    #[error("the response was stopped before its end")]
+    Stopped,
 }
 
 impl LinearResponseQuestion {
-    /// Linearises the shaft about its static equilibrium, of the unbalances at every speed anew, and finds the resonances.
+    /// Linearises the shaft about its static equilibrium, of the unbalances at every speed anew, and finds the resonances,
+    /// until `stop` is set.
     ///
     /// # Errors
-    /// [`LinearResponseError`] where the shaft has no equilibrium at a speed, or a force acts where nothing has a mass.
-    pub fn solve(&self) -> Result<LinearResponse, LinearResponseError> {
-        let coarse = Solver::new(self, false)?;
-        let finer = coarse.modes.map(|_| Solver::new(self, true)).transpose()?;
+    /// [`LinearResponseError`] where the shaft has no equilibrium at a speed, a force acts where nothing has a mass, or it
+    /// was stopped.
+    pub fn solve(&self, stop: &AtomicBool) -> Result<LinearResponse, LinearResponseError> {
+        let coarse = Solver::new(self, false, stop)?;
+        let finer = coarse.modes.map(|_| Solver::new(self, true, stop));
+        let finer = finer.transpose()?;
         let solver = finer.as_ref().unwrap_or(&coarse);
         let Followed {
             points,
@@ -249,10 +256,15 @@ struct Solver<'a> {
     /// At the speed that a force acts at.
     assembled: Rotor,
     modes: Option<usize>,
+    stop: &'a AtomicBool,
 }
 
 impl<'a> Solver<'a> {
-    fn new(question: &'a LinearResponseQuestion, finer: bool) -> Result<Self, LinearResponseError> {
+    fn new(
+        question: &'a LinearResponseQuestion,
+        finer: bool,
+        stop: &'a AtomicBool,
+    ) -> Result<Self, LinearResponseError> {
         let mut rotor = question.rotor.clone();
         let pickups = question.at.iter().chain(&question.by);
         rotor.points.extend(pickups.map(|pickup| pickup.position));
@@ -277,6 +289,7 @@ impl<'a> Solver<'a> {
                 rotor,
                 assembled,
                 modes,
+                stop,
             }),
         }
     }
@@ -287,6 +300,7 @@ impl<'a> Solver<'a> {
         let at_force = self.question.by.map(|_| &self.assembled);
         growing.extend(at_force.map(|rotor| (rotor.speed(), rotor.growing_motion())));
         for value in values {
+            self.go_on()?;
             match at_force {
                 Some(rotor) => points.push((value, self.motions_of(rotor, value))),
                 None => {
@@ -304,8 +318,16 @@ impl<'a> Solver<'a> {
         })
     }
 
+    fn go_on(&self) -> Result<(), LinearResponseError> {
+        match self.stop.load(Ordering::Relaxed) {
+            true => Err(LinearResponseError::Stopped),
+            false => Ok(()),
+        }
+    }
+
     /// Motions of all pickups at a frequency of the force, or a speed, in rad/s.
     fn motions(&self, value: f64) -> Result<Option<Vec<Complex<f64>>>, LinearResponseError> {
+        self.go_on()?;
         Ok(match self.question.by {
             Some(_) => self.motions_of(&self.assembled, value),
             None => self.motions_of(&at_speed(&self.rotor, value)?, value),
@@ -375,7 +397,7 @@ impl<'a> Solver<'a> {
             orders: vec![1.0],
             highest_frequency: None,
         };
-        let critical = critical.critical_speeds().unwrap_or_default();
+        let critical = critical.critical_speeds(self.stop).unwrap_or_default();
         let place = critical.iter().map(|own| Place {
             at: own.speed,
             damping_ratio: own.damping_ratio,

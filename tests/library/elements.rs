@@ -12,7 +12,7 @@ use crate::rotor::{Coupling, ElementLaw, Rotor, Works};
 use crate::scenario::{Scenario, ScenarioError, load};
 use crate::simulate::RecordedRun;
 use crate::steady::{Steady, SteadyQuestion, steady};
-use crate::study::campbell::CampbellQuestion;
+use crate::study::campbell::{CampbellQuestion, NEVER};
 use crate::tests::support::{assert_near, scenario};
 
 const SPRING: &str = "[[element]]\nlinear = { stiffness = { x = \"1 N/um\", y = \"1 N/um\" }, damping = { x = \"40 N s/m\", y = \
@@ -329,7 +329,9 @@ fn speeds_on_either_side_of_a_table_are_told() {
             orders: vec![1.0],
             highest_frequency: None,
         };
-        let found = question.solve().unwrap_or_else(|error| panic!("{error}"));
+        let found = question
+            .solve(&NEVER)
+            .unwrap_or_else(|error| panic!("{error}"));
         let beyond = |text: &String| text.contains("beyond the table");
         found.warnings.into_iter().filter(beyond).collect()
     };

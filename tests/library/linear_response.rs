@@ -31,7 +31,8 @@ fn asked(text: &str, at: Vec<Pickup>, by: Option<Pickup>, range: [f64; 2]) -> Li
         range,
         count: 101,
     };
-    question.solve().unwrap_or_else(|error| panic!("{error}"))
+    let found = question.solve(&AtomicBool::new(false));
+    found.unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn dynamic(omega: f64) -> Complex<f64> {

@@ -8,7 +8,7 @@ use crate::analysis::{Channel, Peak};
 use crate::rotor::{Freedoms, Rotor, Whirl};
 use crate::scenario::Scenario;
 use crate::simulate::{Run, speed_warnings};
-use crate::study::campbell::CampbellQuestion;
+use crate::study::campbell::{CampbellQuestion, NEVER};
 use crate::tests::support::scenario;
 
 /// A shaft of 0.4 m with a disc at two thirds on bearings of constant stiffness along x and y alone.
@@ -516,7 +516,7 @@ fn critical_speeds_of_nelsons_rotor_are_those_of_other_programs() {
             orders: vec![1.0],
             highest_frequency: None,
         };
-        let campbell = question.solve().expect("a diagram");
+        let campbell = question.solve(&NEVER).expect("a diagram");
         let found = campbell.critical_speeds.iter().map(|own| own.speed / rpm);
         let found: Vec<_> = found.collect();
         assert_eq!(found.len(), expected.len(), "{found:?}");
@@ -583,7 +583,7 @@ fn a_very_light_shaft_leaves_the_modes_of_its_disc_their_digits() {
         orders: vec![1.0],
         highest_frequency: None,
     };
-    let campbell = question.solve().expect("a diagram");
+    let campbell = question.solve(&NEVER).expect("a diagram");
     let first = &campbell.critical_speeds[0];
     close(first.speed, bouncing, 1e-5);
     assert!(

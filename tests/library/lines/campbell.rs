@@ -1,11 +1,12 @@
 //! Whirl frequencies and critical speeds against the closed forms of a rigid rotor.
 
 use std::f64::consts::TAU;
+use std::sync::atomic::AtomicBool;
 
 use crate::bearing::{ContactLaw, Facing, MountedBearing, Preload};
 use crate::rotor::{Damping, Freedoms, Rotor, RotorDefinition, Shaft, Whirl};
 use crate::study::campbell::{
-    Branch, Campbell, CampbellError, CampbellQuestion, CriticalSpeed, Mode,
+    Branch, Campbell, CampbellError, CampbellQuestion, CriticalSpeed, Mode, NEVER,
 };
 
 use crate::tests::support::{assert_near, bearing, mounted, rotor, scenario, shaft};
@@ -37,7 +38,7 @@ fn solved(rotor: RotorDefinition, to: f64, orders: &[f64]) -> Campbell {
         orders: orders.to_vec(),
         highest_frequency: None,
     };
-    question.solve().expect("a diagram")
+    question.solve(&NEVER).expect("a diagram")
 }
 
 /// k_t, k_c and k_θ of the complex coordinates x + iy and θy − iθx.
@@ -221,7 +222,7 @@ fn a_range_without_speeds_is_refused() {
         orders: vec![1.0],
         highest_frequency: None,
     };
-    let error = question.solve().expect_err("no range");
+    let error = question.solve(&NEVER).expect_err("no range");
     assert!(matches!(error, CampbellError::Range { .. }));
     assert!(
         error.to_string().contains("954.93 to 954.93 rpm"),
@@ -232,7 +233,22 @@ fn a_range_without_speeds_is_refused() {
         orders: vec![-1.0],
         ..question
     };
-    assert_eq!(negative.solve(), Err(CampbellError::Order(-1.0)));
+    assert_eq!(negative.solve(&NEVER), Err(CampbellError::Order(-1.0)));
+}
+
+#[test]
+fn a_diagram_that_is_stopped_has_no_end() {
+    let question = CampbellQuestion {
+        rotor: rigid([-0.03, 0.03]),
+        from: 0.0,
+        to: 200.0,
+        count: 10,
+        orders: vec![1.0],
+        highest_frequency: None,
+    };
+    assert!(question.solve(&NEVER).is_ok());
+    let stopped = question.solve(&AtomicBool::new(true));
+    assert_eq!(stopped, Err(CampbellError::Stopped));
 }
 
 /// A shaft of 6 m and 40 mm with 10 kg in its middle: its modes are the same in number at all speeds, and enough at rest.
@@ -251,7 +267,7 @@ fn a_slow_shaft_has_the_modes_of_its_highest_order() {
         orders: vec![1.0, 10.0],
         highest_frequency: None,
     };
-    let found = question.solve().expect("a diagram");
+    let found = question.solve(&NEVER).expect("a diagram");
     let at_rest = |branch: &Branch| branch.modes[0].as_ref().map(Mode::damped_frequency);
     let at_rest: Vec<f64> = found.branches.iter().filter_map(at_rest).collect();
     for expected in [54.55, 85.70, 108.2] {
