@@ -10,9 +10,9 @@ import numpy as np
 
 from ._errors import warn
 from ._jeffcott import analyze as _analyze
-from ._results import Result
+from ._results import Result, Run, Steady
 from ._scenario import dumped
-from ._table import Table
+from ._table import Array, Table
 
 
 class Analysis(Result):
@@ -33,17 +33,43 @@ class Analysis(Result):
         return [line for spectrum in self.summary["spectra"] for line in spectrum.get("lines", [])]
 
 
-def _arrays(source: Any) -> list[tuple[str, Any]]:
-    """Arrays by their names: of a mapping its entries, of a matrix its columns."""
+def _arrays(source: Any) -> list[tuple[str, Array]]:
+    """Arrays by their names: of a table or mapping its columns, of a series its values, of a matrix its columns."""
+    if isinstance(source, (Run, Steady)):
+        source = source.trace
+    # those of pyarrow, of pandas and polars, of structured arrays
+    fields = getattr(getattr(source, "dtype", None), "names", None)
+    names = getattr(source, "column_names", getattr(source, "columns", fields))
     if isinstance(source, Mapping):
-        named = [(str(name), values) for name, values in source.items()]
+        named = list(source.items())
+    elif names is not None:
+        named = [(name, source[name]) for name in names]
+    elif getattr(source, "name", None):
+        named = [(source.name, source)]
     else:
-        matrix = np.asarray(source, dtype=float)
-        if matrix.ndim > 2:
-            raise ValueError(f"an array has one or two dimensions, a column a channel, not {matrix.ndim}")
-        matrix = matrix.reshape(len(matrix), -1) if matrix.size else matrix.reshape(0, 1)
-        named = [(f"channel{index + 1}", matrix[:, index]) for index in range(matrix.shape[1])]
-    return [(name, np.ascontiguousarray(np.ravel(values), dtype=float)) for name, values in named]
+        matrix = np.asarray(source)
+        if matrix.ndim not in (1, 2):
+            raise ValueError(f"a record has one or two dimensions, a column a channel, not {matrix.ndim}: {source!r:.60}")
+        columns = matrix[:, None] if matrix.ndim == 1 else matrix
+        named = [(f"channel{number}", column) for number, column in enumerate(columns.T, 1)]
+    return [_channel(str(name), values) for name, values in named]
+
+
+def _channel(name: str, values: Any) -> tuple[str, Array]:
+    """The samples of a channel; dates and times become seconds from the first one."""
+    array = np.asarray(values)
+    if array.ndim == 2 and array.shape[1] == 1:
+        array = array[:, 0]
+    if array.ndim != 1:
+        raise ValueError(f"{name}: a channel has one dimension, not the shape {array.shape}; give each column a name")
+    if array.dtype.kind in "mM":
+        return "time_s", (array - array[:1]) / np.timedelta64(1, "s")
+    if array.dtype.kind == "c":
+        raise ValueError(f"{name}: a channel has real samples; take their real and imaginary parts by themselves")
+    try:
+        return name, np.ascontiguousarray(array, dtype=float)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{name}: a channel has numbers: {error}") from None
 
 
 def _texts(value: Any) -> list[str]:
@@ -73,8 +99,11 @@ def analyze(
 ) -> Analysis:
     """Finds out what is in a record: as `jeffcott analyze`, with its options as keywords.
 
-    `source` is a file, a file .toml that describes a record, an array (of a matrix each column is a channel), or a mapping of
-    names to arrays. `rate` as a number is in Hz; `unit` "g" is the standard gravity; `speed` is "1797 rpm" or the name of a
+    `source` is a file, a file .toml that describes a record, an array (of a matrix each column is a channel), or a table: a
+    run, one of its tables, a mapping of names to arrays, a frame or series of pandas or polars, a table of pyarrow. The names of
+    columns are read as those of a file: "a [m/s^2]" has a unit, "time [s]" and "t_s" are times, by which `rate` is known.
+
+    `rate` as a number is in Hz; `unit` "g" is the standard gravity; `speed` is "1797 rpm" or the name of a
     channel; `bearing` a designation, or "balls, ball diameter, pitch diameter, contact angle". `description` has keys of such a
     file, as `{"spectrum": [{"channels": ["channel1"], "kind": "envelope"}]}`.
     """

@@ -1,5 +1,8 @@
 """Records of sensors, against SciPy."""
 
+from pathlib import Path
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -79,6 +82,56 @@ def test_a_file_and_its_arrays_give_the_same(tmp_path):
     first, second = (np.array(found.peaks["amplitude"]) for found in (of_file, of_array))
     assert np.array_equal(first, second)
     assert "ball pass" in str(of_file)
+
+
+def test_tables_are_read_as_their_files(linear_run: jc.Run, tmp_path: Path) -> None:
+    linear_run.write(tmp_path)
+    of_file = jc.analyze(tmp_path / "trace.csv")
+    trace = linear_run.trace
+    tables: list[Any] = [linear_run, trace, dict(trace)]
+    for module, made in (("pandas", trace.to_pandas), ("polars", trace.to_polars), ("pyarrow", trace.to_arrow)):
+        pytest.importorskip(module)
+        tables.append(made())
+    for table in tables:
+        found = jc.analyze(table)
+        assert found.summary["channels"] == of_file.summary["channels"]
+        for name in of_file.tables:
+            assert found.table(name) == of_file.table(name), name
+
+
+def test_names_say_units_and_times():
+    x, times = noise(4000), np.arange(4000) / RATE
+    assert "acc_amplitude_m_s2" in jc.analyze({"time [s]": times, "acc [g]": x}).spectrum()
+    pandas, polars = pytest.importorskip("pandas"), pytest.importorskip("polars")
+    for series in (pandas.Series(x, name="acc [m/s^2]"), polars.Series("acc [m/s^2]", x)):
+        assert "acc_amplitude_m_s2" in jc.analyze(series, rate=RATE).spectrum()
+    frame = pandas.DataFrame({"when": pandas.date_range("2026-01-01", periods=4000, freq="ms"), "acc [g]": x})
+    spectrum = jc.analyze(frame).spectrum()
+    assert spectrum["f_Hz"][-1] == pytest.approx(500.0)
+    structured = np.rec.fromarrays([times, x], names="t_s,x_m")
+    assert "x_amplitude_m" in jc.analyze(structured).spectrum()
+
+
+def test_only_a_column_is_a_channel():
+    x = noise(4000)
+    assert jc.analyze({"m": x[:, None]}, rate=RATE).peaks == jc.analyze({"m": x}, rate=RATE).peaks
+    for source in ({"m": x.reshape(-1, 4)}, {"m": x[None]}, {"m": 1j * x}, {"m": ["a"] * 100}, None, 3.0):
+        with pytest.raises(ValueError):
+            jc.analyze(source, rate=RATE)
+
+
+def test_a_speed_below_zero_is_no_channel():
+    with pytest.raises(jc.ScenarioError) as caught:
+        jc.analyze(noise(100), rate=RATE, speed="-3000 rpm")
+    assert "channel" not in str(caught.value)
+
+
+def test_messages_speak_of_keywords():
+    with pytest.raises(jc.ScenarioError) as caught:
+        jc.analyze(noise(100))
+    assert "rate=" in str(caught.value.problems[0].hint) and "--rate" not in str(caught.value)
+    with pytest.warns(jc.ModelWarning, match="é"):
+        jc.analyze({"é": noise(100)}, rate=RATE)
 
 
 def test_what_is_wrong_is_said():

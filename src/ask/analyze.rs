@@ -74,10 +74,11 @@ pub fn record_setting(option: &str, values: &[String]) -> Option<String> {
     })
 }
 
-/// Whether a text begins as a number.
+/// Whether a text begins as a number does, and is no name of a channel.
 fn is_number(text: &str) -> bool {
-    let text = text.trim_start().trim_start_matches(['-', '+']);
-    text.starts_with(|sign: char| sign.is_ascii_digit() || sign == '.')
+    let text = text.trim_start();
+    let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
+    unsigned.starts_with(|sign: char| sign.is_ascii_digit() || sign == '.')
 }
 
 fn quoted(text: &str) -> String {

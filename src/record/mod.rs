@@ -113,7 +113,7 @@ impl Record {
         read.map_err(|problem| RecordError { name, problem })
     }
 
-    /// Samples that are in memory, with their names.
+    /// Columns that are in memory, with their names, which say what those of a file say: units, and which of them are times.
     ///
     /// # Errors
     /// No column holds a sample.
@@ -121,13 +121,14 @@ impl Record {
         columns: impl IntoIterator<Item = (String, Vec<f64>)>,
         name: &str,
     ) -> Result<Self, RecordError> {
-        let channel = |(name, samples)| RecordChannel::new(name, samples);
         let mut record = Self::new(Form::Memory);
-        record.channels = columns.into_iter().map(channel).collect();
-        let name = name.to_owned();
-        match record.check() {
+        let added = text::add_named(&mut record, columns.into_iter().collect());
+        match added.and_then(|()| record.check()) {
             Ok(()) => Ok(record),
-            Err(problem) => Err(RecordError { name, problem }),
+            Err(problem) => Err(RecordError {
+                name: name.to_owned(),
+                problem,
+            }),
         }
     }
 

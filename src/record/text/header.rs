@@ -107,12 +107,17 @@ pub(super) fn read(lines: &[&[u8]], rows: &Rows) -> Vec<Heading> {
         Some(names) => (names, last),
         None => (last, empty()),
     };
+    of_columns(&names, &units)
+}
+
+/// What names and units of all columns say; of a trace of this program the names alone.
+pub(super) fn of_columns(names: &[String], units: &[String]) -> Vec<Heading> {
     if names.first().is_some_and(|name| name == TRACE_TIME) {
         return names.iter().map(|name| Heading::of_trace(name)).collect();
     }
     let headings = names.iter().zip(units);
     headings
-        .map(|(name, unit)| Heading::of(name, &unit))
+        .map(|(name, unit)| Heading::of(name, unit))
         .collect()
 }
 

@@ -59,6 +59,16 @@ pub(super) fn read(record: &mut Record, head: &[u8], mut bytes: Bytes<'_>) -> Re
     columns::add(record, headings, columns)
 }
 
+/// Adds columns whose names say what the header of a file says.
+pub(super) fn add_named(
+    record: &mut Record,
+    named: Vec<(String, Vec<f64>)>,
+) -> Result<(), Problem> {
+    let (names, columns): (Vec<_>, Vec<_>) = named.into_iter().unzip();
+    let units = vec![String::new(); names.len()];
+    columns::add(record, header::of_columns(&names, &units), columns)
+}
+
 /// Reads all rows, in lines that end with a byte.
 fn fill(
     record: &mut Record,

@@ -22,6 +22,8 @@ const SCALES: RangeInclusive<f64> = 1e-30..=1e30;
 const LARGEST: f64 = 1e60;
 /// Units in which times may be, in parts of a second.
 const PER_SECOND: [f64; 4] = [1.0, 1e3, 1e6, 1e9];
+/// What a channel is called whose name has no sign that names of columns have.
+const NAMELESS: &str = "signal";
 /// A number of a file above this one may be a rate in Hz.
 const SLOWEST: f64 = 100.0;
 
@@ -263,6 +265,11 @@ impl<'a> SignalReader<'a> {
             Some(column) if column.unit == symbol && is_identifier(&column.quantity) => column,
             _ => Column::number(identifier(name), symbol),
         };
+        if column.quantity == NAMELESS && name != NAMELESS {
+            problems.warn(format!(
+                "no letter from a to z and no digit is in `{name}`: results call it `{NAMELESS}`"
+            ));
+        }
         let either = |given: &Option<String>, own: &Option<String>| {
             given.clone().or(own.clone()).unwrap_or_default()
         };
@@ -319,7 +326,7 @@ fn identifier(name: &str) -> String {
     let mut joined = words.join("_");
     joined.truncate(LONGEST_NAME);
     match joined.chars().next() {
-        None => "signal".to_owned(),
+        None => NAMELESS.to_owned(),
         Some(first) if first.is_ascii_digit() => format!("c{joined}"),
         Some(_) => joined,
     }
