@@ -98,6 +98,14 @@ impl Findings {
 #[pyclass(frozen, module = "jeffcott")]
 pub struct RunFindings(pub(crate) ask::RunFindings);
 
+impl RunFindings {
+    /// Whether a channel has a value in any sample: bearings, elements and housings that the machine lacks have none.
+    fn is_observed(&self, channel: Channel) -> bool {
+        let mut samples = self.0.recorded.samples.iter();
+        samples.any(|sample| channel.of(sample).is_some())
+    }
+}
+
 #[pymethods]
 impl RunFindings {
     /// What `summary.json` says.
@@ -131,22 +139,21 @@ impl RunFindings {
         ))
     }
 
-    /// Names of all columns of the samples, known or not.
+    /// Names of all columns of the samples, also of those that no table has.
     fn columns(&self) -> Vec<String> {
         Channel::all()
+            .filter(|channel| self.is_observed(*channel))
             .map(|channel| channel.column().name())
             .collect()
     }
 
     /// All samples of a column by its name in the files; NaN where a value was not observed.
     fn column<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let mut channels = Channel::all();
-        let Some(channel) = channels.find(|channel| channel.column().name() == name) else {
-            let known = Channel::all().filter(|channel| !channel.is_further());
-            let known: Vec<_> = known.map(|channel| channel.column().name()).collect();
+        let mut channels = Channel::all().filter(|channel| channel.column().name() == name);
+        let Some(channel) = channels.find(|channel| self.is_observed(*channel)) else {
             return Err(PyKeyError::new_err(format!(
-                "no column is called {name:?}; the columns are {}",
-                known.join(", ")
+                "the run has no column {name:?}; the columns are {}",
+                self.columns().join(", ")
             )));
         };
         let samples = self.0.recorded.samples.iter();

@@ -269,6 +269,8 @@ impl Channel {
             Self::Force(freedom) => sample.force_on_shaft?[freedom],
             Self::PartForce { part, freedom } => {
                 let place = match part {
+                    // behind those of the bearings are those of the elements
+                    Part::Bearing(bearing) if bearing >= sample.first_element => return None,
                     Part::Bearing(bearing) => bearing,
                     Part::Element(element) => sample.first_element + element,
                 };
