@@ -15,12 +15,13 @@ FREEDOMS = {"x": "0 m", "y": "0 m", "z": "0 m", "tilt_x": "0 rad", "tilt_y": "0 
 
 
 def catalogue() -> dict[str, str]:
-    """Designations of the bearings that are known, each with the source of its dimensions."""
+    """Designations of the ball and roller bearings that are known, each with the source of its dimensions."""
     return dict(_catalogue())
 
 
 class Bearing:
-    """A ball bearing: one of the catalogue by its designation, one of given dimensions, or one by its printed ratings.
+    """A ball or roller bearing: one of the catalogue by its designation, one of given dimensions, or one by its printed
+    ratings.
 
     Keys are those of `[[bearing]]` in a scenario, and `contact`, `film` and `race_control` of `[model]`:
 
@@ -50,6 +51,8 @@ class Bearing:
         ball_diameter: str | None = None,
         pitch_diameter: str | None = None,
         f0: float | None = None,
+        kind: str | None = None,
+        width: str | None = None,
         **keys: Any,
     ) -> Bearing:
         """A bearing by the ratings C and C0 that its maker prints: balls and grooves are estimated from them.
@@ -57,6 +60,8 @@ class Bearing:
             >>> Bearing.from_ratings(bore="40 mm", outside_diameter="80 mm", dynamic="29.1 kN", static="17.9 kN")
 
         What is known of the balls, and the factor f0 beside the ratings, settle which ones they are where several would do.
+        With a `kind` of rollers, "cylindrical", "tapered" or "spherical", and the `width` of the inner ring it is a roller
+        bearing.
         Further keys are those of a `Bearing`.
         """
         printed = {
@@ -69,6 +74,8 @@ class Bearing:
             "ball_diameter": ball_diameter,
             "pitch_diameter": pitch_diameter,
             "f0": f0,
+            "kind": kind,
+            "width": width,
         }
         return cls(ratings={key: value for key, value in printed.items() if value is not None}, **keys)
 

@@ -297,8 +297,11 @@ impl CheckedScenario {
 /// Designations of the bearings of the catalogue, and where their dimensions come from.
 #[pyfunction]
 pub fn catalogue() -> Vec<(String, String)> {
-    let entries = CATALOGUE.balls.iter();
-    entries
-        .map(|entry| (entry.designation.clone(), entry.source.clone()))
+    let balls = CATALOGUE.balls.iter();
+    let balls = balls.map(|entry| (&entry.designation, &entry.source));
+    let rollers = CATALOGUE.rollers.iter();
+    let rollers = rollers.map(|entry| (&entry.designation, &entry.source));
+    let all = balls.chain(rollers);
+    all.map(|(designation, source)| (designation.clone(), source.clone()))
         .collect()
 }

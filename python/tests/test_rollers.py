@@ -75,3 +75,14 @@ def test_rollers_are_refused_as_in_files(motor: jc.Scenario) -> None:
     ]:
         with pytest.raises(jc.ScenarioError, match=message):
             motor.with_(changes)
+
+
+def test_rollers_of_the_catalogue_and_of_ratings_are_bearings() -> None:
+    known = jc.catalogue()
+    assert "NU206" in known and "7205C" in known
+    # the line of the catalogue
+    printed = {"bore": "30 mm", "outside_diameter": "62 mm", "width": "16 mm", "dynamic": "23.5 kN", "static": "21.5 kN"}
+    rated = jc.Bearing.from_ratings(kind="cylindrical", pitch_diameter="46 mm", **printed)
+    load = {"y": "-500 N"}
+    radial = [one.stiffness(load)[1, 1] for one in (rated, jc.Bearing("NU206"))]
+    assert radial[0] == pytest.approx(radial[1], rel=1e-9)
