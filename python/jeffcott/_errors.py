@@ -3,10 +3,25 @@
 from __future__ import annotations
 
 import json
+import re
 import sys
 import warnings
 from collections.abc import Iterable
 from typing import NamedTuple
+
+
+OPTION = re.compile(
+    r"--(at|bearing|by|channel|count|duration|from|period|points|pulses|rate|scale|speed|start|tacho|to|unit|window)\b( (?=\"))?"
+)
+"""Options of the command that are keywords here, with the blank in front of a value."""
+OTHERWISE = {"from": "start", "to": "stop"}
+"""Those that have another name."""
+
+
+def by_keywords(text: str) -> str:
+    """A message about the command line, about keywords: `--rate "12 kHz"` is `rate="12 kHz"`."""
+    named = OPTION.sub(lambda it: OTHERWISE.get(it[1], it[1]) + ("=" if it[2] else ""), text)
+    return named.replace("--> command line:", "--> keywords:")
 
 
 class Problem(NamedTuple):
@@ -34,11 +49,13 @@ class ScenarioError(ValueError):
 
     def __init__(self, text: str, problems: str = "[]") -> None:
         super().__init__(text, problems)
-        found = json.loads(problems)
-        self.problems = [Problem(p["key"], p["message"], p["help"], p["line"], p["column"]) for p in found]
+        self.problems = [
+            Problem(p["key"], by_keywords(p["message"]), p["help"] and by_keywords(p["help"]), p["line"], p["column"])
+            for p in json.loads(problems)
+        ]
 
     def __str__(self) -> str:
-        return str(self.args[0]).rstrip()
+        return by_keywords(str(self.args[0])).rstrip()
 
 
 class RunError(RuntimeError):
@@ -48,7 +65,7 @@ class RunError(RuntimeError):
         super().__init__(text, problems)
 
     def __str__(self) -> str:
-        return str(self.args[0])
+        return by_keywords(str(self.args[0]))
 
 
 class ModelWarning(UserWarning):
@@ -64,4 +81,4 @@ def warn(messages: Iterable[str]) -> None:
     while frame.f_back is not None and frame.f_globals.get("__name__", "").partition(".")[0] == __package__:
         level, frame = level + 1, frame.f_back
     for message in dict.fromkeys(messages):
-        warnings.warn(message, ModelWarning, stacklevel=level)
+        warnings.warn(by_keywords(message), ModelWarning, stacklevel=level)
