@@ -104,7 +104,7 @@ class Bearing:
             question["load"] = [{"constant": dict(load)}]
             if displacement:
                 question["static"] = {"displacement": dict(displacement)}
-        return told_before(question, None, self._told)
+        return told_before(question, "scenario.dict", self._told)
 
     def answer(
         self,

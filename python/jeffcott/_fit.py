@@ -20,9 +20,9 @@ from ._table import Array, Table
 class Fit(Result):
     """Values of quantities of a scenario that explain what was measured, and how well they are known."""
 
-    def __init__(self, source: Any, fitted: str) -> None:
+    def __init__(self, source: Any, fitted: str, folder: str) -> None:
         super().__init__(source)
-        self._fitted = fitted
+        self._fitted, self._folder = fitted, folder
 
     def _by_key(self, name: str) -> dict[str, float]:
         return {found["key"]: float(found[name]) for found in self.summary["unknowns"]}
@@ -65,10 +65,10 @@ class Fit(Result):
     @property
     def scenario(self) -> Scenario:
         """The scenario with the values."""
-        return Scenario(self._fitted)
+        return Scenario(self._fitted, folder=self._folder)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Fit, (*super().__reduce__()[1], self._fitted)
+        return Fit, (*super().__reduce__()[1], self._fitted, self._folder)
 
 
 def fit(
@@ -94,8 +94,10 @@ def fit(
         if scenario is None:
             raise ValueError("a fit by a dict needs the scenario that it is about")
         found = _fit(None, (scenario.checked, dumped({"base": "-", **source})), threads)
+        folder = scenario.checked.place().parent
     else:
         found = _fit(Path(source), None, threads)
-    result = Fit(found, found.file("fitted.toml") or "")
+    result = Fit(found, found.file("fitted.toml") or "", os.path.abspath(folder))
     warn(result.warnings)
+        folder = Path(source).parent
     return result

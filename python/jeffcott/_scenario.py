@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import copy
 import json
+import math
 import os
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from . import _results as results
 from ._errors import ScenarioError, warn
+from ._frozen import frozen
 from ._jeffcott import CheckedScenario, Findings
 from ._progress import Progress, told
 
@@ -19,9 +22,6 @@ if TYPE_CHECKING:
     from ._study import Study
 
 Answered = TypeVar("Answered", bound=results.Result)
-
-TOLERANCES = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10)
-"""Tolerances at which accuracy is measured where none are given."""
 
 
 def plain(value: Any) -> Any:
@@ -40,13 +40,29 @@ def plain(value: Any) -> Any:
 def dumped(tree: Any) -> str:
     """JSON of a tree, a line a value, so that messages show where they belong."""
     try:
-        return text_of(json.dumps(tree, default=plain, indent=2, ensure_ascii=False))
+        return text_of(json.dumps(tree, default=plain, indent=2, ensure_ascii=False, allow_nan=False))
     except RecursionError:
         raise _wrong("", "tables and lists stand too deep in each other", "a scenario has a few levels") from None
     except ValueError as error:
-        if isinstance(error, ScenarioError) or "Circular" not in str(error):
+        if isinstance(error, ScenarioError):
             raise
-        raise _wrong("", "a table or list holds itself", "write it out") from None
+        if "Circular" in str(error):
+            raise _wrong("", "a table or list holds itself", "write it out") from None
+        numbers = _numbers(json.loads(json.dumps(tree, default=plain)))
+        path, number = next((path, number) for path, number in numbers if not math.isfinite(number))
+        raise _wrong(path, f"{number} is no value", "give a finite number") from None
+
+
+def _numbers(tree: Any, path: str = "") -> Iterator[tuple[str, float]]:
+    """All numbers that are not whole, with their paths."""
+    if isinstance(tree, float):
+        yield path, tree
+    elif isinstance(tree, dict):
+        for key, value in tree.items():
+            yield from _numbers(value, f"{path}.{key}" if path else key)
+    elif isinstance(tree, list):
+        for place, value in enumerate(tree, 1):
+            yield from _numbers(value, f"{path}[{place}]")
 
 
 def text_of(value: object, key: str = "") -> str:
@@ -147,6 +163,9 @@ class Scenario:
         >>> s["load[2]"] = {"harmonic": {"x": "20 N", "frequency": "80 Hz"}}   # a further load
         >>> s.update({"speed.constant": "300 rad/s", "time.duration": "1 s"})  # checked together
 
+    `s["shaft"]` and `s["load[2]"]` can be read only: keys are written by their paths, as above, and `s.to_dict()` is a copy
+    to change as a whole. `s.keys()` has the tables that are written; `dict(s)` and `list(s)` go over them.
+
     Raises `ScenarioError`, whose `problems` have key, message, hint and line.
     """
 
@@ -159,13 +178,18 @@ class Scenario:
         self._read(source, folder)
         self._tell()
 
-    def _read(self, source: str | os.PathLike[str] | Mapping[str, Any], folder: str | os.PathLike[str] | None) -> None:
+    def _read(
+        self,
+        source: str | os.PathLike[str] | Mapping[str, Any],
+        folder: str | os.PathLike[str] | None,
+        name: str = "scenario.dict",
+    ) -> None:
         self._tree: dict[str, Any] | None = None
         self._told: frozenset[str] = frozenset()
         if isinstance(source, Mapping):
             self._tree = json.loads(dumped(source))
-            self.checked = self._parsed(dumped(source), "scenario.dict", folder, True)
-        elif isinstance(source, str) and ("\n" in source or "=" in source or source.lstrip().startswith("{")):
+            self.checked = self._parsed(dumped(source), name, folder, True)
+        elif isinstance(source, str) and _is_text(source):
             is_json = source.lstrip().startswith("{")
             self.checked = self._parsed(text_of(source), f"scenario.{'json' if is_json else 'toml'}", folder, is_json)
         else:
@@ -190,7 +214,7 @@ class Scenario:
     def copy(self) -> Scenario:
         """Another scenario of the same keys."""
         other = object.__new__(Scenario)
-        other.checked, other._tree, other._told = self.checked, self._tree, self._told
+        other.checked, other._tree, other._told = self.checked, self._tree, self._told  # a tree is never changed
         return other
 
     def _written(self) -> dict[str, Any]:
@@ -220,11 +244,22 @@ class Scenario:
         return self.checked.warnings()
 
     def __getitem__(self, path: str) -> Any:
-        """The value of a key by its path, `bearing[1].geometry.balls`; its default where it is not written."""
+        """The value of a key by its path, `bearing[1].geometry.balls`; its default where it is not written. A table or a
+        list is read only."""
         try:
-            return _find(self._written(), path)
+            return frozen(_find(self._written(), path))
         except KeyError:
-            return _find(self.defaults, path)
+            return frozen(_find(self.defaults, path))
+
+    def keys(self) -> list[str]:
+        """The tables, and the keys beside them, that are written."""
+        return list(self._written())
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.keys())
+
+    def __len__(self) -> int:
+        return len(self.keys())
 
     def __contains__(self, path: object) -> bool:
         try:
@@ -245,9 +280,9 @@ class Scenario:
         the scenario stays as it was."""
         tree = self.to_dict()
         for path, value in changes.items():
-            _put(tree, path, value)
-        text, name = dumped(tree), Path(self.checked.name())
-        self.checked = CheckedScenario.parse(text, str(name.with_suffix(".changed")), True)
+            _put(tree, path, copy.deepcopy(value))
+        text, place = dumped(tree), Path(self.checked.place())
+        self.checked = CheckedScenario.parse(text, str(place.with_suffix(".changed")), True)
         self._tree = json.loads(text)
         self._tell()
 
@@ -261,7 +296,7 @@ class Scenario:
         return f"<Scenario {self.title!r}>"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _restored, (self.to_dict(), self.checked.name())
+        return _restored, (self.to_dict(), str(self.checked.place()))
 
     def _with_integrator(self, tolerance: float | None, verify: bool | None) -> Scenario:
         changes = {"integrator.tolerance": tolerance, "integrator.verify": verify}
@@ -359,6 +394,8 @@ class Scenario:
         "tilt_x@100 mm" for a moment, `start` and `stop` are frequencies, and `speed` is that of the shaft, or that at the
         start of the scenario.
         """
+        if speed is not None and by is None:
+            raise ValueError("speed: that of a shaft that a force acts on; name it by `by`, or leave out `speed`")
         found = self.checked.frequency_response(
             _places(at),
             (text_of(start), text_of(stop)),
@@ -381,16 +418,18 @@ class Scenario:
         self,
         *,
         methods: Sequence[str] = (),
-        tolerances: Sequence[float] = TOLERANCES,
+        tolerances: Sequence[float] | None = None,
         longest: str = "2 s",
         progress: Progress = None,
     ) -> results.Accuracy:
-        """Speed against error of `methods` (all where none are named) at `tolerances`, without what runs longer than
-        `longest`."""
-        loosest_first = sorted(set(map(float, tolerances)), reverse=True)
+        """Speed against error of `methods` (all where none are named) at `tolerances` (1e-4, 1e-6, 1e-8 and 1e-10), without
+        what runs longer than `longest`."""
+        given = [] if tolerances is None else [float(tolerance) for tolerance in tolerances]
+        if tolerances is not None and not given:
+            raise ValueError("tolerances: name at least one, as 1e-6")
         with told(progress, self.title) as tell:
             named = [text_of(method) for method in methods]
-            found = self.checked.accuracy(named, loosest_first, text_of(longest), tell)
+            found = self.checked.accuracy(named, given, text_of(longest), tell)
         return self._answer(results.Accuracy(found))
 
     def sweep(self, axes: Mapping[str, Any], **settings: Any) -> Study:
@@ -398,6 +437,13 @@ class Scenario:
         from ._study import sweep
 
         return sweep(self, axes, **settings)
+
+
+def _is_text(source: str) -> bool:
+    """Whether it is a text rather than a path."""
+    if "\n" in source or source.lstrip().startswith("{"):
+        return True
+    return "=" in source and not os.path.exists(source)
 
 
 def _places(at: str | Sequence[str]) -> list[str]:
@@ -423,16 +469,16 @@ def _campbell(
     return scenario.checked.campbell(ends, count, orders, highest, keys)
 
 
-def told_before(tree: dict[str, Any], folder: str | None, told: frozenset[str] | None) -> Scenario:
-    """A scenario some of whose warnings were told already: all of them where none are named."""
+def told_before(tree: dict[str, Any], place: str, told: frozenset[str] | None) -> Scenario:
+    """A scenario of a path, some of whose warnings were told already: all of them where none are named."""
     scenario = object.__new__(Scenario)
-    scenario._read(tree, folder)
+    scenario._read(tree, *os.path.split(place))
     scenario._told = frozenset(scenario.checked.warnings()) if told is None else told
     scenario._tell()
     return scenario
 
 
-def _restored(tree: dict[str, Any], name: str) -> Scenario:
-    return told_before(tree, os.path.dirname(name), None)
+def _restored(tree: dict[str, Any], place: str) -> Scenario:
+    return told_before(tree, place, None)
 
 

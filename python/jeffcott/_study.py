@@ -203,6 +203,7 @@ def _made(
         if executor is None:
             plan.make(folder, (1, 1), threads, restart, None, tell)
         else:
+    folder = Path(os.path.abspath(folder))
             folder.mkdir(parents=True, exist_ok=True)
             for path in folder.glob("*.part-*-of-*") if restart else ():
                 path.unlink()
@@ -263,8 +264,7 @@ def sweep(
         {"key": text_of(key), **(values if isinstance(values, Mapping) else {"values": values})} for key, values in axes.items()
     ]
     text = dumped({"base": scenario.title, "axis": listed, **settings})
-    name = os.path.abspath(scenario.checked.name())
-    task = (dumped(scenario.to_dict()), name, text)
+    task = (dumped(scenario.to_dict()), str(scenario.checked.place()), text)
     temporary = tempfile.TemporaryDirectory() if out is None else None
     folder = Path(temporary.name) / "sweep" if temporary is not None else Path(out or "")
     return _made(

@@ -29,6 +29,7 @@ pub struct CheckedScenario {
     scenario: Scenario,
     text: String,
     name: String,
+    folder: PathBuf,
     json: bool,
 }
 
@@ -38,9 +39,9 @@ impl CheckedScenario {
         &self.scenario
     }
 
-    /// The folder that its files are looked for from.
+    /// The folder that its files are looked for from: the same wherever the process goes later.
     pub fn folder(&self) -> &Path {
-        Path::new(&self.name).parent().unwrap_or(Path::new(""))
+        &self.folder
     }
 
     fn format(&self) -> Format {
@@ -62,6 +63,12 @@ impl CheckedScenario {
         let findings = watched(py, None, progress, answer)?;
         Ok(Findings(findings.map_err(|error| ask_error(py, &error))?))
     }
+}
+
+/// The folder of a file, from the root.
+fn folder_of(path: &Path) -> PyResult<PathBuf> {
+    let whole = std::path::absolute(path)?;
+    Ok(whole.parent().unwrap_or(&whole).to_owned())
 }
 
 /// A speed in rad/s, where one is given.
@@ -90,6 +97,7 @@ impl CheckedScenario {
         let scenario = py.detach(|| scenario::parse(&text, &name, format(json)));
         Ok(Self {
             scenario: scenario.map_err(|error| scenario_error(py, &error))?,
+            folder: folder_of(Path::new(&name))?,
             text,
             name,
             json,
@@ -105,6 +113,7 @@ impl CheckedScenario {
         Ok(Self {
             scenario,
             text: fs::read_to_string(&path)?,
+            folder: folder_of(&path)?,
             name: path.display().to_string(),
             json: ending.eq_ignore_ascii_case("json"),
         })
@@ -127,9 +136,10 @@ impl CheckedScenario {
         &self.scenario.title
     }
 
-    /// What messages call it.
-    fn name(&self) -> &str {
-        &self.name
+    /// The path that messages call it by, below the folder that its files are looked for from.
+    fn place(&self) -> PathBuf {
+        let name = Path::new(&self.name).file_name();
+        self.folder.join(name.unwrap_or_default())
     }
 
     /// What the user should know although it can be run.
@@ -248,7 +258,7 @@ impl CheckedScenario {
         let by = by.first().map(|by| (by, at_speed));
         let question = LinearResponseQuestion::new(&self.scenario, &at, by, &range);
         let question = question.map_err(|error| ask_error(py, &error))?;
-        Self::answer(py, None, |_| question.answer())
+        Self::answer(py, None, |watch| question.answer(watch.stop))
     }
 
     /// The matrices of the linearised shaft.
@@ -265,7 +275,7 @@ impl CheckedScenario {
         let at = at.map_err(|issue| issue_error(py, &issue))?;
         let question = MatricesQuestion::new(&self.scenario, &at, given_speed(py, at_speed)?);
         let question = question.map_err(|error| ask_error(py, &error))?;
-        Self::answer(py, None, |watch| question.answer(watch.stop))
+        Self::answer(py, None, |_| question.answer())
     }
 
     /// Speed against error of methods at tolerances.

@@ -1,9 +1,12 @@
 """Scenarios are read, changed and refused as files are."""
 
+import copy
 import pickle
 from pathlib import Path
 
+import numpy as np
 import pytest
+from conftest import LINEAR
 
 import jeffcott as jc
 
@@ -114,6 +117,69 @@ def test_files_of_a_dict_are_looked_for_in_its_folder(tmp_path: Path) -> None:
     assert jc.Scenario(tree, folder=tmp_path)["load[2].series.file"] == "force.csv"
     with pytest.raises(jc.ScenarioError):
         jc.Scenario(tree)
+
+
+def test_parts_of_a_scenario_are_read_only() -> None:
+    scenario = jc.Scenario(LINEAR)
+    other = scenario.copy()
+    stiffness = other["element"][0]["linear"]["stiffness"]
+    for change in (
+        lambda: stiffness.update(x="3e6 N/m"),
+        lambda: other["shaft"].__setitem__("mass", "9 kg"),
+        lambda: other["element"].append(stiffness),
+    ):
+        with pytest.raises(TypeError, match="read only"):
+            change()
+    assert other["shaft"] == LINEAR["shaft"] and other["element"] == LINEAR["element"]
+    # by its own keys one changes, and not the other
+    other["element[1].linear.stiffness.x"] = "3e6 N/m"
+    assert [one.bearing().stiffness[0, 0] for one in (scenario, other)] == pytest.approx([1e6, 3e6])
+    changed = copy.deepcopy(other["element"])
+    changed[0]["linear"]["stiffness"]["x"] = "4e6 N/m"
+    other["element"] = [*other["element"], *changed]
+    assert other["element[1].linear.stiffness.x"] == "3e6 N/m" and len(other["element"]) == 2
+    # what is handed over stays as it is
+    own = {"linear": {"stiffness": {"x": "1 N/um", "y": "1 N/um"}}}
+    for given in (own, other["element[2]"]):
+        other.update({"element[3]": given, "element[3].linear.stiffness.x": "5e6 N/m"})
+        assert other["element[3].linear.stiffness.x"] == "5e6 N/m"
+    assert own["linear"]["stiffness"]["x"] == "1 N/um" and other["element[2].linear.stiffness.x"] == "4e6 N/m"
+
+
+def test_a_scenario_is_gone_over_by_its_tables() -> None:
+    scenario = jc.Scenario(LINEAR)
+    assert list(scenario) == scenario.keys() == list(LINEAR) and len(scenario) == len(LINEAR)
+    assert dict(scenario) == LINEAR
+
+
+def test_files_are_found_from_another_current_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "elsewhere").mkdir()
+    (tmp_path / "force.csv").write_text("t_s,x_N\n0,0\n2,10\n")
+    monkeypatch.chdir(tmp_path)
+    tree = {**LINEAR, "load": [{"series": {"file": "force.csv"}}]}
+    scenario = jc.Scenario(tree)
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    heavier = scenario.with_({"shaft.mass": "6 kg"})
+    assert scenario.bearing().sensitivity("shaft.mass").rows > 0
+    assert pickle.loads(pickle.dumps(heavier)).with_({"shaft.mass": "5 kg"}).defaults == scenario.defaults
+    assert scenario.sweep({"shaft.mass": ["5 kg"]}, ask="bearing").runs.rows == 1
+
+
+@pytest.mark.parametrize("number", [float("nan"), float("inf"), np.float32("-inf")])
+def test_a_number_that_is_not_finite_is_named(number: float) -> None:
+    scenario = jc.Scenario(LINEAR)
+    with pytest.raises(jc.ScenarioError, match="finite") as caught:
+        scenario.update({"integrator": {"tolerance": number}})
+    assert caught.value.problems[0].key == "integrator.tolerance"
+    with pytest.raises(jc.ScenarioError, match="finite") as caught:
+        scenario.sweep({"integrator.tolerance": [1e-6, number]})
+    assert caught.value.problems[0].key == "axis[1].values[2]"
+
+
+def test_a_path_may_have_an_equals_sign(tmp_path: Path) -> None:
+    path = tmp_path / "mass=5.toml"
+    path.write_text(TEXT)
+    assert jc.Scenario(str(path)).title == "mass=5"
 
 
 def test_it_goes_to_another_process_and_back(scenarios: Path) -> None:
