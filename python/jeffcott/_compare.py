@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from ._jeffcott import compare as _compare
+from ._frozen import frozen
 from ._results import Result
 from ._scenario import text_of, whole
 
@@ -21,7 +22,7 @@ class Comparison:
     """What a comparison found; true where both agree. `print` tells the worst places of every column."""
 
     def __init__(self, summary: dict[str, Any], text: str) -> None:
-        self.summary = summary
+        self.summary = frozen(summary)
         self._text = text
 
     @property
@@ -60,21 +61,32 @@ def compare(
     stand: those of folders of runs and records `by` "frequency", "order" or "name"; each finds its partner within the part
     `reach` of its frequency, without it within a bin, and agrees within so many `decibels` in place of the tolerances. `common` leaves out what only one of them has; `worst` places of every column are told.
     """
-    with ExitStack() as stack:
     if lines is None and (reach is not None or decibels is not None or by != "frequency"):
         raise ValueError("by, reach and decibels are of `lines`: say how many of them, as lines=10")
     if decibels is not None and columns:
         raise ValueError("columns: lines agree within `decibels`, or within tolerances; give one of them")
+    with ExitStack() as stack:
 
-        def path(result: Compared) -> Path:
+        names: dict[str, str] = {}
+
+        def path(result: Compared, name: str) -> Path:
             if not isinstance(result, Result):
                 return Path(result)
             folder = Path(stack.enter_context(tempfile.TemporaryDirectory()))
+            names[str(folder)] = f"the {name} result, a {type(result).__name__},"
             result.write(folder)
             return folder
 
         lines = None if lines is None else whole("lines", lines, 1, 65535)
         worst = whole("worst", worst, 1, 65535)
-        paths, single = (path(first), path(second)), {text_of(name): pair for name, pair in (columns or {}).items()}
-        found, text = _compare(*paths, relative, absolute, single, worst, lines, by, reach, decibels, common)
+        paths = path(first, "first"), path(second, "second")
+        single = {text_of(name): pair for name, pair in (columns or {}).items()}
+        try:
+            found, text = _compare(*paths, relative, absolute, single, worst, lines, by, reach, decibels, common)
+        except ValueError as error:
+            # the folder of a result is gone when the message is read
+            message = str(error)
+            for folder, name in names.items():
+                message = message.replace(folder, name)
+            raise ValueError(message) from None
     return Comparison(json.loads(found), text)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, Self
@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, Self
 import numpy as np
 
 from ._errors import ScenarioError
+from ._frozen import frozen
 from ._table import Array, Table, nearest
 
 if TYPE_CHECKING:
@@ -127,7 +128,7 @@ class _KeptRun(_Kept):
     def column(self, name: str) -> Array:
         if name not in self._columns:
             raise KeyError(f"no column is called {name!r}; the columns are {', '.join(self._columns)}")
-        column: Array = self._columns[name]
+        column: Array = self._columns[name].copy()
         return column
 
     def estimated(self, asked: Any) -> Sequence[tuple[str, Any]]:
@@ -147,8 +148,8 @@ class Result:
 
     @cached_property
     def summary(self) -> dict[str, Any]:
-        """The JSON document that the command writes, as a dict; numbers are in the units of their keys."""
-        document: dict[str, Any] = json.loads(self._source.document())
+        """The JSON document that the command writes, as a dict that is read only; numbers are in the units of their keys."""
+        document: dict[str, Any] = frozen(json.loads(self._source.document()))
         return document
 
     @property
@@ -223,6 +224,24 @@ class Result:
         return f"{figures}<pre>{escape(str(self))}</pre>"
 
 
+class Columns(Result):
+    """A result whose columns are taken by their names: `result["x_m"]`, `"x_m" in result`, `dict(result)`."""
+
+    def __getitem__(self, column: str) -> Any:
+        """A column by its name."""
+        raise NotImplementedError
+
+    def keys(self) -> list[str]:
+        """Names of the columns."""
+        raise NotImplementedError
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.keys())
+
+    def __contains__(self, column: object) -> bool:
+        return column in self.keys()
+
+
 def _sensitivity(keys: tuple[str, ...], again: Callable[[list[str]], _Source]) -> Table:
     """The table of derivatives of a question that is asked again with keys."""
     if not keys:
@@ -232,10 +251,11 @@ def _sensitivity(keys: tuple[str, ...], again: Callable[[list[str]], _Source]) -
     return Table(name, found.table(name) or [])
 
 
-class Run(Result):
+class Run(Columns):
     """A run: samples of the motion, events, spectra.
 
-    `run["x_m"]` is a column of all samples; `run.keys()` names them. SI units.
+    `run["x_m"]` is a column of all samples; `run.keys()` names them: those of the trace, and accelerations, energies, forces
+    of every bearing and element, as far as they were observed. SI units.
     """
 
     _source: RunFindings
@@ -265,8 +285,8 @@ class Run(Result):
         return self._source.column(column)
 
     def keys(self) -> list[str]:
-        """Names of the columns of the trace."""
-        return list(self.trace)
+        """Names of all columns of the samples."""
+        return self._source.columns()
 
     def sensitivity(self, *keys: str) -> Table:
         """How its numbers change with quantities of the scenario, as those of `steady()`; of a motion that has settled."""
@@ -333,7 +353,7 @@ class Differentiable(Result):
         return type(self), (*super().__reduce__()[1], self._again)
 
 
-class Steady(Differentiable):
+class Steady(Differentiable, Columns):
     """The motion that a shaft settles to."""
 
     @property
@@ -360,6 +380,10 @@ class Steady(Differentiable):
     def __getitem__(self, column: str) -> Array:
         """A column of the trace."""
         return self.trace[column]
+
+    def keys(self) -> list[str]:
+        """Names of the columns of the trace."""
+        return list(self.trace)
 
     @property
     def spectrum(self) -> Table:
@@ -440,7 +464,7 @@ class Campbell(Differentiable):
         return list(self.summary["critical_speeds"])
 
 
-class FrequencyResponse(Result):
+class FrequencyResponse(Columns):
     """The response of the linearised shaft to a force over its frequency, or to the unbalances over the speed.
 
     `response["x_1"]` is complex: receptance, or motion by the unbalances as `Re u exp(iψ)`, in the unit that `summary["at"]`
@@ -459,11 +483,19 @@ class FrequencyResponse(Result):
 
     def __getitem__(self, column: str) -> Array:
         """The complex response of a place: its direction and its number among the positions, from 1, as "y_2"."""
-        what = "" if self.summary["by"] == "unbalance" else "_receptance"
-        phase = f"{column}{what}_phase_rad"
+        phase = f"{column}{self._phase}"
         phases, names = self.points[phase], list(self.points)
         found: Array = self.points[names[names.index(phase) - 1]] * np.exp(1j * phases)
         return found
+
+    @property
+    def _phase(self) -> str:
+        """How names of phases end."""
+        return "_phase_rad" if self.summary["by"] == "unbalance" else "_receptance_phase_rad"
+
+    def keys(self) -> list[str]:
+        """Names of the places: directions with their numbers, as "y_2"."""
+        return [name.removesuffix(self._phase) for name in self.points if name.endswith(self._phase)]
 
     @property
     def resonances(self) -> Table:

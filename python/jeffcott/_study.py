@@ -17,7 +17,7 @@ import numpy as np
 from ._errors import warn
 from ._jeffcott import CheckedScenario, StopSignal, StudyPlan, merge
 from ._progress import Progress, told
-from ._results import Error, Result
+from ._results import Columns, Error
 from ._scenario import Scenario, dumped, text_of, whole
 from ._table import Table
 
@@ -106,7 +106,7 @@ def _unpacked(name: str, files: dict[str, bytes]) -> _Folder:
     return _Folder(folder, temporary)
 
 
-class Study(Result):
+class Study(Columns):
     """Many runs: a row a run. `study["x_rms_m"]` is a column of `runs`."""
 
     _source: _Folder
@@ -125,6 +125,10 @@ class Study(Result):
         return self.runs[column]
 
     @property
+    def keys(self) -> list[str]:
+        """Names of the columns of `runs`."""
+        return list(self.runs)
+
     def digest(self) -> dict[str, Any]:
         """Means, extremes, quantiles, resonances, sensitivities."""
         return dict(self.summary["digest"])

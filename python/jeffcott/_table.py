@@ -26,17 +26,31 @@ def nearest(name: str, known: Sequence[str]) -> str:
     return f"did you mean {near[0]!r}?" if near else f"there are {', '.join(known)}"
 
 
+def _read_only(values: Any) -> Array:
+    """A column that cannot be changed; without rows one of words, which numpy cannot tell."""
+    array: Array = np.asarray(values) if len(values) else np.asarray(values, dtype=getattr(values, "dtype", str))
+    view = array.view()
+    view.flags.writeable = False
+    return view
+
+
+def _same(first: Array, second: Array) -> bool:
+    """Whether two columns are equal, NaN where NaN is."""
+    return np.array_equal(first, second, equal_nan=first.dtype.kind == second.dtype.kind == "f")
+
+
 class Table(Mapping[str, Array]):
     """Columns by their names, in the order of the file: numpy arrays of one length.
 
     Numbers are float64 (NaN where there is none), whole numbers int64, words text. The name of a column ends with its SI
-    unit, as `x_velocity_m_s`. A table is a mapping, and an Arrow stream (`__arrow_c_stream__`), which `polars.DataFrame`,
-    `pyarrow.table` and others take.
+    unit, as `x_velocity_m_s`. Columns are read only: `table["x_m"].copy()` can be changed. Tables are equal that have the
+    same columns in the same order. A table is a mapping, and an Arrow stream (`__arrow_c_stream__`), which `polars.DataFrame`,
+    `pyarrow.table` and others take; pandas takes `to_pandas()`, or `dict(table)`.
     """
 
     def __init__(self, name: str, columns: Sequence[tuple[str, Any]]) -> None:
         self.name = name
-        self._columns = {column: np.asarray(values) for column, values in columns}
+        self._columns = {column: _read_only(values) for column, values in columns}
 
     def __getitem__(self, column: str) -> Array:
         try:
@@ -50,6 +64,11 @@ class Table(Mapping[str, Array]):
 
     def __len__(self) -> int:
         return len(self._columns)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Table):
+            return NotImplemented
+        return list(self) == list(other) and all(_same(self[column], other[column]) for column in self)
 
     @property
     def rows(self) -> int:

@@ -1,5 +1,7 @@
 """Results have the columns, tables, figures and files of the command."""
 
+import copy
+import pickle
 import subprocess
 from pathlib import Path
 
@@ -187,8 +189,6 @@ def test_results_are_compared(steady_run: jc.Run, scenarios: Path, tmp_path: Pat
         jc.compare(tmp_path / "one", tmp_path / "one", relative=-1.0)
 
 
-def test_a_shaft_that_bends_is_drawn(scenarios: Path) -> None:
-    scenario = jc.Scenario(scenarios / "laval-rotor.toml")
 @pytest.mark.parametrize("wrong", [float("nan"), float("inf"), -1.0])
 def test_lines_do_not_agree_without_bounds(wrong: float, linear_run: jc.Run) -> None:
     for allowed in ({"decibels": wrong}, {"reach": wrong}, {"decibels": wrong, "reach": 0.1}):
@@ -262,6 +262,8 @@ def test_questions_that_say_nothing_are_refused() -> None:
         scenario.accuracy(tolerances=[])
 
 
+def test_a_shaft_that_bends_is_drawn(scenarios: Path) -> None:
+    scenario = jc.Scenario(scenarios / "laval-rotor.toml")
     assert "deflection" in scenario.bearing().figures
     campbell = scenario.campbell("3000 rpm", count=5)
     assert "mode_shapes" in campbell.figures
