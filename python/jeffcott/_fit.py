@@ -13,7 +13,7 @@ from ._errors import warn
 from ._jeffcott import Findings
 from ._jeffcott import fit as _fit
 from ._results import Result
-from ._scenario import Scenario, dumped
+from ._scenario import Scenario, dumped, whole
 from ._table import Array, Table
 
 
@@ -89,15 +89,18 @@ def fit(
     Ctrl-C stops it (KeyboardInterrupt). Raises `ScenarioError` where something in the file is wrong, `RunError` where the
     scene has no answer.
     """
+    threads = None if threads is None else whole("threads", threads, 1, 1024)
     found: Findings
     if isinstance(source, Mapping):
         if scenario is None:
             raise ValueError("a fit by a dict needs the scenario that it is about")
-        found = _fit(None, (scenario.checked, dumped({"base": "-", **source})), threads)
         folder = scenario.checked.place().parent
+        found = _fit(None, (scenario.checked, dumped({"base": "-", **source})), threads)
+    elif scenario is not None:
+        raise ValueError("a fit file names its scenario itself: give a dict of its keys about another one")
     else:
+        folder = Path(source).parent
         found = _fit(Path(source), None, threads)
     result = Fit(found, found.file("fitted.toml") or "", os.path.abspath(folder))
     warn(result.warnings)
-        folder = Path(source).parent
     return result

@@ -86,7 +86,8 @@ class _Folder:
         return (self.path / f"{name}.svg").read_text(encoding="utf-8") if name in self.figures() else None
 
     def write(self, folder: os.PathLike[str]) -> list[Path]:
-        shutil.copytree(self.path, folder, dirs_exist_ok=True)
+        if Path(folder).resolve() != self.path.resolve():
+            shutil.copytree(self.path, folder, dirs_exist_ok=True)
         return sorted(Path(folder).iterdir())
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -124,11 +125,11 @@ class Study(Columns):
     def __getitem__(self, column: str) -> Any:
         return self.runs[column]
 
-    @property
     def keys(self) -> list[str]:
         """Names of the columns of `runs`."""
         return list(self.runs)
 
+    @property
     def digest(self) -> dict[str, Any]:
         """Means, extremes, quantiles, resonances, sensitivities."""
         return dict(self.summary["digest"])
@@ -202,12 +203,12 @@ def _made(
 ) -> Study:
     threads = None if threads is None else whole("threads", threads, 1, 1024)
     parts = None if parts is None else whole("parts", parts, 1, 2**32 - 1)
+    folder = Path(os.path.abspath(folder))
     plan = _plan(task)
     with told(progress, plan.title()) as tell:
         if executor is None:
             plan.make(folder, (1, 1), threads, restart, None, tell)
         else:
-    folder = Path(os.path.abspath(folder))
             folder.mkdir(parents=True, exist_ok=True)
             for path in folder.glob("*.part-*-of-*") if restart else ():
                 path.unlink()

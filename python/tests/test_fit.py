@@ -53,3 +53,12 @@ def test_a_preload_is_found() -> None:
     mass = {"key": "shaft.mass", "from": "3 kg", "to": "8 kg"}
     with pytest.raises(jc.ScenarioError, match="cannot tell"):
         jc.fit({"unknown": [*asked["unknown"], mass], "observation": observed[:1]}, scenario)
+
+
+def test_what_a_fit_would_not_heed_is_refused() -> None:
+    scenario = jc.Scenario(PAIR)
+    with pytest.raises(ValueError, match="scenario"):
+        jc.fit("fit.toml", scenario)
+    for threads in (0, -1, True, 1.5):
+        with pytest.raises(ValueError, match="threads"):
+            jc.fit({"unknown": []}, scenario, threads=threads)

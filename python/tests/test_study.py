@@ -53,6 +53,13 @@ def processes() -> ProcessPoolExecutor:
     return ProcessPoolExecutor(2, mp_context=get_context("spawn"))
 
 
+def test_a_study_is_written_where_it_stands(whole: jc.Study) -> None:
+    before = {path: path.read_bytes() for path in whole.folder.iterdir()}
+    assert {path.resolve() for path in whole.write(whole.folder)} == {path.resolve() for path in before}
+    assert all(path.read_bytes() == content for path, content in before.items())
+    assert list(whole) == list(whole.runs) and "status" in whole
+
+
 def test_a_study_has_a_row_a_run(whole: jc.Study) -> None:
     assert whole.runs.rows == 9
     assert list(whole["status"]) == ["done"] * 9
