@@ -116,7 +116,9 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let lost = arguments.axial.is_some() && choice.axial.1 != 0.0 && !carries_axial_load(&scenario);
     if lost {
         let bearing = &arguments.bearing;
-        return refuse(&format!("`axial`: the rollers of a {bearing} carry no axial load"));
+        return refuse(&format!(
+            "`axial`: the rollers of a {bearing} carry no axial load"
+        ));
     }
     for warning in &scenario.warnings {
         terminal::tell(&format!("warning: {name}: {warning}\n"));
@@ -214,7 +216,11 @@ impl<'a> Choice<'a> {
                 "sample_rate = \"20 kHz\" # a standing shaft makes no revolutions to sample",
             ),
         };
-        let freedoms = if is_held_along { "translational" } else { "radial" };
+        let freedoms = if is_held_along {
+            "translational"
+        } else {
+            "radial"
+        };
         let values = [
             ("title", quoted(&self.title)),
             ("mass", quoted(self.mass)),

@@ -164,7 +164,10 @@ impl Problem<'_> {
         let count = self.unknowns.len();
         let rows = jacobian.nrows().max(count);
         // as many singular values as unknowns
-        let decomposed = jacobian.clone().resize_vertically(rows, 0.0).svd(false, true);
+        let decomposed = jacobian
+            .clone()
+            .resize_vertically(rows, 0.0)
+            .svd(false, true);
         let round_off = f64::EPSILON * rows as f64 * decomposed.singular_values.max();
         let mut covariance = DMatrix::zeros(count, count);
         let Some(directions) = decomposed.v_t else {

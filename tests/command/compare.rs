@@ -355,7 +355,10 @@ fn lined(step: f64, lines: &[(f64, f64)]) -> String {
 fn lines_are_measured_by_lines_and_not_by_the_mean() {
     let with_line = |line: f64| lined(1.0, &[(0.0, 32e-6), (30.0, line), (60.0, 2e-10)]);
     let (_folder, a, b) = files(&with_line(1e-9), &with_line(1.03e-9));
-    for options in [&["--relative", "0.01"][..], &["--relative", "0.01", "--lines"]] {
+    for options in [
+        &["--relative", "0.01"][..],
+        &["--relative", "0.01", "--lines"],
+    ] {
         let (code, text) = result(&command(&[&a, &b], options));
         assert_eq!(code, 1, "{text}");
         assert!(text.contains("30"), "{text}");

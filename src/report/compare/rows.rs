@@ -189,10 +189,13 @@ impl<'a> Scales<'a> {
     /// What values of a column may differ by: its tolerance, and round-off unless equal values are asked for. Lines of a spectrum
     /// are measured by the largest of them, not by the mean, which may be far larger.
     pub fn allowance(&self, column: &Column, rules: &Rules) -> Allowance {
-        let lines = self.tables.each_ref().map(|table| match has_mean(table, column) {
-            true => table.largest_at(column, |place| place != 0.0),
-            false => table.largest(column),
-        });
+        let lines = self
+            .tables
+            .each_ref()
+            .map(|table| match has_mean(table, column) {
+                true => table.largest_at(column, |place| place != 0.0),
+                false => table.largest(column),
+            });
         self.allowance_by(lines[0].max(lines[1]), column, rules)
     }
 

@@ -84,7 +84,10 @@ fn multiples_of_a_period_have_its_multipliers_to_their_power() {
         let expected = single.multipliers.largest().powi(multiple as i32);
         assert_near("multiplier", found.multipliers.largest(), expected, 1e-9);
     }
-    assert!(matches!(search(&model, Some(0)), Err(SteadyError::NoPeriods)));
+    assert!(matches!(
+        search(&model, Some(0)),
+        Err(SteadyError::NoPeriods)
+    ));
 }
 
 /// Nothing else makes a line.
