@@ -212,8 +212,10 @@ fn store<S: Simd>(lanes: Lanes<S>, first: usize, all: &mut [f64]) {
 fn store_angles<S: Simd>(law: &impl BallLaw, at: &Balls<S>, speed: f64, loads: &mut BallLoads) {
     for (number, ball) in at.single(loads.balls()) {
         let contact = law.contact(&ball, speed);
-        loads.angle[0][number] = contact.angle_inner;
-        loads.angle[1][number] = contact.angle_outer;
+        // the second row leans the other way
+        let side = at.side[number - at.first];
+        loads.angle[0][number] = side * contact.angle_inner;
+        loads.angle[1][number] = side * contact.angle_outer;
     }
 }
 

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 use std::io;
 
 use crate::bearing::{
-    BallContact, BallLoads, ContactLaw, MountedBearing, Oil, Preload, Support, Vector5,
+    BallContact, BallLoads, ContactLaw, MountedBearing, Oil, Preload, Profile, Support, Vector5,
 };
 use crate::physics::RaceControl;
 use crate::rotor::load::{Interpolation, Series, SeriesComponent, Shock};
@@ -14,7 +14,7 @@ use crate::rotor::{
 };
 use crate::simulate::{BearingHistory, Event, EventKind, Model, TraceSink};
 
-use crate::tests::published::rollers::spherical;
+use crate::tests::published::rollers::{spherical, thirteen};
 use crate::tests::support::{
     assert_near, back_to_back_pair, bearing, constant, literature_bearing, model, mounted, rotor,
     shaft, simulate_into, supports, thrust_rotor,
@@ -142,12 +142,43 @@ fn the_load_zone_is_that_of_geometry() {
 /// A radial load bears alike on both rows, whose rollers are at the same azimuths.
 #[test]
 fn the_arc_of_two_rows_is_that_of_one() {
-    let (bearings, _) = observed(&model(held(spherical()), 0.1, 2e3));
+    let (bearings, seen) = observed(&model(held(spherical()), 0.1, 2e3));
     let zone = bearings[0].load_zone.expect("a zone");
     let pitch = TAU / 15.0;
     assert!(zone.balls.smallest > 0.0 && zone.extent.largest < PI);
     let arc = 0.5 * pitch * zone.balls.mean;
     assert_near("arc", zone.extent.mean, arc, 1e-12);
+    // the second row leans the other way
+    let (first, second) = seen.balls[0].bearings()[0].angle[0].split_at(15);
+    assert!(first.iter().all(|angle| *angle > 0.0) && second.iter().all(|angle| *angle < 0.0));
+}
+
+/// A blow that dents the races, and one that no bearing bears.
+#[test]
+fn rollers_that_are_pressed_too_hard_are_no_balls() {
+    for (peak, bears) in [(-150e3, true), (-30e6, false)] {
+        let shock = Shock {
+            peak: [0.0, peak, 0.0, 0.0, 0.0],
+            start: 1e-3,
+            duration: 2e-3,
+            every: None,
+        };
+        let mut loads = constant([0.0, -1000.0, 0.0, 0.0, 0.0]);
+        loads.push(Load {
+            kind: LoadKind::Shock(shock),
+            position: 0.0,
+        });
+        let definition = RotorDefinition {
+            speed: 100.0,
+            damping: Damping::Ratio(0.1),
+            loads,
+            ..rotor(shaft(Freedoms::Radial), vec![thirteen(Profile::Flat, 4)])
+        };
+        let run = simulate_into(&model(definition, 3e-3, 5e4), &mut Everything::default());
+        assert_eq!(run.is_ok(), bears, "{run:?}");
+        let told = run.map_or_else(|error| error.to_string(), |run| run.warnings.join("\n"));
+        assert!(told.contains("roller") && !told.contains("ball"), "{told}");
+    }
 }
 
 /// Behind a film no load is ever zero; still each ball leaves once a turn, after its dry twin.
