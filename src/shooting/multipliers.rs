@@ -264,7 +264,11 @@ mod tests {
         let on_circle = |k: u32| {
             let magnitude = 1.0 + 0.4e-12 * f64::from(k * 7 % 40);
             let upper = Complex::from_polar(magnitude, 0.1 + 0.13 * f64::from(k / 2));
-            if k.is_multiple_of(2) { upper } else { upper.conj() }
+            if k.is_multiple_of(2) {
+                upper
+            } else {
+                upper.conj()
+            }
         };
         let inside = [Complex::new(0.3, -0.2), Complex::new(0.3, 0.2)];
         let all: Vec<_> = (0..40).map(on_circle).chain(inside).collect();
