@@ -601,7 +601,7 @@ fn a_speed_too_fast_for_its_sampling_has_no_orders() {
     let speeds = (0..4000).map(|n| 1e14 * (1.0 + 1e-3 * f64::from(n)));
     let signal = (0..4000).map(|n| f64::from(n).sin()).collect();
     let record = columns(vec![("a", signal), ("n [rad/s]", speeds.collect())]);
-    let description = r#"{ "speed": { "channel": "n [rad/s]", "unit": "rad/s" } }"#;
+    let description = r#"{ "speed": { "channel": "n" } }"#;
     let options = settings(&[("rate", "10 kHz"), ("bearing", CWRU_6205)]);
     let file = describe_record(record, "made.csv", description, &options).expect("a description");
     let found = file.measurement.analyse();

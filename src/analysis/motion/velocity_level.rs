@@ -44,7 +44,8 @@ pub struct VelocityLevel {
 /// `v_RMS² = Σ_k A_k²/(2 · 1.5)` over the bins in the band, A_k amplitudes under a Hann window, whose
 /// lobe counts a line one and a half times, wherever it lies between bins. At either end of the band the bins of one
 /// more half lobe count, so that a line on the end, as that of the shaft at 600 rpm, counts as a whole; what lies less than
-/// two bins beyond counts in part. The band begins three bins from zero at least: nearer a line shares bins with the mean.
+/// two bins beyond counts in part. That of accelerations begins three bins from zero at least: nearer a line shares bins with the
+/// mean.
 ///
 /// A record of less than 48 periods of the lowest frequency is transformed as a whole; of a longer one the powers of segments of
 /// 32, each half over the one before, are averaged, so that memory does not grow with the record.
@@ -58,6 +59,8 @@ pub struct LevelRecorder {
     wanted: [f64; 2],
     /// What makes velocities of the samples, line by line; none of velocities.
     velocity: Option<Rate>,
+    /// Lowest bin that counts. What lines between bins leave of the mean lies within its lobe, and is large once integrated.
+    lowest_bin: usize,
     /// Samples of a segment.
     segment: usize,
     /// The last samples, less than one and a half segments.
@@ -75,6 +78,7 @@ impl LevelRecorder {
             rate,
             wanted,
             velocity: None,
+            lowest_bin: 1,
             segment: periods.max(FEWEST),
             samples: Vec::new(),
             power: 0.0,
@@ -96,8 +100,13 @@ impl LevelRecorder {
         if velocity.is_none() && unit != "m/s" {
             return None;
         }
+        let lowest_bin = match unit {
+            "m/s^2" => Window::Hann.lobe(),
+            _ => 1,
+        };
         let mut recorder = Self {
             velocity,
+            lowest_bin,
             ..Self::new(rate, wanted)
         };
         let mut planner = RealFftPlanner::new();
@@ -131,7 +140,7 @@ impl LevelRecorder {
         };
         let resolution = self.rate / (count - first) as f64;
         let band = [
-            self.wanted[0].max((2 * Window::Hann.lobe() - 1) as f64 * resolution),
+            self.wanted[0].max((2 * self.lowest_bin - 1) as f64 * resolution),
             self.wanted[1].min(0.5 * self.rate),
         ];
         if band[0] >= band[1] {
@@ -157,8 +166,7 @@ impl LevelRecorder {
                 .map_or(1.0, |rate| rate(k as f64 * resolution))
         };
         let power = |k| 0.5 * (factor(k) * transform.amplitude(k, Window::Hann)).powi(2);
-        // what lines between bins leave of the mean lies within its lobe
-        (first.max(Window::Hann.lobe())..=last).map(power).sum()
+        (first.max(self.lowest_bin)..=last).map(power).sum()
     }
 }
 
