@@ -171,7 +171,12 @@ fn exit_codes_tell_wrong_input_from_a_scene_without_a_steady_motion() {
             "9 mm",
             "with bearing[1].clearance_change",
         ),
-        ("time.duration", "1 s", "2 s", "no number `time.duration`"),
+        (
+            "time.duration",
+            "1 s",
+            "2 s",
+            "does not depend on `time.duration`",
+        ),
     ] {
         let (code, words) = over(key, from, to);
         assert_eq!(code, Some(2), "{key}: {words}");

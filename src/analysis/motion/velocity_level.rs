@@ -44,8 +44,7 @@ pub struct VelocityLevel {
 /// `v_RMS² = Σ_k A_k²/(2 · 1.5)` over the bins in the band, A_k amplitudes under a Hann window, whose
 /// lobe counts a line one and a half times, wherever it lies between bins. At either end of the band the bins of one
 /// more half lobe count, so that a line on the end, as that of the shaft at 600 rpm, counts as a whole; what lies less than
-/// two bins beyond counts in part. That of accelerations begins three bins from zero at least: nearer a line shares bins with the
-/// mean.
+/// two bins beyond counts in part. That of accelerations begins two bins from zero at least, beyond the lobe of the mean.
 ///
 /// A record of less than 48 periods of the lowest frequency is transformed as a whole; of a longer one the powers of segments of
 /// 32, each half over the one before, are averaged, so that memory does not grow with the record.
@@ -140,7 +139,7 @@ impl LevelRecorder {
         };
         let resolution = self.rate / (count - first) as f64;
         let band = [
-            self.wanted[0].max((2 * self.lowest_bin - 1) as f64 * resolution),
+            self.wanted[0].max(self.lowest_bin as f64 * resolution),
             self.wanted[1].min(0.5 * self.rate),
         ];
         if band[0] >= band[1] {
@@ -239,7 +238,7 @@ mod tests {
             let samples: Vec<f64> = (0..count).map(line).collect();
             let level = LevelRecorder::level(&samples, "m/s^2", 24e3, [10.0, 1e3]).unwrap();
             assert!(level.rms < 2e-5, "{level:?}");
-            assert!(level.band[0] >= 3.0 * 24e3 / f64::from(count) - 1e-9);
+            assert_eq!(level.band[0], 2.0 * 24e3 / f64::from(count));
         }
     }
 
