@@ -20,7 +20,7 @@ const RELATIVE: f64 = 1e-6;
 /// Compares traces or spectra, or all tables of folders of runs or records: each further result with the first.
 ///
 /// Columns are matched by name, rows by number. Values agree where
-/// |a − b| ≤ absolute + relative · max|column|. The mean of a spectrum, at 0 Hz, is measured by itself and counts for no line.
+/// |a − b| ≤ absolute + relative · max|column|. The mean of a spectrum, at 0 Hz, counts for no line.
 /// What rows are matched by has to agree to 1e-6, unless --column gives it a tolerance of its own. Phases are compared modulo 2π,
 /// and only where the amplitude is beyond its own tolerance. Unless a tolerance is zero, differences below 1e-11 of the largest value
 /// among all displacements, velocities, accelerations or forces (tilts and moments through 10 mm) are round-off and

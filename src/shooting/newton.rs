@@ -77,7 +77,7 @@ pub fn solve(
     slopes: Option<&[DMatrix<f64>]>,
     tolerance: f64,
 ) -> Result<Returned, ShootingError> {
-    solve_within(f64::INFINITY, map, guess, slopes, tolerance)
+    solve_within(map, guess, slopes, tolerance, f64::INFINITY)
 }
 
 /// States that return as by [`solve`], but none that a correction larger than `reach` leads to, in units of the states: what is
@@ -86,11 +86,11 @@ pub fn solve(
 /// # Errors
 /// [`ShootingError`] where they are not found.
 pub fn solve_within(
-    reach: f64,
     map: &mut dyn ReturnMap,
     guess: DVector<f64>,
     slopes: Option<&[DMatrix<f64>]>,
     tolerance: f64,
+    reach: f64,
 ) -> Result<Returned, ShootingError> {
     let mut search = Search {
         states: guess,

@@ -66,7 +66,7 @@ pub(super) fn found_again(
     tolerance: f64,
 ) -> Result<(DVector<f64>, Multipliers), ShootingError> {
     let reach = FURTHEST * tolerance.sqrt() * states.amax().max(1.0);
-    let again = solve_within(reach, map, states.clone(), Some(slopes), tolerance)?;
+    let again = solve_within(map, states.clone(), Some(slopes), tolerance, reach)?;
     // of a closed curve what the first slopes change by is taken for all
     let first = map.image(&again.states, Slopes::FirstExact)?.slopes;
     let mut changed = slopes.to_vec();

@@ -364,7 +364,7 @@ fn lines_are_measured_by_lines_and_not_by_the_mean() {
         assert!(text.contains("30"), "{text}");
     }
     assert_eq!(result(&command(&[&a, &b], &["--relative", "0.04"])).0, 0);
-    // means are measured by themselves
+    // the mean is 3e-5 of itself apart
     let moved = lined(1.0, &[(0.0, 32.001e-6), (30.0, 1e-9), (60.0, 2e-10)]);
     let (_folder, a, b) = files(&with_line(1e-9), &moved);
     assert_eq!(result(&command(&[&a, &b], &["--relative", "1e-4"])).0, 0);

@@ -62,7 +62,8 @@ pub(super) fn join(columns: &mut [Vec<f64>]) {
     over_midnight(first);
 }
 
-/// Lets times of the day in s, from midnight or the first of them on, rise over midnight: from each fall by nearly a day on they are a day later. Dates stay.
+/// Lets times of the day in s, from midnight or the first of them on, rise over midnight: from each fall by more than half a day
+/// on they are a day later. Times that span a day or more have their dates already, and stay.
 pub(super) fn over_midnight(times: &mut [f64]) {
     let day = SECONDS_PER_DAY as f64;
     let is_of_day = |time: &f64| time.abs() < day;

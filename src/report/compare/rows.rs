@@ -189,29 +189,31 @@ impl<'a> Scales<'a> {
     /// What values of a column may differ by: its tolerance, and round-off unless equal values are asked for. Lines of a spectrum
     /// are measured by the largest of them, not by the mean, which may be far larger.
     pub fn allowance(&self, column: &Column, rules: &Rules) -> Allowance {
-        let lines = self
+        self.allowance_by(|place| place != 0.0, column, rules)
+    }
+
+    /// What the means of two spectra may differ by, measured by the largest value, as one beside it may be round-off; of other tables
+    /// what any row may.
+    fn allowance_of_mean(&self, column: &Column, rules: &Rules) -> Allowance {
+        self.allowance_by(|_| true, column, rules)
+    }
+
+    /// What values may differ by that are measured by the largest at some places of a spectrum, or of the whole column.
+    fn allowance_by(&self, counts: fn(f64) -> bool, column: &Column, rules: &Rules) -> Allowance {
+        let sizes = self
             .tables
             .each_ref()
             .map(|table| match has_mean(table, column) {
-                true => table.largest_at(column, |place| place != 0.0),
+                true => table.largest_at(column, counts),
                 false => table.largest(column),
             });
-        self.allowance_by(lines[0].max(lines[1]), column, rules)
-    }
-
-    /// What the means of two spectra may differ by; of other columns as everywhere.
-    pub fn allowance_of_mean(&self, column: &Column, rules: &Rules) -> Allowance {
-        self.allowance_by(largest(self.tables, column), column, rules)
-    }
-
-    fn allowance_by(&self, scale: f64, column: &Column, rules: &Rules) -> Allowance {
         let tolerance = match self.is_axis(column) {
             true => rules.tolerances.of_axis(&column.name()),
             false => rules.tolerances.of(&column.name()),
         };
         Allowance {
             tolerance,
-            scale,
+            scale: sizes[0].max(sizes[1]),
             more: match Channel::of_column(column) {
                 Some(channel) if !tolerance.is_exact() => self.floor.below(channel),
                 _ => 0.0,
