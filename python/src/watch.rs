@@ -62,13 +62,13 @@ pub fn watched<T: Send>(
     let stop = stop.map_or_else(Arc::default, |stop| stop.0.clone());
     let begun = 0.0_f64.to_bits();
     let part = AtomicU64::new(begun);
-    let tell = |told: &mut u64| {
+    let tell = |reported: &mut u64| {
         Python::attach(|py| -> PyResult<()> {
             py.check_signals()?;
             let now = part.load(Ordering::Relaxed);
-            if let Some(callback) = progress.filter(|_| now != *told) {
+            if let Some(callback) = progress.filter(|_| now != *reported) {
                 callback.call1(py, (f64::from_bits(now),))?;
-                *told = now;
+                *reported = now;
             }
             Ok(())
         })
@@ -86,10 +86,10 @@ pub fn watched<T: Send>(
                 })
             });
             let worker = worker.map_err(other)?;
-            let (mut raised, mut told) = (Ok(()), begun);
+            let (mut raised, mut reported) = (Ok(()), begun);
             while let Err(RecvTimeoutError::Timeout) = ended.recv_timeout(EVERY) {
                 if raised.is_ok() {
-                    raised = tell(&mut told);
+                    raised = tell(&mut reported);
                     stop.fetch_or(raised.is_err(), Ordering::Relaxed);
                 }
             }
@@ -98,10 +98,10 @@ pub fn watched<T: Send>(
                 Err(panic) => std::panic::resume_unwind(panic),
             };
             raised?;
-            Ok((result, told))
+            Ok((result, reported))
         })
     });
-    let (result, mut told) = result?;
-    tell(&mut told)?;
+    let (result, mut reported) = result?;
+    tell(&mut reported)?;
     Ok(result)
 }

@@ -18,7 +18,7 @@ const RESOLVED: f64 = 2.0;
 const BANDWIDTH: f64 = 2.52;
 /// Half the variance of the Hann window, 1/12 − 1/(2π²) of its length squared, in steps between windows squared.
 const CURVATURE: f64 = 0.5 * OVERLAP * OVERLAP * (1.0 / 12.0 - 0.5 / (PI * PI));
-/// An order below this part of the largest one of a channel has no bias that is told.
+/// An order below this part of the largest one of a channel has no bias that is reported.
 const LOUD: f64 = 0.1;
 
 /// An order that is tracked.
@@ -215,7 +215,7 @@ fn joined(orders: &[TrackedOrder], resolution: f64) -> Vec<TrackedOrder> {
 /// Ã = A + σ²/2 A″ + …   →   A = Ã − DÃ + D²Ã,   D = σ²/2 d²/dψ²,   σ² = Ψ²(1/12 − 1/(2π²))
 /// ```
 ///
-/// The last term is what is told as the bias that is left.
+/// The last term is what is reported as the bias that is left.
 pub struct TrackRecorder {
     found: OrderTracks,
     /// Windows that are being filled, the earliest first.

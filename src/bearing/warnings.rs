@@ -85,7 +85,7 @@ fn without_life(bearing: &Bearing) -> Option<String> {
         .dynamic_rating
         .filter(|_| bearing.is_thrust_bearing())?;
     Some(format!(
-        "no life is told: with a contact angle of {:.1}° this is a thrust bearing after ISO 281, whose dynamic load rating is \
+        "no life is given: with a contact angle of {:.1}° this is a thrust bearing after ISO 281, whose dynamic load rating is \
          axial; lives are those of radial bearings, up to 45°",
         bearing.geometry.nominal_angle().to_degrees(),
     ))
@@ -213,7 +213,7 @@ fn squeezed(bearing: &Bearing, squeeze: f64) -> Option<String> {
     })
 }
 
-/// How many times the mean of a roller its end must bear to be told.
+/// How many times the mean of a roller its end must bear to be reported.
 const EDGE: f64 = 1.2;
 
 /// Rollers whose ends bear most.

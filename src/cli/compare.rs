@@ -240,7 +240,7 @@ fn show(comparisons: &[Comparison], arguments: &Arguments) -> io::Result<()> {
     }
 }
 
-/// What is told of the comparisons, behind the names of what was compared where there are several.
+/// What is reported of the comparisons, behind the names of what was compared where there are several.
 fn text(comparisons: &[Comparison], results: &[PathBuf]) -> String {
     let pairs = comparisons.iter().zip(&results[1..]);
     let texts = pairs.map(|(comparison, other)| match comparisons {

@@ -96,7 +96,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
             return Ok(Outcome::WrongInput);
         }
     };
-    let told = match &line {
+    let reported = match &line {
         RatedLine::Balls(line) => line.estimate().map(|found| {
             (
                 estimate_json(line, &found),
@@ -108,7 +108,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
             (roller_estimate_json(line, &found), text)
         }),
     };
-    match told {
+    match reported {
         Ok((document, _)) if arguments.json => terminal::print(&format!("{document:#}\n"))?,
         Ok((_, lines)) => terminal::print(&lines.text(terminal::details()))?,
         Err(error) => return Ok(terminal::refuse(error)),

@@ -327,7 +327,7 @@ impl Job {
         Ok(self.answer(findings.write(&self.folder)?))
     }
 
-    /// Answers with what was found after telling those of its warnings that were not told with the scenario.
+    /// Answers with what was found after printing those of its warnings that were not printed with the scenario.
     pub fn answer(&self, found: WrittenFindings) -> Answer {
         let known = &self.scenario.warnings;
         let warnings = found.warnings();

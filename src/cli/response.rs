@@ -9,7 +9,7 @@ use crate::scenario;
 
 /// Response of the linearised shaft to its unbalances over the speed, or to a force over its frequency.
 ///
-/// The shaft is linearised about its static equilibrium, of its unbalances at every speed anew. Each resonance is told
+/// The shaft is linearised about its static equilibrium, of its unbalances at every speed anew. Each resonance is reported
 /// with its amplification factor and, of unbalances, its separation margin from the speeds of the scenario, both by API 617.
 #[derive(Debug, clap::Args)]
 #[command(

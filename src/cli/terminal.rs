@@ -16,7 +16,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use super::Outcome;
 use crate::scenario::{ScenarioError, visible};
 
-/// How much is told, and in which colours: options of every verb.
+/// How much is printed, and in which colours: options of every verb.
 #[derive(Debug, Clone, Copy, Default, clap::Args)]
 pub struct Manner {
     /// Tell warnings and errors only, and what --json asks for

@@ -202,10 +202,10 @@ impl Problem<'_> {
     fn minima(&self, places: &[Place]) -> Vec<Minimum> {
         let mut found: Vec<(&Place, usize)> = Vec::new();
         let deviation = self.deviation(places[0].chi_square());
-        // the values that are told are the first, even of a search that was stopped
-        let told = places.iter().enumerate();
-        let told = told.filter(|(index, place)| *index == 0 || place.is_lowest);
-        for (_, place) in told {
+        // the values that are reported are the first, even of a search that was stopped
+        let reported = places.iter().enumerate();
+        let reported = reported.filter(|(index, place)| *index == 0 || place.is_lowest);
+        for (_, place) in reported {
             let same = |(other, _): &&mut (&Place, usize)| {
                 let apart = self.apart(&place.shares, &other.shares);
                 let slopes = other.slopes.as_ref();
@@ -217,12 +217,12 @@ impl Problem<'_> {
                 None => found.push((place, 1)),
             }
         }
-        let told = |(place, starts): (&Place, usize)| Minimum {
+        let reported = |(place, starts): (&Place, usize)| Minimum {
             values: self.values(&place.shares),
             chi_square: place.chi_square(),
             starts,
         };
-        found.into_iter().map(told).collect()
+        found.into_iter().map(reported).collect()
     }
 
     /// The least χ² at values of every unknown around the minimum, each searched from where the covariance expects it; beside it

@@ -12,8 +12,8 @@ use crate::physics::Race;
 
 /// Lines of each envelope, and peaks of each spectrum, that are looked at: the strongest.
 const MOST_LINES: usize = 12;
-/// Speeds that are told.
-const MOST_TOLD: usize = 3;
+/// Speeds that are reported.
+const MOST_REPORTED: usize = 3;
 /// Fewest lines that a speed explains, and part of their power.
 const FEWEST: usize = 3;
 const LEAST_SHARE: f64 = 0.5;
@@ -72,17 +72,17 @@ pub(super) fn found(
         let rank = |it: &SpeedEstimate| (it.is_peak, it.lines[0]);
         rank(b).cmp(&rank(a)).then(b.share.total_cmp(&a.share))
     });
-    let mut told: Vec<SpeedEstimate> = Vec::new();
+    let mut reported: Vec<SpeedEstimate> = Vec::new();
     for estimate in estimates {
         let known = |other: &SpeedEstimate| {
             (other.shaft_frequency / estimate.shaft_frequency - 1.0).abs() < REACH
         };
-        if !told.iter().any(known) {
-            told.push(estimate);
+        if !reported.iter().any(known) {
+            reported.push(estimate);
         }
     }
-    told.truncate(MOST_TOLD);
-    told
+    reported.truncate(MOST_REPORTED);
+    reported
 }
 
 /// The strongest lines of an envelope.

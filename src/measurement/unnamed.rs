@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::analysis::{Axis, EstimatedSpectrum, SpectrumKind, noise_around};
 
-/// Times the noise around it from which on a line without a name is told.
+/// Times the noise around it from which on a line without a name is reported.
 const FAR_ABOVE: f64 = 20.0;
 
 /// The strongest line of an envelope, which has no name.

@@ -1,4 +1,4 @@
-//! The form of a file, told by its first bytes.
+//! The form of a file, recognised by its first bytes.
 
 use std::path::Path;
 

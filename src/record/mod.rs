@@ -1,6 +1,6 @@
 //! Measured records: the file of a sensor, recorder or simulation → its channels, and what the file says of each.
 //!
-//! What a file lacks, such as the rate or a unit, is `None`: nothing is guessed. The form of a file is told by its content;
+//! What a file lacks, such as the rate or a unit, is `None`: nothing is guessed. The form of a file is recognised by its content;
 //! its name only matters for text that could be anything.
 //!
 //! ```no_run
@@ -199,15 +199,15 @@ impl Record {
         Ok(())
     }
 
-    /// What is to be told of samples that are missing.
+    /// What is to be reported of samples that are missing.
     pub fn missing(&self) -> Vec<String> {
-        let told = |channel: &RecordChannel| {
+        let reported = |channel: &RecordChannel| {
             let missing = channel.samples.iter().filter(|it| !it.is_finite());
             let (missing, name) = (missing.count(), &channel.name);
             let text = format!("of the samples of `{name}`, {missing} are missing or infinite");
             (missing > 0).then_some(text)
         };
-        self.channels.iter().filter_map(told).collect()
+        self.channels.iter().filter_map(reported).collect()
     }
 
     /// A channel by its name.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 const EVEN: f64 = 0.05;
 /// Part of a step up to which times may be written coarsely and still count as even.
 const COARSEST: f64 = 0.25;
-/// Round-off in the last decimal up to which decimals of times are told.
+/// Round-off in the last decimal up to which decimals of times are distinguished.
 const ROUND_OFF: f64 = 0.1;
 
 /// Steps from which on a step is a gap, and from which on a gap need be no whole number of them.

@@ -33,8 +33,8 @@ pub fn campbell_findings(
     let mut figures = vec![figure(title, campbell, named)];
     figures.extend(shapes_at(title, rotor, fastest));
     let mut text = Lines::titled(title);
-    let told = |(order, name): &(f64, String)| format!("{name} is order {order:.4}");
-    let named_orders: Vec<_> = named.iter().map(told).collect();
+    let reported = |(order, name): &(f64, String)| format!("{name} is order {order:.4}");
+    let named_orders: Vec<_> = named.iter().map(reported).collect();
     text.each("order", &named_orders);
     add_branches(&mut text, campbell);
     if let (Some(highest), 1..) = (campbell.highest_frequency, campbell.left_out) {

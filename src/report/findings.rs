@@ -1,4 +1,4 @@
-//! What a verb has found, in every form in which it is told, and the document that says what it rests on.
+//! What a verb has found, in every form in which it is reported, and the document that says what it rests on.
 
 use std::path::{Path, PathBuf};
 
@@ -13,7 +13,7 @@ use super::{FileSet, ReportError, RunFolder, WholeFile};
 use crate::scenario::{Output, Scenario};
 use crate::table::Table;
 
-/// What a verb has found, in every form in which it is told.
+/// What a verb has found, in every form in which it is reported.
 #[derive(Debug, Clone)]
 pub struct Findings {
     /// The files that it is made of.

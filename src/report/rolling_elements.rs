@@ -6,7 +6,7 @@ use crate::bearing::{BallLine, BearingState, FilmState, RaceContact};
 use crate::physics::Race;
 use crate::table::{Named, Table};
 
-/// What is told of the balls, of pressure, film and spin at the inner race; films and inertia where the bearing has them.
+/// What is reported of the balls, of pressure, film and spin at the inner race; films and inertia where the bearing has them.
 pub(super) const SHOWN: [(&str, &str); 14] = [
     ("ball", "ball"),
     ("φ", "azimuth"),

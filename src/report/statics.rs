@@ -182,7 +182,7 @@ fn add_bearing(out: &mut Lines, number: usize, state: &BearingState) {
     out.show(&laminae_table(slices), &SHOWN_LAMINA, 4);
 }
 
-/// What is told of the slices of a roller.
+/// What is reported of the slices of a roller.
 const SHOWN_LAMINA: [(&str, &str); 5] = [
     ("s", "position"),
     ("δ", "approach"),

@@ -1,4 +1,4 @@
-//! A steady motion: its trace, its lines and what is told of it.
+//! A steady motion: its trace, its lines and what is reported of it.
 
 use std::f64::consts::TAU;
 

@@ -147,11 +147,12 @@ impl Lines {
         });
         let (heads, columns): (Vec<_>, Vec<_>) = columns.unzip();
         let length = columns.first().map_or(0, Vec::len);
-        let told = |cell: &String| match cell.as_str() {
+        let reported = |cell: &String| match cell.as_str() {
             "" => "–".to_owned(),
             cell => cell.to_owned(),
         };
-        let rows = (0..length).map(|row| columns.iter().map(|cells| told(&cells[row])).collect());
+        let rows =
+            (0..length).map(|row| columns.iter().map(|cells| reported(&cells[row])).collect());
         self.table(heads.iter().map(String::as_str), rows);
     }
 

@@ -390,7 +390,7 @@ mod tests {
 
     #[test]
     fn whole_numbers_of_any_size_meet_their_limits() {
-        let told = |balls| {
+        let reported = |balls| {
             let line = [
                 ("bore", "25 mm"),
                 ("outside_diameter", "52 mm"),
@@ -409,13 +409,13 @@ mod tests {
             ("1e300", "1e+300"),
             ("201", "201"),
         ] {
-            let message = told(balls).expect(balls);
+            let message = reported(balls).expect(balls);
             assert!(
                 message.contains(shown) && message.contains("200"),
                 "{message}"
             );
         }
-        assert!(told("9.0").is_none() && told("8.5").is_some());
+        assert!(reported("9.0").is_none() && reported("8.5").is_some());
     }
 
     #[test]

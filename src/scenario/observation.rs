@@ -36,7 +36,7 @@ pub(super) struct ObservationInput {
     /// Its amplitude; of a displacement also as velocity or acceleration, "2.1 mm/s", "0.4 g".
     #[schemars(extend("examples" = ["2.1 mm/s"]))]
     pub amplitude: Option<Scalar>,
-    /// How the amplitude is told. Default: "peak".
+    /// How the amplitude is reported. Default: "peak".
     #[serde(default)]
     pub detector: Detector,
     /// Its phase φ of cos(2πft + φ), of what the unit of the amplitude says; time counts from where the mark that the unbalance
@@ -63,7 +63,7 @@ pub(super) struct ObservationInput {
     pub set: Vec<SetInput>,
 }
 
-/// How an amplitude is told.
+/// How an amplitude is reported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum Detector {

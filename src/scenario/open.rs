@@ -107,18 +107,18 @@ impl OpenScenario {
 
     fn questions(&self, values: &[f64]) -> Result<Questions, Issue> {
         let mut scenario = self.base.clone();
-        let mut told = Vec::new();
+        let mut reported = Vec::new();
         for (key, si) in self.keys.iter().zip(values) {
             let value = key.written(*si);
             key.set(&mut scenario, &value);
-            told.push(format!("{} = {value}", key.path));
+            reported.push(format!("{} = {value}", key.path));
         }
         let read = |problems: &mut Problems<'_>| match self.are_given {
             true => self.read_again(&scenario, problems),
             false => read_input(problems),
         };
         questions(&scenario, &self.folder, read).map_err(|issue| Issue {
-            message: format!("with {}: {}", told.join(", "), issue.message),
+            message: format!("with {}: {}", reported.join(", "), issue.message),
             ..issue
         })
     }

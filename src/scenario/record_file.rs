@@ -31,7 +31,7 @@ const LONGEST_SEGMENT: usize = 1 << 20;
 pub struct MeasuredFile {
     /// What was measured.
     pub measurement: Measurement,
-    /// What is told of it.
+    /// What is reported of it.
     pub about: RecordDescription,
 }
 

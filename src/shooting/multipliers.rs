@@ -16,7 +16,7 @@ pub enum Multipliers {
     /// Of a motion that repeats, the largest first: it is stable where all lie inside the unit circle.
     Periodic(#[serde(serialize_with = "keys::complex")] Vec<Complex<f64>>),
     /// Those of a motion with two frequencies, the largest first. Their arguments have no meaning of their own, because a
-    /// neighbouring motion may turn with the second phase, and are told of by errors alone.
+    /// neighbouring motion may turn with the second phase, and are judged by errors alone.
     Torus(#[serde(serialize_with = "keys::magnitudes")] Vec<Complex<f64>>),
 }
 

@@ -327,9 +327,9 @@ impl<'a> Reference<'a> {
     /// The tolerance, `least` or more, that the difference so far asks for, where it is a smaller one than that of the pass:
     /// its own error would be a part of what it measures.
     fn tighter(&self, scale: &MotionScale, least: f64) -> Option<f64> {
-        let told = self.difference / scale.length / FINER_MARGIN;
-        let asks = self.failure.is_none() && told < self.tolerance && self.tolerance > least;
-        asks.then(|| told.min(FINER_FACTOR * self.tolerance).max(least))
+        let reported = self.difference / scale.length / FINER_MARGIN;
+        let asks = self.failure.is_none() && reported < self.tolerance && self.tolerance > least;
+        asks.then(|| reported.min(FINER_FACTOR * self.tolerance).max(least))
     }
 
     /// Advances the pass by a block and takes the largest difference from the states shown, over the recorded point of the

@@ -131,7 +131,7 @@ fn overdamped(definition: &RotorDefinition) -> Option<String> {
 /// A base that shakes, whose own motion is no part of the answer.
 fn base_left_out(definition: &RotorDefinition) -> Option<String> {
     definition.loads.iter().any(|load| load.acts_on_mass()).then(|| {
-        "the base shakes (`[load.base]`), and every motion is told relative to it: what sensors on a housing measure, and the \
+        "the base shakes (`[load.base]`), and every motion is given relative to it: what sensors on a housing measure, and the \
          zones of ISO 20816-3 judge, is that plus the motion of the base itself"
             .to_owned()
     })

@@ -1,4 +1,4 @@
-//! The motion of a scene: found, measured and told of.
+//! The motion of a scene: found, measured and reported.
 
 use super::lines::ranges;
 use super::measured::{self, Measured, measured, reduction};

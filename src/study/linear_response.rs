@@ -536,7 +536,7 @@ fn unstable(growing: &[Growing]) -> Option<String> {
         }
     });
     Some(format!(
-        "the linearised shaft is not stable {}: at {} rpm {motion}; the response told there is no motion that it settles to",
+        "the linearised shaft is not stable {}: at {} rpm {motion}; the response given there is no motion that it settles to",
         ranges.collect::<Vec<_>>().join(", "),
         in_rpm(worst)
     ))
@@ -546,7 +546,7 @@ fn unstable(growing: &[Growing]) -> Option<String> {
 fn beyond_clearances(mut excursions: Vec<(f64, Vec<Excursion>)>) -> Vec<String> {
     excursions.sort_by(|a, b| a.0.total_cmp(&b.0));
     let elements = excursions.first().map_or(0, |(_, own)| own.len());
-    let told = (0..elements).filter_map(|index| {
+    let reported = (0..elements).filter_map(|index| {
         let of_element = excursions.iter().filter_map(|(speed, own)| Some((*speed, own.get(index)?)));
         let beyond = of_element.filter(|(_, own)| own.distance > own.clearance);
         let beyond: Vec<_> = beyond.collect();
@@ -561,7 +561,7 @@ fn beyond_clearances(mut excursions: Vec<(f64, Vec<Excursion>)>) -> Vec<String> 
             in_rpm(farthest.0)
         ))
     });
-    told.collect()
+    reported.collect()
 }
 
 /// A speed in rpm, to a tenth.

@@ -338,14 +338,14 @@ mod tests {
             "{kinds}\nA,25,52,0,1000,cone,,\nB,25,52,0,1000,needle,9,\nC,25,52,0,1000,,,11\n"
         );
         let problems = read(&text).expect_err("what does not belong together");
-        for told in [
+        for reported in [
             "line 2: `kind` must be ball, cylindrical, needle",
             "line 3: a roller bearing has no `balls`",
             "line 3: a roller bearing needs `width_mm`",
             "line 4: a ball bearing has no `rollers`",
         ] {
             assert!(
-                problems.iter().any(|problem| problem.starts_with(told)),
+                problems.iter().any(|problem| problem.starts_with(reported)),
                 "{problems:?}"
             );
         }

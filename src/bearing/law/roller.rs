@@ -123,7 +123,7 @@ impl<const TILTS: bool> RollerLaw<TILTS> {
         self.cells.laminae.iter().flat_map(four).take(self.laminae)
     }
 
-    /// Whether no lamina bears, told by the end that is pressed most.
+    /// Whether no lamina bears, decided by the end that is pressed most.
     #[inline(always)]
     fn is_apart(&self, [middle, tilt]: [f64; 2]) -> bool {
         middle + tilt.abs() * self.cells.half_length <= self.cells.least_drop

@@ -151,7 +151,7 @@ fn compare_pair(
     };
     let mut counts = beyond(threshold);
     if counts == [0, 0] && line_rules.decibels.is_none() {
-        // none is significant; how strong they are is told all the same
+        // none is significant; how strong they are is reported all the same
         counts = beyond(0.0);
     }
     let lines = [0, 1].map(|index| &both[index].lines[..counts[index]]);

@@ -148,8 +148,8 @@ fn compare_folder_lines(
             return Ok(compare_spectra(name, &spectra, units, lines, rules));
         }
     }
-    let told = |index: usize| quantities(folders[index], &documents[index], lines.by);
-    compare_quantities([told(0)?, told(1)?], folders, lines, rules)
+    let reported = |index: usize| quantities(folders[index], &documents[index], lines.by);
+    compare_quantities([reported(0)?, reported(1)?], folders, lines, rules)
 }
 
 /// Most bytes of a summary.

@@ -130,7 +130,7 @@ impl Tolerances {
 pub struct Rules {
     /// How far values may be apart.
     pub tolerances: Tolerances,
-    /// Places that are told of every column, the worst first; at least one.
+    /// Places that are reported of every column, the worst first; at least one.
     pub worst: usize,
     /// Compares what both results have; otherwise a file, a column or every other row that only one of
     /// them has is a difference.

@@ -258,7 +258,7 @@ impl Place<'_> {
             }
         };
         let ticks = self.ticks_up(axis, self.y).into_iter();
-        ticks.map(|(y, told)| (y, text(told))).collect()
+        ticks.map(|(y, value)| (y, text(value))).collect()
     }
 
     /// Ticks of an axis over the height of the plot.

@@ -1,4 +1,4 @@
-//! Figures: panels of curves, marks and cells over axes, told as data. The SVG file and the page draw what is told.
+//! Figures: panels of curves, marks and cells over axes, described as data. The SVG file and the page draw what is described.
 
 mod axis;
 mod colour;

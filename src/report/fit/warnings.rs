@@ -12,7 +12,7 @@ const NUMERICAL: f64 = 0.1;
 const AS_GOOD: f64 = 4.0;
 /// A probability of χ² below the first tells against the model, one above the second against the standard deviations.
 const DOUBTFUL: [f64; 2] = [0.01, 0.99];
-/// Correlations from which on values are told to be known together only.
+/// Correlations from which on values are reported to be known together only.
 const CORRELATED: f64 = 0.95;
 
 /// What the reader of a fit should know.

@@ -4,14 +4,14 @@ use std::f64::consts::TAU;
 
 use nalgebra::Complex;
 
-use super::{Told, place};
+use super::{Reported, place};
 use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
 use crate::report::terminal::{MICRO, PER_MINUTE, digits};
 
 /// Height of a plot, px.
 const HEIGHT: u32 = 240;
 
-impl Told<'_> {
+impl Reported<'_> {
     fn names(&self) -> Vec<Name> {
         Name::each(self.question.at.iter().map(place))
     }

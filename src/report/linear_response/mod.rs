@@ -23,7 +23,7 @@ pub fn linear_response_findings(
     response: &LinearResponse,
     operating: f64,
 ) -> Findings {
-    let told = Told {
+    let reported = Reported {
         question,
         response,
         operating,
@@ -33,20 +33,20 @@ pub fn linear_response_findings(
         response
             .resonances
             .iter()
-            .filter_map(|own| told.too_near(own)),
+            .filter_map(|own| reported.too_near(own)),
     );
     let unbounded = response.resonances.iter().filter(|own| own.is_unbounded());
-    warnings.extend(unbounded.map(|own| told.unbounded(own)));
+    warnings.extend(unbounded.map(|own| reported.unbounded(own)));
     let found = json!({
-        "at": question.at.iter().enumerate().map(|(index, own)| told.point(index, own)).collect::<Value>(),
+        "at": question.at.iter().enumerate().map(|(index, own)| reported.point(index, own)).collect::<Value>(),
         "by": question.by.map_or_else(|| json!("unbalance"), |own| point_json(&own)),
         "speed_rad_s": question.by.map(|_| question.rotor.speed),
-        "resonances": response.resonances.iter().map(|own| told.resonance(own)).collect::<Value>(),
+        "resonances": response.resonances.iter().map(|own| reported.resonance(own)).collect::<Value>(),
         "reduction_error": response.reduction_error,
         "warnings": warnings,
     });
     let title = &scenario.title;
-    let (resonances, shown) = told.resonances();
+    let (resonances, shown) = reported.resonances();
     let mut text = Lines::titled(title);
     match question.by {
         None => text.line(
@@ -84,10 +84,10 @@ pub fn linear_response_findings(
     }
     Findings {
         tables: vec![
-            ("frequency_response", told.table()),
+            ("frequency_response", reported.table()),
             ("resonances", resonances),
         ],
-        figures: vec![told.bode(title), told.polar(title)],
+        figures: vec![reported.bode(title), reported.polar(title)],
         ..Findings::new(
             FileSet::sealed("frequency_response.json"),
             scenario,
@@ -117,14 +117,14 @@ fn bounded(own: &Resonance, number: Option<f64>) -> Option<f64> {
     number.filter(|_| !own.is_unbounded())
 }
 
-/// What is told of a response.
-struct Told<'a> {
+/// What is reported of a response.
+struct Reported<'a> {
     question: &'a LinearResponseQuestion,
     response: &'a LinearResponse,
     operating: f64,
 }
 
-impl Told<'_> {
+impl Reported<'_> {
     /// Name of a pickup in columns: its direction and the number of its position.
     fn name(&self, index: usize) -> String {
         let at = &self.question.at;

@@ -18,8 +18,8 @@ const COLUMNS: usize = 4;
 const HEIGHT: u32 = 130;
 /// Most names in a panel.
 const MOST_NAMED: usize = 3;
-/// Peaks of a run that are told.
-const MOST_TOLD: usize = 2;
+/// Peaks of a run that are reported.
+const MOST_REPORTED: usize = 2;
 
 /// A run of the grid with what is drawn of it.
 struct Cell {
@@ -111,7 +111,7 @@ impl Cells<'_> {
         let axes = self.digest.head.axes.iter().map(key_in_words);
         let mut heads: Vec<_> = std::iter::once("run".to_owned()).chain(axes).collect();
         heads.extend(["strongest peak", "second"].map(str::to_owned));
-        let told = |peak: &KeptPeak| {
+        let reported = |peak: &KeptPeak| {
             let KeptPeak {
                 channel,
                 frequency,
@@ -126,8 +126,8 @@ impl Cells<'_> {
         };
         let rows = self.cells.iter().map(|cell| {
             let start = std::iter::once(cell.run.to_string()).chain(self.values(cell));
-            let mut peaks = cell.peaks.iter().map(told);
-            let peaks = (0..MOST_TOLD).map(|_| peaks.next().unwrap_or_default());
+            let mut peaks = cell.peaks.iter().map(reported);
+            let peaks = (0..MOST_REPORTED).map(|_| peaks.next().unwrap_or_default());
             start.chain(peaks).collect()
         });
         if self.cells.iter().any(|cell| !cell.peaks.is_empty()) {

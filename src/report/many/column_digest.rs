@@ -9,7 +9,7 @@ use crate::table::Column;
 /// What changes by less than this part of it does not change.
 const CONSTANT: f64 = 1e-9;
 
-/// Quantiles that are told.
+/// Quantiles that are reported.
 pub(super) const QUANTILES: [f64; 5] = [0.05, 0.25, 0.5, 0.75, 0.95];
 
 /// One number over all runs.

@@ -27,11 +27,11 @@ const MOST_SCATTERED: usize = 8_000;
 /// Most values that are held at once for quantiles and rank correlations, 256 MB.
 const MOST_VALUES: usize = 1 << 25;
 
-/// Most kinds of warnings that are told.
+/// Most kinds of warnings that are reported.
 const MOST_WARNINGS: usize = 20;
 
-/// Most numbers whose spread is told.
-const MOST_TOLD: usize = 8;
+/// Most numbers whose spread is reported.
+const MOST_REPORTED: usize = 8;
 
 /// Most failed runs that are named.
 const MOST_FAILURES: usize = 20;
@@ -261,7 +261,7 @@ impl Digest {
         column.map_or(0, |column| self.columns[column].known)
     }
 
-    /// All that is told of the study, with what is drawn of it.
+    /// All that is reported of the study, with what is drawn of it.
     pub(super) fn findings(&self, figures: Vec<Figure>) -> Findings {
         let StudyHead {
             title, study, base, ..
@@ -329,14 +329,19 @@ impl Digest {
 
     /// How the numbers that figures show are spread over what was drawn, a row each.
     fn tell_spread(&self, out: &mut Lines) {
-        let shown = self.shown().into_iter().take(MOST_TOLD);
+        let shown = self.shown().into_iter().take(MOST_REPORTED);
         let rows = shown.filter_map(|shown| {
             let of = &self.columns[shown.column];
             let quantiles = of.quantiles.as_ref()?;
             let ((number, unit), factor) = shown_column(&of.column);
-            let told = |value: f64| digits(factor * value);
-            let ends = ["0.05", "0.5", "0.95"].map(|share| told(quantiles[share]));
-            let row = [number, unit, told(of.mean), told(of.standard_deviation?)];
+            let reported = |value: f64| digits(factor * value);
+            let ends = ["0.05", "0.5", "0.95"].map(|share| reported(quantiles[share]));
+            let row = [
+                number,
+                unit,
+                reported(of.mean),
+                reported(of.standard_deviation?),
+            ];
             Some(row.into_iter().chain(ends).collect())
         });
         let rows: Vec<Vec<String>> = rows.collect();

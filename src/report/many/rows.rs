@@ -399,10 +399,10 @@ mod tests {
         let mut other = StudyHead::of_tests();
         other.study = json!({ "seed": 2 });
         let error = RowFile::open(&path, other, false).unwrap_err();
-        let told = error.to_string();
+        let reported = error.to_string();
         assert!(
-            told.contains("`study.seed` was 1 there and is 2 now"),
-            "{told}"
+            reported.contains("`study.seed` was 1 there and is 2 now"),
+            "{reported}"
         );
     }
 
@@ -413,7 +413,7 @@ mod tests {
             number: 1,
             count: u64::MAX,
         };
-        for (shard, runs, last, told) in [
+        for (shard, runs, last, reported) in [
             (Shard::WHOLE, 0..u64::MAX, u64::MAX - 1, "cannot hold"),
             (part, 0..1, 0, "parts are missing: 2, 3, "),
         ] {
@@ -425,7 +425,7 @@ mod tests {
             let text = json!(head).to_string() + "\n" + &json_line(&row(last));
             fs::write(folder.path().join("runs.part-1-of-1.jsonl"), text).unwrap();
             let error = Rows::from_parts(folder.path()).unwrap_err().to_string();
-            assert!(error.contains(told), "{error}");
+            assert!(error.contains(reported), "{error}");
         }
     }
 

@@ -9,7 +9,7 @@ use super::digest::{Digest, is_down, number};
 use crate::report::variable::variable_column;
 use crate::table::{Column, ColumnKind};
 
-/// What of lengths is told of its peaks.
+/// What of lengths is reported of its peaks.
 const TOLD: [ColumnKind; 2] = [ColumnKind::Measure("rms"), ColumnKind::Measure("order_1")];
 
 /// An order that is less than this part of the motion of its channel is round-off or noise.
@@ -39,24 +39,25 @@ pub(super) fn peaks(digest: &Digest) -> Vec<ResponsePeak> {
         return Vec::new();
     }
     let columns = digest.columns.iter().enumerate();
-    let told = columns.filter(|(_, column)| {
+    let reported = columns.filter(|(_, column)| {
         let Column { unit, kind, .. } = &column.column;
         unit == "m" && TOLD.contains(kind) && tells(digest, column)
     });
-    told.flat_map(|(index, column)| {
-        [false, true].into_iter().flat_map(move |down| {
-            let rows = digest.rows.iter().filter(|row| is_down(row) == down);
-            let mut curve: Vec<_> = rows
-                .map(|row| (row.values[0], number(row, index)))
-                .collect();
-            curve.retain(|(_, value)| value.is_finite());
-            curve.sort_by(|a, b| a.0.total_cmp(&b.0));
-            tops(&curve)
-                .into_iter()
-                .map(move |place| peak(&column.column, down, &curve, place))
+    reported
+        .flat_map(|(index, column)| {
+            [false, true].into_iter().flat_map(move |down| {
+                let rows = digest.rows.iter().filter(|row| is_down(row) == down);
+                let mut curve: Vec<_> = rows
+                    .map(|row| (row.values[0], number(row, index)))
+                    .collect();
+                curve.retain(|(_, value)| value.is_finite());
+                curve.sort_by(|a, b| a.0.total_cmp(&b.0));
+                tops(&curve)
+                    .into_iter()
+                    .map(move |place| peak(&column.column, down, &curve, place))
+            })
         })
-    })
-    .collect()
+        .collect()
 }
 
 /// Whether a number is a fair part of the motion of its channel, as far as that is known.
@@ -118,7 +119,7 @@ fn half_power(curve: &[(f64, f64)], place: usize, height: f64) -> [Option<f64>; 
     })
 }
 
-/// Fewest runs that a rank correlation is told of.
+/// Fewest runs that a rank correlation is reported for.
 const FEWEST_RUNS: usize = 10;
 
 /// How a number follows the axes.

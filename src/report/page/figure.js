@@ -1,5 +1,5 @@
 
-/** Figures as they are told: their colours, axes and places, drawn by a pen. The SVG files of a folder have the same rules. */
+/** Figures as they are described: their colours, axes and places, drawn by a pen. The SVG files of a folder have the same rules. */
 const drawing = (() => {
   const { floats, places, bytes } = page;
   const { widthOf } = pens;

@@ -64,7 +64,7 @@ const film = (() => {
     pen.circle(shaftX, shaftY, 3, colour("--c0"));
   }
 
-  /** Adds what it takes to see the film; `seek` is told the time that is shown. */
+  /** Adds what it takes to see the film; `seek` takes the time that is shown. */
   function add(data, seek) {
     const shown = read(data);
     const { times, bearings, factor } = shown;

@@ -6,7 +6,7 @@
   /** Most rows of a table that stands open. */
   const LONGEST = 10;
 
-  /** What is told line by line: a name and its text, those without a name belonging to the one before. */
+  /** What is reported line by line: a name and its text, those without a name belonging to the one before. */
   function lines(entries) {
     const list = element("dl", { class: "lines" });
     for (const [name, text] of entries) {
@@ -22,8 +22,8 @@
     return element("details", {}, element("summary", {}, `${heads[0] || "table"}: ${cells.length} rows`), table(heads, cells));
   }
 
-  /** All that is told, in its order. */
-  function told() {
+  /** All that is reported, in its order. */
+  function reported() {
     const made = [];
     let open = [];
     const close = () => { if (open.length) made.push(lines(open)); open = []; };
@@ -67,7 +67,7 @@
   const json = (value) => element("pre", {}, JSON.stringify(value, null, 2));
 
   figures.tellRuns(runText);
-  section("numbers", "Answer", ...page.warnings(answer.warnings ?? []), ...told());
+  section("numbers", "Answer", ...page.warnings(answer.warnings ?? []), ...reported());
   // what is asked first stands open
   const [first, ...others] = drawn;
   if (first) section(`figure-${first.name}`, first.heading, figures.add(first));

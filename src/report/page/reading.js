@@ -8,7 +8,7 @@ const figures = (() => {
   // Words.
 
   /** `speed 3000 1/min`. */
-  const told = ({ quantity, unit }, value) => `${quantity || "at"} ${number(value, 6)}${unit ? ` ${unit}` : ""}`;
+  const reading = ({ quantity, unit }, value) => `${quantity || "at"} ${number(value, 6)}${unit ? ` ${unit}` : ""}`;
 
   const nameOf = (figure, panel, curve) => curve.name
     || [...panel.names, ...figure.names].find(({ colour }) => colour === curve.colour)?.text || "";
@@ -18,8 +18,8 @@ const figures = (() => {
     const [x, y] = marks ? [curve.markXs[index], curve.markYs[index]] : [curve.xs[index], curve.ys[index]];
     const { low, high } = curve.band ?? {};
     const value = y === null && low ? `between ${number(low[index], 5)} and ${number(high[index], 5)} ${panel.y.unit}`
-      : panel.y.texts[Math.floor(y)] ?? told(panel.y, y);
-    const parts = [nameOf(figure, panel, curve), told(panel.x, x), value];
+      : panel.y.texts[Math.floor(y)] ?? reading(panel.y, y);
+    const parts = [nameOf(figure, panel, curve), reading(panel.x, x), value];
     return { text: parts.filter(Boolean).join("; "), run: curve.runs?.[index], x, y: y ?? high?.[index] ?? 0 };
   }
 
@@ -53,7 +53,7 @@ const figures = (() => {
     const line = curves.map((curve) => ({ name: curve.name, away: Math.abs(upwards(box, atAbscissa(curve, x)) - py) }))
       .filter(({ name, away }) => name && away < 8).sort((a, b) => a.away - b.away)[0];
     const size = mapValue(bar, level);
-    const parts = [told(over, x), told(up, y), over.unit === "1/min" && `order ${number((60 * y) / x, 4)}`,
+    const parts = [reading(over, x), reading(up, y), over.unit === "1/min" && `order ${number((60 * y) / x, 4)}`,
       `${bar.quantity} ${level ? number(size, 4) : `below ${number(size, 2)}`} ${bar.unit}`, line && `on the line ${line.name}`];
     return { text: parts.filter(Boolean).join("; "), x, y };
   }
@@ -76,8 +76,8 @@ const figures = (() => {
     if (found < 0) return null;
     const [x, y] = [(left[found] + right[found]) / 2, (top[found] + bottom[found]) / 2];
     const row = panel.y.texts[Math.floor(y)];
-    const parts = row ? [row, told(panel.x, values[found])]
-      : [told(panel.x, x), told(panel.y, y), `${panel.title || "value"}: ${number(values[found], 5)}`];
+    const parts = row ? [row, reading(panel.x, values[found])]
+      : [reading(panel.x, x), reading(panel.y, y), `${panel.title || "value"}: ${number(values[found], 5)}`];
     return { text: parts.join("; "), run: runs?.[found], x, y };
   }
 

@@ -52,8 +52,8 @@ pub(super) struct RunAnswer<'a> {
 }
 
 impl<'a> RunAnswer<'a> {
-    /// What is told of it, without its own tables and figures.
-    pub fn told(&self) -> Findings {
+    /// What is reported of it, without its own tables and figures.
+    pub fn reported(&self) -> Findings {
         self.with_sensitivity(self.bare())
     }
 

@@ -93,13 +93,13 @@ mod tests {
         let tables = [of(Ok(report)), None, of(Err(TableError::NoRegion))];
         add_table_use(&mut out, &tables);
         let text = out.text(false);
-        let told = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        let reported = text.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(
-            told.contains("bearing 1: 1234 cells, off by 2.0e-8 N, 1.7e-10 of"),
-            "{told}"
+            reported.contains("bearing 1: 1234 cells, off by 2.0e-8 N, 1.7e-10 of"),
+            "{reported}"
         );
-        assert!(told.contains("5 samples outside it"), "{told}");
-        assert!(told.contains("bearing 3: none"), "{told}");
-        assert!(!told.contains("bearing 2"), "{told}");
+        assert!(reported.contains("5 samples outside it"), "{reported}");
+        assert!(reported.contains("bearing 3: none"), "{reported}");
+        assert!(!reported.contains("bearing 2"), "{reported}");
     }
 }

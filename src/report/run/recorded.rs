@@ -70,12 +70,12 @@ impl RunFindings {
 
     /// What `summary.json` says.
     pub fn document(&self) -> Value {
-        self.answer().told().document
+        self.answer().reported().document
     }
 
     /// Key numbers and the strongest peaks, for people.
     pub fn text(&self) -> String {
-        self.answer().told().text(false)
+        self.answer().reported().text(false)
     }
 
     /// Names of the tables that the run has, as those of its files.

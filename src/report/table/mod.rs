@@ -26,7 +26,7 @@ pub(in crate::report) fn cell(value: Option<f64>) -> String {
     value.map(number).unwrap_or_default()
 }
 
-/// What a table comes from, told in the files that have room for it.
+/// What a table comes from, named in the files that have room for it.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Origin {
     /// The scenario with its defaults, JSON.
@@ -81,7 +81,7 @@ impl TableFiles {
             .map(Self)
     }
 
-    /// Writes a row; what goes wrong is told with the name of the file.
+    /// Writes a row; what goes wrong is reported with the name of the file.
     pub fn row(&mut self, row: &[f64]) -> io::Result<()> {
         self.0.iter_mut().try_for_each(|file| file.row(row))
     }

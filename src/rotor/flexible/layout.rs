@@ -191,7 +191,7 @@ impl FlexibleShaft {
 
 impl RotorDefinition {
     /// This shaft with the modes of bending for an excitation in rad/s, where their number is not given; a shaft that cannot be
-    /// reduced is told of where it is assembled.
+    /// reduced is reported where it is assembled.
     pub(crate) fn with_modes_for(&self, excitation: f64) -> Self {
         let open = self.flexible.as_ref().filter(|own| own.modes.is_none());
         let reduced = open.and_then(|own| own.reduction(&own.points(self), excitation).ok());

@@ -91,12 +91,12 @@ pub struct BearingInput {
     /// ratio needs it.
     #[schemars(extend("examples" = ["0.1 um"], "x-above" = 0.0))]
     pub roughness: Option<Quantity<Length>>,
-    /// Highest permissible speed by the catalogue, for instance "26000 rpm"; a higher one is told.
+    /// Highest permissible speed by the catalogue, for instance "26000 rpm"; a higher one is warned of.
     /// Default: 1e6 mm/min over the pitch diameter.
     #[schemars(extend("examples" = ["26000 rpm"], "x-above" = 0.0))]
     pub limiting_speed: Option<Quantity<AngularSpeed>>,
     /// Angle from the radial plane at which the shoulders of the races end, for instance
-    /// "35 deg"; contacts that reach it are told.
+    /// "35 deg"; contacts that reach it are warned of.
     #[schemars(extend("examples" = ["35 deg"], "x-above" = 0.0, "x-maximum" = FRAC_PI_2))]
     pub shoulder_angle: Option<Quantity<Angle>>,
     /// Basic dynamic load rating C, for instance "16.6 kN"; the life needs it. Default: that of
@@ -283,7 +283,7 @@ impl BearingInput {
         })
     }
 
-    /// Tells keys that change nothing, for the life or the film that they belong to is not told.
+    /// Warns of keys that change nothing, as the life or the film that they belong to is not given.
     fn warn_of_idle_keys(&self, bearing: &Bearing, has_film: bool, problems: &mut Problems<'_>) {
         let cleanliness = self.oil.as_ref().and_then(|oil| oil.contamination);
         let idle = [
@@ -293,7 +293,7 @@ impl BearingInput {
         for (key, _) in idle.into_iter().filter(|(_, given)| *given) {
             if bearing.dynamic_rating.is_none() {
                 problems.warn(format!(
-                    "`{}` has no effect: no life is told without `dynamic_rating`; ISO 281 gives {:.0} N by the balls",
+                    "`{}` has no effect: no life is given without `dynamic_rating`; ISO 281 gives {:.0} N by the balls",
                     problems.path(key),
                     bearing.geometry.dynamic_rating()
                 ));
@@ -321,7 +321,7 @@ impl BearingInput {
             }
         };
         problems.warn(format!(
-            "`{}` names seals that rub: the friction moment is told without theirs{speed}",
+            "`{}` names seals that rub: the friction moment is given without theirs{speed}",
             problems.path(".catalogue")
         ));
     }

@@ -47,7 +47,7 @@ pub struct LoadInput {
     pub noise: Option<NoiseInput>,
     /// A series of values from a CSV file.
     pub series: Option<SeriesInput>,
-    /// Acceleration of the base: −m a acts on all masses, and motions are told relative to the base.
+    /// Acceleration of the base: −m a acts on all masses, and motions are given relative to the base.
     pub base: Option<BaseInput>,
     /// Where the load acts along the shaft, from the centre of mass towards +Z; a force there is
     /// a moment as well where the tilts move. Of a shaft that bends it counts from the left end. Default: "0 m", or the

@@ -36,7 +36,7 @@ pub struct RecordFileInput {
     /// The bearings whose lines are looked for, one `[[bearing]]` for each.
     #[serde(default)]
     pub bearing: Vec<RecordBearingInput>,
-    /// The machine, for the zones of ISO 20816-3. Without this table no zone is told.
+    /// The machine, for the zones of ISO 20816-3. Without this table no zone is given.
     pub machine: Option<MachineInput>,
     /// Further spectra, one `[[spectrum]]` for each. Default: the spectrum of the envelope of each of up to four channels, in the
     /// band where it knocks most; over orders where the speed changes.
@@ -90,7 +90,7 @@ pub struct SignalInput {
     /// Its unit. Default: that of the file, or of `[record]`.
     #[schemars(extend("examples" = ["g"]))]
     pub unit: Option<String>,
-    /// Direction in which it measures, for instance "+x"; it is told with the results.
+    /// Direction in which it measures, for instance "+x"; it is reported with the results.
     #[schemars(extend("examples" = ["+x"]))]
     pub direction: Option<String>,
     /// Samples a second. Default: that of the file, or of `[record]`.

@@ -69,7 +69,7 @@ pub struct ScenarioInput {
     /// External loads, one `[[load]]` for each; they add up.
     #[serde(default)]
     pub load: Vec<LoadInput>,
-    /// The machine that the shaft is part of, for the zones of ISO 20816-3. Without this table no zone is told.
+    /// The machine that the shaft is part of, for the zones of ISO 20816-3. Without this table no zone is given.
     pub machine: Option<MachineInput>,
     /// Where the motion starts.
     #[serde(default)]

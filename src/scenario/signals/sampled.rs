@@ -12,7 +12,7 @@ use crate::scenario::quantity::{si, significant};
 pub(super) const ALMOST_THE_RATE: f64 = 1e-3;
 /// Most missing samples that are bridged, as a part of all.
 const MOST_MISSING: f64 = 0.1;
-/// Missing samples in a row from which on a way around them is told.
+/// Missing samples in a row from which on a way around them is reported.
 const LONG_GAP: f64 = 10.0;
 
 /// Samples at equal times.
@@ -184,7 +184,7 @@ impl SignalReader<'_> {
             let way_around = missing.way_around().map(|way| format!("; {way}"));
             problems.warn(format!(
                 "{}: they are bridged by straight lines, by which lines at half the rate lose up to {:.2} %{}",
-                missing.told(name),
+                missing.reported(name),
                 200.0 * missing.count / missing.all,
                 way_around.unwrap_or_default()
             ));
@@ -271,7 +271,7 @@ impl Missing {
         }
         let message = format!(
             "{}: up to {:.0} % are bridged",
-            self.told(name),
+            self.reported(name),
             100.0 * MOST_MISSING
         );
         let leave_out = || "leave the channel out, or record it without losses".to_owned();
@@ -280,7 +280,7 @@ impl Missing {
         None
     }
 
-    fn told(&self, name: &str) -> String {
+    fn reported(&self, name: &str) -> String {
         let [before, behind] = self.beside.map(significant);
         format!(
             "of {} samples of `{name}` {} ({:.2} %) are missing, at most {} in a row, from {before} to {behind} s",

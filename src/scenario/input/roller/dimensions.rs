@@ -72,7 +72,7 @@ impl RollerInput {
         let count = rollers.or(found.map(|found| found.rollers));
         let count = needed(".roller", "rollers", count, problems);
         let kind = self.kind.or(line.map(|line| line.kind));
-        // a kind that is missing is the last to be told
+        // a kind that is missing is the last to be reported
         let kind = needed(".roller", "kind", kind, problems)?;
         let [Some(diameter), Some(length), Some(pitch_diameter)] = dimensions else {
             return None;

@@ -125,7 +125,7 @@ impl RollerInput {
             ),
             (
                 own.film.unwrap_or(model.film),
-                "film = true holds for balls; the films of rollers are told, and part nothing here"
+                "film = true holds for balls; the films of rollers are reported, and part nothing here"
                     .to_owned(),
             ),
             (
