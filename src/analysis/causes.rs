@@ -177,7 +177,7 @@ impl LineSurfaces {
 /// What can cause lines, all in Hz.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Sources {
-    /// Shaft frequency; zero where it stands.
+    /// Shaft frequency; zero where it is stationary.
     pub shaft: f64,
     /// Every bearing.
     pub bearings: Vec<BearingFrequencies>,
@@ -319,8 +319,8 @@ fn bearing_lines(
     let races = [Characteristic::OuterRace, Characteristic::InnerRace];
     let passes = passes.flat_map(|number| races.map(|race| (race, number)));
     let passes = passes.filter(|(race, (_, sideband))| {
-        let stands = *race == standing && *sideband == 0;
-        has(*race) && (stands || turning)
+        let stationary = *race == standing && *sideband == 0;
+        has(*race) && (stationary || turning)
     });
     let spins = multiples(EVEN_SPIN_MULTIPLES)
         .filter(|(multiple, _)| *multiple <= SPIN_MULTIPLES || multiple.is_multiple_of(2))

@@ -14,7 +14,7 @@ const FURTHER: &str = "^((bearing([2-9]|[1-5][0-9]|6[0-4])|element([1-9]|[1-5][0
                        resonator[2-4]_[xyz](_velocity|_acceleration)?)$";
 
 impl Channel {
-    /// The columns that a trace can show beside the time, in the order in which the tables show them.
+    /// The columns that a trace can show besides the time, in the order in which the tables show them.
     pub(crate) fn selectable() -> impl Iterator<Item = Self> {
         let beside =
             |channel: &Self| !matches!(channel, Self::Time | Self::Energy(_) | Self::Drive(_));
@@ -105,7 +105,7 @@ impl JsonSchema for Channel {
             json_schema!({ "description": description, "type": "string", "const": channel.name() })
         };
         json_schema!({
-            "description": "A column of the trace beside the time.",
+            "description": "A column of the trace besides the time.",
             "oneOf": listed.map(column).chain([Self::further_schema()]).collect::<Vec<_>>(),
         })
     }

@@ -71,7 +71,7 @@ pub enum LineKind {
 /// A characteristic frequency of a bearing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Characteristic {
-    /// Ball pass at the outer race, BPFO: balls that pass a load which stands still.
+    /// Ball pass at the outer race, BPFO: balls that pass a stationary load.
     OuterRace,
     /// Ball pass at the inner race, BPFI: balls that pass a load which turns with the shaft.
     InnerRace,

@@ -79,7 +79,7 @@ const ABOVE_MEDIAN: f64 = 6.0;
 /// Whether a line of an amplitude at a bin is above the noise around it: six times its median.
 ///
 /// The amplitude of Gaussian noise in a bin is Rayleigh distributed: it exceeds k medians with the probability `2^(−k²)`, or
-/// `2^(−k²/1.5)` under the Hann window beside a median without window, 6e-8 for k = 6.
+/// `2^(−k²/1.5)` under the Hann window compared with a median without window, 6e-8 for k = 6.
 pub(crate) fn is_above_noise(amplitudes: &[f64], bin: usize, amplitude: f64) -> bool {
     let median = noise_around(amplitudes, bin);
     median.is_none_or(|median| amplitude > ABOVE_MEDIAN * median)

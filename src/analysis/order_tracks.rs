@@ -268,7 +268,7 @@ impl TrackRecorder {
         let OrderTracks {
             tracked, channels, ..
         } = &self.found;
-        // time and speed beside amplitude and phase of every order and channel
+        // time and speed besides amplitude and phase of every order and channel
         let columns = 2 + 2 * tracked.len() * channels.len();
         let windows = (revolutions / self.found.revolutions - 1.0) * OVERLAP;
         (windows.floor() + 1.0).max(0.0) * columns as f64

@@ -152,7 +152,7 @@ impl<'a> HannSpectrum<'a> {
             uncertainty: found.uncertainty * resolution,
         };
         let line = nearest_cause(frequency, precision, causes);
-        // the periodic window is even about its middle: a line δ bins beside turns by πδ
+        // the periodic window is even about its middle: a line δ bins off its bin turns by πδ
         let phase = self.centred.line(found.maximum, Window::Hann).arg() - PI * found.beside;
         Peak {
             channel,

@@ -41,7 +41,7 @@ impl Channel {
         parts.map(|(part, freedom)| Self::of_part(rotor, part, freedom))
     }
 
-    /// What a motion is described by beside displacements and forces of the shaft: displacements of its housings, and
+    /// What a motion is described by besides displacements and forces of the shaft: displacements of its housings, and
     /// forces of each of several bearings.
     pub(crate) fn of_parts(rotor: &RotorDefinition) -> Vec<Self> {
         let lengths = rotor.shaft.freedoms.lengths();

@@ -94,7 +94,7 @@ const SKIRT: f64 = 0.01;
 pub struct Leak {
     /// The bin next to it.
     pub bin: usize,
-    /// How far it is beside that bin, −½ … ½ bins.
+    /// How far it is off that bin, −½ … ½ bins.
     pub offset: f64,
     /// Its amplitude.
     pub amplitude: f64,
@@ -114,9 +114,9 @@ impl Leak {
 }
 
 /// The line of an unweighted amplitude spectrum (peak values at bins 0, 1, …) that leaks most, of the
-/// strong ones that are beside their bin; amplitudes up to `noise` are none.
+/// strong ones that are off their bin; amplitudes up to `noise` are none.
 ///
-/// A line δ bins beside bin k leaves 1/|δ|, 1/(1 − δ) and 1/(1 + δ) at bins k and k ± 1, and 1/(2 ∓ δ)
+/// A line δ bins off bin k leaves 1/|δ|, 1/(1 − δ) and 1/(1 + δ) at bins k and k ± 1, and 1/(2 ∓ δ)
 /// beyond; what is not so is no line. Source: Harris, Proc. IEEE 66 (1978), sect. IV.
 pub fn leak(amplitudes: &[f64], noise: f64) -> Option<Leak> {
     let inner = MARGIN..amplitudes.len().saturating_sub(MARGIN);

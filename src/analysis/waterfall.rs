@@ -97,7 +97,7 @@ impl WaterfallRecorder {
             ..
         } = self.waterfall;
         let slices = ((samples - length as f64) / hop as f64).floor() + 1.0;
-        // time, speed and frequency beside the amplitudes
+        // time, speed and frequency besides the amplitudes
         slices.max(0.0) * (self.bins * (3 + channels.len())) as f64
     }
 

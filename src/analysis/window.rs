@@ -138,7 +138,7 @@ impl Window {
         t.atan() / h
     }
 
-    /// Amplitude H(δ) that the window of N samples shows of a unit line δ bins beside the bin; H(0) = 1.
+    /// Amplitude H(δ) that the window of N samples shows of a unit line δ bins off the bin; H(0) = 1.
     ///
     /// ```text
     /// H(δ) = |Σ_j (−1)^j a_|j| D(δ − j)|/a_0 with half of a_j at ±j,   D(x) = sin πx/(N sin πx/N) exp(−iπx(N − 1)/N)

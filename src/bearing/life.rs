@@ -171,14 +171,14 @@ impl RatingLife {
         damage.powf(if self.is_line { 8.0 / 9.0 } else { 0.9 })
     }
 
-    /// Q^p of a load in N, or Q^(pe) at a race that stands.
+    /// Q^p of a load in N, or Q^(pe) at a stationary race.
     #[inline]
-    fn power(&self, load: f64, stands: bool) -> f64 {
+    fn power(&self, load: f64, stationary: bool) -> f64 {
         let power = match self.is_line {
             true => load.powi(4),
             false => load.powi(3),
         };
-        match (stands, self.is_line) {
+        match (stationary, self.is_line) {
             (false, _) => power,
             (true, true) => power * load.sqrt(),
             (true, false) => power * cube_root(load),

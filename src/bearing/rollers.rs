@@ -121,7 +121,7 @@ impl ProfilePoints {
     }
 }
 
-/// Rollers of a bearing, beside their number, diameter, pitch circle and contact angle.
+/// Rollers of a bearing, besides their number, diameter, pitch circle and contact angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rollers {
     /// Kind of the bearing.

@@ -271,7 +271,7 @@ pub struct BearingState {
     /// What fits and temperatures have done to it; none without them.
     pub(crate) fit: Option<FitState>,
     /// Axial force that the inner ring carries at standstill without load, N: the preload in operation. A shaft that is free
-    /// axially stands there where the axial forces of its bearings balance, and is otherwise not displaced.
+    /// is axially where the axial forces of its bearings balance, and is otherwise not displaced.
     #[serde(rename = "preload_N")]
     pub preload: f64,
     /// Friction moment after SKF, [`crate::physics::SkfFriction`]; known of deep-groove bearings of a catalogue with

@@ -15,16 +15,16 @@ use crate::study::many::cycles_a_revolution;
 const TEXT: f64 = 19.5;
 /// Bytes of a number in a table of another format.
 const BINARY: f64 = 9.0;
-/// Columns beside the trace: energy, and a drive.
+/// Columns besides the trace: energy, and a drive.
 const ENERGY: f64 = 12.0;
 const DRIVE: f64 = 8.0;
 /// Columns of a ball: load and contact angle at both races.
 const BALL: f64 = 4.0;
-/// Columns of a line of a spectrum, or of a point, beside its displacements.
+/// Columns of a line of a spectrum, or of a point, besides its displacements.
 const PLACE: f64 = 3.0;
 /// Columns of a bearing's stiffness and damping.
 const STIFFNESS: f64 = 13.0;
-/// Memory beside that of the run that a limit on addresses has to hold.
+/// Memory besides that of the run that a limit on addresses has to hold.
 const ADDRESSES: f64 = 40e6;
 
 /// What a run demands, or the runs of a study.
@@ -75,7 +75,7 @@ impl Demand {
         Ok(Self {
             runs: Some(runs),
             size,
-            // until its end a study has its rows beside them
+            // until its end a study has its rows besides them
             tables: 2.0 * TEXT * numbers * runs as f64,
         })
     }

@@ -51,7 +51,7 @@ pub struct Arguments {
         allow_hyphen_values = true
     )]
     span: String,
-    /// Radial load beside the weight, downwards
+    /// Radial load besides the weight, downwards
     #[arg(
         long,
         value_name = "FORCE",

@@ -20,7 +20,7 @@ pub struct Written {
     /// Write the first of every N samples, instead of `[output] every`; spectra rest on all
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(NonZeroU64))]
     every: Option<NonZeroU64>,
-    /// What the written trace shows beside the time, instead of `[output] channels`: columns without their unit, as x,
+    /// What the written trace shows besides the time, instead of `[output] channels`: columns without their unit, as x,
     /// tilt_y_velocity, z_acceleration, force_y, moment_x, housing1_x, bearing2_force_y, balls_loaded, speed
     #[arg(long, value_name = "NAME", value_delimiter = ',', value_parser = channel_parser(), hide_possible_values = true)]
     channels: Vec<Channel>,

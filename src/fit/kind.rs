@@ -19,7 +19,7 @@ pub(super) const ORDERS: [&str; 3] = ["order_1", "order_2", "order_3"];
 )]
 #[serde(rename_all = "snake_case")]
 pub enum Kind {
-    /// Where the shaft stands, as `jeffcott bearing` answers it.
+    /// The static equilibrium of the shaft, as `jeffcott bearing` answers it.
     Bearing,
     /// Natural frequencies at the speed of the scenario, and critical speeds, as of `jeffcott campbell`.
     Campbell,

@@ -25,7 +25,7 @@ const NEAR: f64 = 1e-9;
 /// A question about a scene.
 #[derive(Debug, Clone)]
 pub enum Question {
-    /// Where the shaft stands.
+    /// The static equilibrium of the shaft.
     Bearing(StaticQuestion),
     /// Natural frequencies at the speed of a shaft, and its critical speeds where they are asked for.
     Campbell(Box<RotorDefinition>, Option<Box<CampbellQuestion>>),

@@ -33,7 +33,7 @@ pub trait System {
         None
     }
 
-    /// Writes the forces w of [`System::separated`], by the states that it says they depend on: what stands in the others
+    /// Writes the forces w of [`System::separated`], by the states that it says they depend on: what is in the others
     /// is of no matter, and neither is what is written for forces that never act.
     fn forces(&self, _time: f64, _state: &[f64], forces: &mut [f64]) {
         forces.fill(0.0);

@@ -27,7 +27,7 @@ pub struct Variation {
     pub counters: Counters,
 }
 
-/// A system with the slopes of its states by the start beside them: the state first, then Φ column by
+/// A system with the slopes of its states by the start next to them: the state first, then Φ column by
 /// column.
 struct Augmented<'a> {
     system: &'a dyn System,

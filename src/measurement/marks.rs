@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 /// Fewest revolutions that the marks are found by.
 const FEWEST: usize = 8;
-/// Part of their distance by which a mark stands elsewhere than evenly spaced ones, at least, and that in its standard errors.
+/// Part of their distance by which a mark is elsewhere than evenly spaced ones, at least, and that in its standard errors.
 const UNEVEN: f64 = 0.02;
 const SURE: f64 = 4.0;
 

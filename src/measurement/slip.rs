@@ -1,4 +1,4 @@
-//! Slip of a cage: where the lines of a bearing are, beside where it would roll.
+//! Slip of a cage: where the lines of a bearing are, against where it would roll.
 
 use std::f64::consts::TAU;
 
@@ -17,7 +17,7 @@ const KNOWN: f64 = 0.25;
 const NEAR: f64 = 0.75;
 /// Part of the power of all lines as high that those of a race have at least: other causes have some lines near those, too.
 const LEAST_SHARE: f64 = 0.1;
-/// Bins beside a multiple of the shaft within which a line is taken for one of the shaft.
+/// Bins off a multiple of the shaft within which a line is taken for one of the shaft.
 const OF_SHAFT: f64 = 2.0;
 
 /// How a cage slips, as found from the line of a race, or of the spin of a ball, in an envelope.

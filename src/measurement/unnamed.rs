@@ -20,7 +20,7 @@ pub struct UnnamedLine {
     pub above_noise: f64,
 }
 
-/// Of every envelope whose strongest line stands far above the noise and has no name, that line.
+/// Of every envelope whose strongest line is far above the noise and has no name, that line.
 pub(super) fn found(spectra: &[EstimatedSpectrum]) -> Vec<UnnamedLine> {
     let is_envelope =
         |of: &&EstimatedSpectrum| matches!(of.request.kind, SpectrumKind::Envelope { .. });

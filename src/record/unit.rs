@@ -12,7 +12,7 @@ const UNITS: [(&str, &str); 2] = [
     ),
 ];
 
-/// What stands in brackets at the end of a name and may be meant as a unit: all in square ones, in round ones what begins with a unit
+/// What is in brackets at the end of a name and may be meant as a unit: all in square ones, in round ones what begins with a unit
 /// in letters of any case.
 pub(crate) fn in_brackets(name: &str) -> Option<&str> {
     let within = |open, close| Some(name.trim().strip_suffix(close)?.rsplit_once(open)?.1);

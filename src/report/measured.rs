@@ -270,7 +270,7 @@ fn figures(title: &str, found: &Measured) -> Vec<Figure> {
     figures
 }
 
-/// What a file holds: its channels, the numbers and texts beside them, and what was left out.
+/// What a file holds: its channels, the numbers and texts that go with them, and what was left out.
 pub fn listed_record(name: &str, record: &Record) -> Lines {
     let mut out = Lines::titled(name);
     let shown = [

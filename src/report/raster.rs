@@ -149,7 +149,7 @@ impl Raster {
     }
 }
 
-/// Which channels are more than round-off beside the loudest, by the largest amplitude of each.
+/// Which channels are more than round-off compared with the loudest, by the largest amplitude of each.
 pub(in crate::report) fn moving(loudest: &[f64]) -> impl Iterator<Item = usize> {
     let floor = ROUND_OFF * loudest.iter().copied().fold(0.0, f64::max);
     (0..loudest.len()).filter(move |channel| loudest[*channel] > floor)

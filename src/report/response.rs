@@ -14,7 +14,7 @@ use crate::steady::{MotionRange, Response, ResponsePoint};
 use crate::study::Variable;
 use crate::table::Table;
 
-/// Error of the motions of a response: of that where it is largest beside the motion, the largest difference of a mean or
+/// Error of the motions of a response: of that where it is largest compared with the motion, the largest difference of a mean or
 /// peak-to-peak range of a displacement from that of a motion found more exactly.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct ResponseError {

@@ -51,7 +51,7 @@ pub(super) fn film(contact: &RaceContact, value: fn(&FilmState) -> f64) -> f64 {
     contact.film.as_ref().map_or(f64::NAN, value)
 }
 
-/// Columns of a ball beside its contacts.
+/// Columns of a ball besides its contacts.
 pub(super) const INERTIAS: [Named<BallLine>; 2] = [
     ("centrifugal_force", "N", |line| line.centrifugal_force),
     ("gyroscopic_moment", "N m", |line| line.gyroscopic_moment),

@@ -90,7 +90,7 @@ impl SensitivityTable {
             .end()
     }
 
-    /// The first numbers that change with a quantity and are not small beside others of their unit.
+    /// The first numbers that change with a quantity and are not small compared with others of their unit.
     fn changing(&self, count: usize) -> Vec<usize> {
         let changes = |number: &usize| {
             let own = &self.numbers[*number];

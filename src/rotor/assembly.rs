@@ -102,7 +102,7 @@ impl LinearPart {
             mass: Mass::new(mass).ok_or(RotorError::Mass)?,
             stiffness: Coefficients::new(structure.condensed(matrices.stiffness.clone()), dofs),
             damping: Coefficients::new(damping, dofs),
-            // a shaft that stands has no gyroscopic moments
+            // a stationary shaft has no gyroscopic moments
             gyroscopic: match definition.shaft_stands() {
                 true => coefficients(&(&matrices.gyroscopic * 0.0)),
                 false => coefficients(&matrices.gyroscopic),

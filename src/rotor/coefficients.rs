@@ -148,7 +148,7 @@ impl Mass {
         }
     }
 
-    /// L of M = L Lᵀ, which loses no digits of small masses beside large ones: in coordinates `u = Lᵀ q` the mass is one.
+    /// L of M = L Lᵀ, which loses no digits of small masses compared with large ones: in coordinates `u = Lᵀ q` the mass is one.
     pub fn root(&self) -> DMatrix<f64> {
         match &self.inverse {
             Inverse::Diagonal(_) => DMatrix::from_diagonal(&self.entries.diagonal().map(f64::sqrt)),

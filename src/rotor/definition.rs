@@ -174,7 +174,7 @@ pub struct RotorDefinition {
 }
 
 impl RotorDefinition {
-    /// A shaft on ball bearings that stands still at its static equilibrium, undamped and without loads; its cages roll.
+    /// A stationary shaft on ball bearings at its static equilibrium, undamped and without loads; its cages roll.
     pub(crate) fn new(shaft: Shaft, bearings: Vec<MountedBearing>) -> Self {
         Self {
             shaft,
@@ -315,7 +315,7 @@ impl RotorDefinition {
         beyond.collect()
     }
 
-    /// Whether the shaft stands and the outer rings of its bearings turn.
+    /// Whether the shaft is stationary and the outer rings of its bearings turn.
     pub(crate) fn shaft_stands(&self) -> bool {
         let mut bearings = self.bearings.iter();
         bearings.any(|bearing| bearing.bearing.rotating_ring == Race::Outer)

@@ -192,7 +192,7 @@ pub(crate) struct StaticPlace {
     /// K of all its coordinates.
     pub(super) stiffness: DMatrix<f64>,
     pub equilibrium: Equilibrium,
-    /// Axial displacement of every bearing where the shaft stands without load, [`Structure::unloaded_axial`]; zero where
+    /// Axial displacement of every bearing where the shaft rests without load, [`Structure::unloaded_axial`]; zero where
     /// its axial place is held.
     pub(super) unloaded: Vec<f64>,
 }

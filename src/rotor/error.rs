@@ -43,9 +43,9 @@ pub enum RotorError {
         /// The pitch radius, m.
         pitch_radius: f64,
     },
-    /// At rest the shaft stands where a squeeze film has no room for it.
+    /// At rest the shaft is where a squeeze film has no room for it.
     #[error(
-        "at rest the ring of a squeeze film damper stands {:.1} µm beside its middle, and its clearance is {:.1} µm: hold it with \
+        "at rest the ring of a squeeze film damper is {:.1} µm off its middle, and its clearance is {:.1} µm: hold it with \
          stiffer springs, or centre it by a preload",
         1e6 * distance, 1e6 * clearance
     )]
@@ -56,7 +56,7 @@ pub enum RotorError {
         clearance: f64,
     },
     /// The times of a speed profile do not rise.
-    #[error("speed point {number} stands at {time} s; it must come after {before} s")]
+    #[error("speed point {number} is at {time} s; it must come after {before} s")]
     SpeedTimes {
         /// Number of the point after the start, counted from 1.
         number: usize,

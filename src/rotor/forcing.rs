@@ -12,7 +12,7 @@ use crate::physics::Race;
 pub enum ForcingCause {
     /// The unbalance turns with the shaft.
     Unbalance,
-    /// The balls of a bearing, counted from 0, pass a position that stands still.
+    /// The balls of a bearing, counted from 0, pass a position that is fixed.
     BallPass(usize),
     /// The balls of a bearing, which differ, go round with their cage.
     Cage(usize),

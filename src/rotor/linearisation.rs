@@ -39,7 +39,7 @@ impl Rotor {
     }
 
     /// Writes the slopes of the derivative by the time. What a change of speed does to the inertia of the balls is left out,
-    /// as it is slow beside the passing of a ball.
+    /// as it is slow compared with the passing of a ball.
     pub(super) fn find_rate_by_time(&self, time: f64, state: &[f64], by_time: &mut [f64]) {
         let rotation = self.excitation.speed.at(time);
         let (at, linear) = (self.instant(state, &rotation), &self.linear);

@@ -77,7 +77,7 @@ pub struct Mode {
     shares: [f64; 3],
 }
 
-/// A damping ratio below this is round-off: beside modes of some MHz the eigenvalue of one of 16 Hz errs by 5e-8 of itself.
+/// A damping ratio below this is round-off: next to modes of some MHz the eigenvalue of one of 16 Hz errs by 5e-8 of itself.
 pub(super) const UNDAMPED: f64 = 1e-6;
 
 impl Mode {

@@ -63,7 +63,7 @@ pub(super) struct Start {
     pub tangent: DMatrix<f64>,
     /// C of the laws of force that are not linear there, likewise; those of the contacts are left out.
     pub law_damping: DMatrix<f64>,
-    /// Axial displacement of every bearing where the shaft stands without load, [`Structure::unloaded_axial`], m.
+    /// Axial displacement of every bearing where the shaft rests without load, [`Structure::unloaded_axial`], m.
     pub unloaded: Vec<f64>,
     /// What nothing holds there.
     pub free: FreeDirections,

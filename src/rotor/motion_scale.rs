@@ -7,7 +7,7 @@ use nalgebra::{Complex, DVector};
 use super::Rotor;
 use super::element::AttachedBearing;
 use super::static_search::POSITION_ROUND_OFF;
-use super::unconstrained::{NOTHING, contact_stiffness};
+use super::unconstrained::{FREE_STIFFNESS, contact_stiffness};
 use crate::bearing::{BearingRotation, Geometry, Support};
 
 /// Smallest error of a position that a tolerance can ask for, relative to the groove centre distance.
@@ -196,7 +196,7 @@ impl Rotor {
         }
         let dofs = self.dofs();
         let stiffness = self.start.tangent.view((0, 0), (dofs, dofs)).into_owned();
-        let least = NOTHING * contact_stiffness(self.elements.supports());
+        let least = FREE_STIFFNESS * contact_stiffness(self.elements.supports());
         // K⁻¹ by singular values; those below `least` are directions that nothing holds
         let factors = stiffness.svd(true, true);
         let mut changes = self.imperfect_changes();

@@ -138,7 +138,7 @@ impl Rotor {
         law.map_or(EventKind::Passing(behind_balls), EventKind::Law)
     }
 
-    /// Has the works integrated beside the motion, so that samples tell of energy.
+    /// Has the works integrated with the motion, so that samples tell of energy.
     pub(crate) fn account_for_energy(&mut self) {
         self.energy = true;
     }

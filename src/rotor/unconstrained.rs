@@ -23,8 +23,8 @@ use crate::bearing::{ContactLaw, Geometry, Support};
 
 /// Stiffness, as a part of that of a loaded contact, below which nothing holds the shaft: the force
 /// of an oil film across an open gap, and round-off, are less.
-pub(super) const NOTHING: f64 = 1e-9;
-/// A displacement that is small in a bearing, m: a force that `NOTHING` would answer it with is none.
+pub(super) const FREE_STIFFNESS: f64 = 1e-9;
+/// A displacement that is small in a bearing, m: a force that `FREE_STIFFNESS` would answer it with is none.
 const SMALL_DISPLACEMENT: f64 = 1e-6;
 /// Part of a freedom's direction that must be unconstrained to call the freedom itself unconstrained.
 const WHOLLY: f64 = 0.999;
@@ -166,7 +166,7 @@ impl FreeDirections {
             let vectors = modes.eigenvectors.column_iter();
             for (value, vector) in modes.eigenvalues.iter().zip(vectors) {
                 least = least.min(*value);
-                if *value <= NOTHING * contact {
+                if *value <= FREE_STIFFNESS * contact {
                     for (share, part) in shares.iter_mut().zip(vector.iter()) {
                         *share += part * part;
                     }
@@ -270,7 +270,7 @@ impl Rotor {
             }
         }
         if turns && self.elements.cage.turns() {
-            let nothing = NOTHING * contact * SMALL_DISPLACEMENT;
+            let nothing = FREE_STIFFNESS * contact * SMALL_DISPLACEMENT;
             for (driven, change) in driven.iter_mut().zip(self.passing_force().iter()) {
                 *driven |= *change > nothing;
             }

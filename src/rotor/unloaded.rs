@@ -1,4 +1,4 @@
-//! Where a shaft stands along its axis without load: preloads are reported there.
+//! Where a shaft rests along its axis without load: preloads are reported there.
 
 use super::structure::Structure;
 use crate::bearing::{Geometry, Support};

@@ -101,7 +101,7 @@ fn ross(path: &Path, parse: impl Fn(&str) -> Result<Value, String>) -> Result<Va
 }
 
 /// The columns of a bearing of ROSS. Before version 3 its speeds were called `frequency`; in version 3 that is the frequency
-/// of the whirl, and `speed` stands beside it where coefficients depend on both.
+/// of the whirl, and `speed` is next to it where coefficients depend on both.
 fn from_ross(bearing: &Value) -> Result<Columns, String> {
     let mut columns = Columns::new();
     let list = |key: &str| match bearing.get(key) {

@@ -98,7 +98,7 @@ pub enum Format {
 pub struct Scenario {
     /// Its title, or the name of its file.
     pub title: String,
-    /// Where the shaft stands.
+    /// The static equilibrium of the shaft.
     pub question: StaticQuestion,
     /// How it moves; none without a `[time]`.
     pub model: Option<Model>,
@@ -297,7 +297,7 @@ fn remove_null(value: &mut Value) {
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ScenarioRunError {
-    /// It asks nothing but where the shaft stands.
+    /// It asks nothing but where the shaft is stationary.
     #[error("the scenario has no [time], so that nothing moves: add one, with a duration")]
     NoTime,
     /// The run failed.

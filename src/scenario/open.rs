@@ -94,7 +94,7 @@ impl OpenScenario {
         Ok(self.questions(&[si])?.motion()?.rotor)
     }
 
-    /// Where the shaft stands and, with a `[time]`, how it moves, at values in SI units.
+    /// The static equilibrium of the shaft and, with a `[time]`, how it moves, at values in SI units.
     ///
     /// # Errors
     /// [`Issue`] with what is wrong there.

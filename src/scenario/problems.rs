@@ -258,7 +258,7 @@ pub struct ScenarioError {
     pub text: String,
     /// The problems in the order of the file, at least one.
     pub issues: Vec<Issue>,
-    /// What a command line sets in place of what stands in the file, a line each; places count on behind the text.
+    /// What a command line sets in place of what is in the file, a line each; places count on behind the text.
     pub options: String,
 }
 

@@ -39,7 +39,7 @@ pub struct StudyFile {
     pub sweep: Option<Sweep>,
     /// Every so many runs the error is measured; 0 on none.
     pub verify_every: u64,
-    /// What is kept of every run beside its numbers.
+    /// What is kept of every run besides its numbers.
     pub keep: Keep,
     /// At how many azimuths around a bearing static answers are looked at; where `None`, at those of its balls.
     pub positions: Option<usize>,

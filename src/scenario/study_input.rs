@@ -36,7 +36,7 @@ const HIGHEST_ORDER: f64 = 20.0;
 pub(super) struct StudyFileInput {
     /// What the study is called. Default: the name of its file.
     pub title: Option<String>,
-    /// What is asked at every point: how the shaft moves, or where it stands. Default: "run".
+    /// What is asked at every point: how the shaft moves, or its static equilibrium. Default: "run".
     #[serde(default)]
     pub ask: Ask,
     /// The scenario that all runs start from, relative to this file.
@@ -119,7 +119,7 @@ impl StudyFileInput {
         let all = match self.ask {
             Ask::Run if scenario.model.is_none() => {
                 let issue = Issue::new("base", "runs need a scenario with a `[time]`");
-                let help = "add one, or ask where the shaft stands: ask = \"bearing\"";
+                let help = "add one, or ask for its static equilibrium: ask = \"bearing\"";
                 problems.refuse(issue.help(help));
                 return None;
             }

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::DMatrix;
 
-/// A node may lie beside its even share of the circle by this part of the distance of two nodes.
+/// A node may be off its even share of the circle by this part of the distance of two nodes.
 const UNEVEN: f64 = 0.25;
 /// Periods searched for nodes, per node.
 const LONGEST_SEARCH: u64 = 1 << 13;

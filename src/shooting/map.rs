@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use super::Circle;
 use crate::integrate::IntegrateError;
 
-/// Which slopes of the map are asked for beside its image.
+/// Which slopes of the map are asked for besides its image.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Slopes {
     /// None.

@@ -49,7 +49,7 @@ pub struct Model {
     pub(crate) table: bool,
     /// Window of the spectra; `None` leaves the spectra out.
     pub(crate) spectrum: Option<Window>,
-    /// What is made of the samples beside the spectra.
+    /// What is made of the samples besides the spectra.
     pub(crate) analyses: Analyses,
     /// Spectra to estimate besides; without any, nothing is recorded for them.
     pub(crate) spectra: Vec<SpectrumRequest>,
@@ -95,7 +95,7 @@ pub struct Analyses {
     pub highest_order: Option<f64>,
     /// The spectra up to an order are whole, and have their peaks, too.
     pub named_peaks: bool,
-    /// Whether lines beside their bins let a rectangular window be Hann's.
+    /// Whether lines off their bins let a rectangular window be Hann's.
     pub fits_window: bool,
     /// These spectra are of the forces, too.
     pub force_lines: bool,

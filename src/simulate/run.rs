@@ -82,7 +82,7 @@ impl Reduction {
         (tolerance < FINE * relative).then(|| 10_f64.powf((0.1 * relative).log10().floor()))
     }
 
-    /// What to say of an error that is large beside the motion.
+    /// What to say of an error that is large compared with the motion.
     pub(crate) fn warning(&self) -> Option<String> {
         let error = self.error.filter(|error| error.relative > REDUCTION)?;
         Some(format!(

@@ -132,7 +132,7 @@ pub(super) fn analyse(
         });
     }
     let mut found = recording.spectrum(&channels, window, causes)?;
-    // the skirts of a line beside its bin would hide weaker ones
+    // the skirts of a line off its bin would hide weaker ones
     if model.analyses.fits_window && spectra::leaks(&found.spectrum) {
         found = recording.spectrum(&channels, Window::Hann, causes)?;
     }

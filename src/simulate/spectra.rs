@@ -97,7 +97,7 @@ pub(super) fn warnings(
     warnings
 }
 
-/// Whether a line beside its bin hides weaker ones at a constant speed.
+/// Whether a line off its bin hides weaker ones at a constant speed.
 pub(super) fn leaks(spectrum: &Spectrum) -> bool {
     checks(spectrum).iter().any(|check| check.leak.is_some())
 }
@@ -117,7 +117,7 @@ fn checks(spectrum: &Spectrum) -> Vec<ChannelCheck> {
     spectrum.channels.iter().map(of).collect()
 }
 
-/// The channel that is sampled most seldom; a freedom that rests beside the others of its unit is not
+/// The channel that is sampled most seldom; a freedom that hardly moves compared with the others of its unit is not
 /// judged by itself.
 fn aliasing(powers: &[(Channel, TopPower)]) -> Option<String> {
     let loudest = |unit| {
@@ -152,7 +152,7 @@ fn leakage(
     let (channel, leak) = leaks.max_by(|a, b| a.1.reach().total_cmp(&b.1.reach()))?;
     let position = (leak.bin as f64 + leak.offset) * resolution;
     Some(format!(
-        "leakage: in {file} the line of {channel} at {position:.2} {unit} is {:.2} bins beside its \
+        "leakage: in {file} the line of {channel} at {position:.2} {unit} is {:.2} bins off its \
          bin under the rectangular window, shows {:.0} % of its amplitude, and hides what is weaker \
          than 1 % of it within {:.1} {unit}; {remedy} leaves narrow skirts, \"flat_top\" shows \
          amplitudes within 1 %",

@@ -225,7 +225,7 @@ impl LinearResponseQuestion {
         sizes
     }
 
-    /// The pickups whose motion is more than round-off beside the largest displacement, or tilt.
+    /// The pickups whose motion is more than round-off compared with the largest displacement, or tilt.
     fn moving(&self, points: &[Motions]) -> impl Iterator<Item = usize> {
         let sizes = self.sizes(points);
         let is_length = |pickup: usize| self.at[pickup].axis < 3;
@@ -506,7 +506,7 @@ const FOLLOWED: usize = 41;
 const PHASE_STEP: f64 = 5.0 * TAU / 360.0;
 const PHASE_STEPS: i32 = 17;
 
-/// A pickup that moves less than this part of the largest motion stands still.
+/// A pickup that moves less than this part of the largest motion is still.
 const ROUND_OFF: f64 = 1e-9;
 
 /// Part of a frequency to which peaks and sides are found: the amplitude about a peak is flat.

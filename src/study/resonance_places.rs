@@ -25,7 +25,7 @@ impl From<&Mode> for Place {
 }
 
 /// The places besides those that are `known`, which rise, between the first and the last of them: close enough about
-/// each resonance that no peak stands between two of them.
+/// each resonance that no peak lies between two of them.
 pub(super) fn between(known: &[f64], resonances: &[Place]) -> Vec<f64> {
     let (Some(from), Some(to)) = (known.first(), known.last()) else {
         return Vec::new();

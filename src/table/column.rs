@@ -231,7 +231,7 @@ impl<'de> Deserialize<'de> for Column {
     }
 }
 
-/// What stands in a name before its last part.
+/// What a name has before its last part.
 fn before<'a>(name: &'a str, part: &str) -> Option<&'a str> {
     let rest = name.strip_suffix(part)?.strip_suffix('_')?;
     (!rest.is_empty()).then_some(rest)

@@ -437,7 +437,7 @@ fn a_damper_sits_under_a_housing() {
         refused
             .expect_err("no housing")
             .render(false)
-            .contains("stands in no housing")
+            .contains("in no housing")
     );
 }
 

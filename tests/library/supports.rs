@@ -251,7 +251,7 @@ fn far_positions_are_judged_by_all_bearings() {
     assert!(!warned(&text("-100 mm"), "outside the bearings"));
     assert!(warned(
         &text("99 mm"),
-        "stands 99.0 mm outside the bearings, which span 1.0 mm"
+        "99.0 mm outside the bearings, which span 1.0 mm"
     ));
 }
 

@@ -27,7 +27,7 @@ use moments::DriftRecorder;
 use section::{NODES, Node};
 
 /// A motion below this part of the displacement is round-off.
-const REST: f64 = 1e-9;
+const AT_REST: f64 = 1e-9;
 /// A motion beyond it in m, or m/s, has no bounds: no shaft goes so far or so fast.
 const BEYOND_BOUNDS: f64 = 1e6;
 /// Samples that the orbit keeps: the last ones.
@@ -250,7 +250,7 @@ impl MotionRecorder {
         };
         let displacement = self.largest(|axis| of_axis(axis).rms());
         let mean = self.largest(|axis| of_axis(axis).mean().abs());
-        let resting = displacement <= REST * mean;
+        let resting = displacement <= AT_REST * mean;
         let bounded = self.is_bounded(|axis| [of_axis(axis), self.rates[axis]]);
         let at_once = |kind| Recognition {
             kind,

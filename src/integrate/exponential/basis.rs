@@ -263,7 +263,7 @@ mod tests {
     }
 
     /// Displacements and velocities under stiff damping that couples them, with two works and a state that
-    /// never changes beside them, in units far apart.
+    /// never changes compared with them, in units far apart.
     fn with_works() -> [[f64; 7]; 7] {
         let mut jacobian = [[0.0; 7]; 7];
         (jacobian[2][0], jacobian[3][1]) = (1.0, 1.0);

@@ -5,7 +5,7 @@
 //! y(t + c_i h) = exp(c_i h J) y(t) + h Σ_j a_ij(hJ) g(t + c_j h, y_j)
 //! ```
 //!
-//! with a frozen J. The sums integrate the polynomial through the values of g exactly beside the linear
+//! with a frozen J. The sums integrate the polynomial through the values of g exactly together with the linear
 //! part; sweeps over the points solve for the y_j. A shaft on preloaded bearings oscillates far faster
 //! than what drives it, and nearly linearly: g is small and follows the drive, and so do the steps.
 //!

@@ -111,7 +111,7 @@ impl ExponentialStepper {
         }
     }
 
-    /// Before the first step, with the slopes of the state by that at the start found beside it and kept to the same
+    /// Before the first step, with the slopes of the state by that at the start found with it and kept to the same
     /// tolerance.
     pub fn with_slopes(problem: &Problem<'_>, start: &Start) -> Self {
         Self {

@@ -161,7 +161,7 @@ impl<'r, 'a> Reader<'r, 'a> {
     fn child(&mut self, depth: usize) -> Result<Value, Problem> {
         let tag = self.tag()?;
         if tag.kind != MATRIX || tag.small.is_some() {
-            return Err(self.bytes.problem("no field or cell stands here"));
+            return Err(self.bytes.problem("there is no field or cell here"));
         }
         Ok(self.matrix(tag.length, depth + 1)?.1)
     }

@@ -36,7 +36,7 @@ impl Heading {
         }
     }
 
-    /// What the name of a column says that stands beside the times of a trace of this program; that of another one has other signs
+    /// What the name of a column says that is next to the times of a trace of this program; that of another one has other signs
     /// than letters, digits and `_`.
     pub fn of_trace(name: &str) -> Self {
         let is_of_name = |sign: char| sign.is_alphanumeric() || sign == '_';

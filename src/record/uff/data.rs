@@ -143,7 +143,7 @@ fn binary(
         return Ok(());
     }
     let count = header.count;
-    let what = format!("{count} values begin here, behind which no line `-1` stands");
+    let what = format!("{count} values begin here, after which there is no line `-1`");
     let why = "is the file cut, or were its line ends converted?";
     Err(Problem::byte(lines.at as u64, format!("{what}; {why}")))
 }

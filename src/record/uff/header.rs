@@ -15,7 +15,7 @@ const DIRECTIONS: [&str; 13] = [
     "-rz", "-ry", "-rx", "-z", "-y", "-x", "", "+x", "+y", "+z", "+rx", "+ry", "+rz",
 ];
 
-/// What stands in front of the values of a function.
+/// What comes before the values of a function.
 pub(super) struct Header {
     /// First line.
     description: String,
@@ -127,7 +127,7 @@ struct Line {
 }
 
 impl Line {
-    /// What stands in columns, without blanks around it; nothing for `NONE`.
+    /// What is in columns, without blanks around it; nothing for `NONE`.
     fn field(&self, from: usize, to: usize) -> String {
         let signs = self.text.chars().skip(from).take(to - from);
         let field: String = signs.collect();

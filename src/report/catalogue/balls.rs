@@ -14,7 +14,7 @@ pub fn estimate_text(title: &str, line: &CatalogueLine, estimate: &Estimate) -> 
     out
 }
 
-/// The estimate as JSON: the geometry with the ratings that it has, beside what is printed.
+/// The estimate as JSON: the geometry with the ratings that it has, with what is printed.
 pub fn estimate_json(line: &CatalogueLine, estimate: &Estimate) -> Value {
     let mut value = versioned(estimate);
     value["printed"] = json!({

@@ -93,7 +93,7 @@ pub fn roller_estimate_text(title: &str, line: &RollerLine, estimate: &RollerEst
     out
 }
 
-/// The rollers of a catalogue line as JSON, beside what is printed.
+/// The rollers of a catalogue line as JSON, with what is printed.
 pub fn roller_estimate_json(line: &RollerLine, estimate: &RollerEstimate) -> Value {
     let mut value = versioned(estimate);
     let [bore, outside, width] = line.boundary;

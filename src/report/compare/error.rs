@@ -117,13 +117,13 @@ pub enum CompareError {
         second: PathBuf,
     },
     /// The results have nothing in common that could differ.
-    #[error("nothing was compared: no column with numbers is in both beside the axis; there are: {}", columns.join(", "))]
+    #[error("nothing was compared: no column with numbers is in both besides the axis; there are: {}", columns.join(", "))]
     NothingCompared {
         /// Names of the columns of both.
         columns: Vec<String>,
     },
     /// A figure of the comparison cannot be drawn or written.
-    #[error("the comparison stands, its figure does not")]
+    #[error("the comparison is complete, but its figure could not be written")]
     Figure(#[from] crate::report::ReportError),
 }
 

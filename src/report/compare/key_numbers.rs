@@ -7,7 +7,7 @@ use crate::analysis::{Rate, velocity_rate};
 use crate::report::terminal::{Lines, MICRO, MILLI, digits, or_dash};
 use crate::table::{Column, ColumnKind};
 
-/// Numbers of a summary beside the velocities: their names with the unit that they are shown in, where they are found, and what
+/// Numbers of a summary besides the velocities: their names with the unit that they are shown in, where they are found, and what
 /// makes one in SI units one in that unit.
 pub(super) const KEY_NUMBERS: [(&str, &str, f64); 5] = [
     (

@@ -178,7 +178,7 @@ pub(super) fn predictions(file: &FitFile, fit: &Fit) -> (Vec<Overlay>, Overlay) 
     )
 }
 
-/// Lines as a spectrum that is nothing beside them.
+/// Lines as a spectrum that is nothing compared with them.
 fn line_spectrum(lines: &SteadyLines, channels: &[Channel]) -> Table<'static> {
     const BESIDE: f64 = 1e-6;
     let moving = lines.lines.iter().filter(|line| line.frequency > 0.0);

@@ -1,4 +1,4 @@
-//! What a fit has found: values with their errors, what is computed beside what was measured, and what is not known.
+//! What a fit has found: values with their errors, what is computed against what was measured, and what is not known.
 
 mod figures;
 mod text;

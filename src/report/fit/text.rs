@@ -28,7 +28,7 @@ fn with_error(variable: &Variable, value: f64, error: f64) -> [String; 3] {
     ]
 }
 
-/// Values with their errors, and what is computed beside what was measured.
+/// Values with their errors, and what is computed against what was measured.
 pub(super) fn tell(text: &mut Lines, file: &FitFile, fit: &Fit, rows: &[Row<'_>]) {
     let (seen, sought) = (rows.len(), file.unknowns.len());
     text.line(

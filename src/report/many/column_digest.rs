@@ -57,7 +57,7 @@ impl ColumnDigest {
         finite.fold(0.0, f64::max)
     }
 
-    /// Whether it varies by more than what is round-off beside a value of its kind.
+    /// Whether it varies by more than what is round-off compared with a value of its kind.
     pub(super) fn varies_beside(&self, size: f64) -> bool {
         self.known > 1 && self.highest - self.lowest > CONSTANT * size
     }
@@ -92,7 +92,7 @@ pub(super) fn quantiles(values: impl Iterator<Item = f64>) -> Option<[f64; QUANT
         let below = place as usize;
         let above = (below + 1).min(last);
         match place - below as f64 {
-            // beside an infinite life
+            // compared with an infinite life
             0.0 => sorted[below],
             part => sorted[below] * (1.0 - part) + sorted[above] * part,
         }

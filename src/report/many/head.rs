@@ -11,7 +11,7 @@ use crate::study::Variable;
 use crate::study::many::{Ask, Keep, Outcome, RunRecord, Shard};
 use crate::table::Column;
 
-/// The first line of a file of rows: the study, and all that its tables, figures and page say beside the rows.
+/// The first line of a file of rows: the study, and all that its tables, figures and page say besides the rows.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StudyHead {
     /// Version of the program.
@@ -34,7 +34,7 @@ pub struct StudyHead {
     pub numbers: Vec<Column>,
     /// The displacements that move.
     pub displacements: Vec<Channel>,
-    /// What is kept beside the numbers.
+    /// What is kept besides the numbers.
     pub keep: Keep,
     /// Names of the numbers that the study keeps, where it names any.
     pub named: Option<Vec<String>>,

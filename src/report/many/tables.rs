@@ -17,7 +17,7 @@ const BETWEEN_WARNINGS: &str = " | ";
 /// The cells of a row, as texts.
 type Cells = Vec<String>;
 
-/// A table with rows of every run that is done, beside that of the runs.
+/// A table with rows of every run that is done, besides that of the runs.
 struct Table {
     file: &'static str,
     is_kept: fn(&StudyHead) -> bool,

@@ -79,7 +79,7 @@ pub(super) fn stand(study: &Path) -> Result<bool, ReportError> {
     }
 }
 
-/// What stands before and behind the number of the run in the name of a trace, and of one that is being written.
+/// What comes before and after the number of the run in the name of a trace, and of one that is being written.
 pub(super) const WHOLE: [&str; 2] = ["trace-", ".csv"];
 pub(super) const UNFINISHED: [&str; 2] = [".trace-", ".csv.partial"];
 

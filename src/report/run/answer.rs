@@ -1,4 +1,4 @@
-//! What a run answers beside its trace: its document, its text, its figures and its tables.
+//! What a run answers besides its trace: its document, its text, its figures and its tables.
 
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -194,7 +194,7 @@ impl SpectraSummary {
 }
 
 /// How the spectra were made.
-const SCALING: &str = "one-sided, peak values; the mean stands alone at frequency zero, taken away before the window; \
+const SCALING: &str = "one-sided, peak values; the mean is alone at frequency zero, taken away before the window; \
                        phase of cos(2 pi f t + phase) with t from start_s";
 
 impl<'a> RunSummary<'a> {

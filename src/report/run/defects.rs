@@ -146,7 +146,7 @@ impl<'a> Drawing<'a> {
     }
 }
 
-/// How far a circle has risen beside its lowest point; none beyond its radius.
+/// How far a circle has risen above its lowest point; none beyond its radius.
 fn sagitta(radius: f64, along: f64) -> Option<f64> {
     let square = radius * radius - along * along;
     (square >= 0.0).then(|| along * along / (radius + square.sqrt()))

@@ -73,7 +73,7 @@ impl Film {
         });
         Some(json!({
             "bearings": bearings.collect::<Value>(),
-            // as differences, for the time may be long beside a revolution
+            // as differences, for the time may be long compared with a revolution
             "start": frames[0].0.time,
             "times": of(&|sample| sample.time - frames[0].0.time),
             "angles": of(&|sample| sample.angle - frames[0].0.angle),

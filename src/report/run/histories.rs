@@ -38,7 +38,7 @@ struct Place {
     band: [f64; 2],
 }
 
-/// What is drawn beside displacements and forces.
+/// What is drawn besides displacements and forces.
 const FURTHER: [Channel; 5] = [
     Channel::LargestBallLoad,
     Channel::BallsLoaded,
@@ -129,7 +129,7 @@ impl Histories {
     }
 
     /// A panel for each other quantity of a page, but for what is unknown and for what does not change, no more than
-    /// round-off beside the largest value of its unit.
+    /// round-off compared with the largest value of its unit.
     pub(in crate::report) fn others(&self, title: &str) -> Option<Figure> {
         let others = || self.histories.iter().filter(|own| !own.is_displacement());
         let magnitude = |unit: &str| {

@@ -88,7 +88,7 @@ const OTHERS: &str = "signal";
 /// Name of what shows how the housings move.
 const HOUSINGS: &str = "housing_velocity";
 
-/// What a page shows beside displacements: velocities of the housings, where there are any, and of the shaft, then amplitudes
+/// What a page shows besides displacements: velocities of the housings, where there are any, and of the shaft, then amplitudes
 /// of channels of one unit together, each a figure.
 pub(in crate::report) fn spectra_figures(
     title: &str,
@@ -243,7 +243,7 @@ fn limit<'a>(spectrum: &Spectrum, peaks: impl Iterator<Item = &'a Peak> + Clone)
 }
 
 /// The frequency, Hz, up to which a spectrum has content, by the units and frequencies of its peaks, those of lengths alone
-/// where there are any; no limit where it has no peaks and the shaft stands.
+/// where there are any; no limit where it has no peaks and the shaft is stationary.
 pub(in crate::report) fn content_limit<'a>(
     peaks: impl Iterator<Item = (&'a str, f64)> + Clone,
     shaft_frequency: f64,

@@ -36,7 +36,7 @@ pub enum SeriesError {
         rows: usize,
     },
     /// A column is shorter or longer than that of the times.
-    #[error("a column of {values} values stands beside {rows} times")]
+    #[error("a column has {values} values for {rows} times")]
     Length {
         /// Values in the column.
         values: usize,

@@ -75,8 +75,8 @@ pub struct BearingInput {
     pub film: Option<bool>,
     /// Race control of this bearing. Default: that of `[model]`.
     pub race_control: Option<RaceControl>,
-    /// Ring that turns at the speed of `[speed]`. "outer": the shaft stands, the outer ring turns in its place, and the load
-    /// stands with the shaft; with contact "hertz" or "linear", and of all bearings alike. Default: "inner".
+    /// Ring that turns at the speed of `[speed]`. "outer": the shaft is stationary, the outer ring turns in its place, and the load
+    /// is stationary with the shaft; with contact "hertz" or "linear", and of all bearings alike. Default: "inner".
     #[serde(default, skip_serializing_if = "is_inner")]
     pub rotating_ring: Race,
     /// Class of the clearance of a deep-groove bearing of the catalogue, or of rollers with a `bore`, "C2", "CN", "C3", "C4" or
@@ -129,7 +129,7 @@ pub struct BearingInput {
     /// Angle that the cage gains or loses by chance with every ball pass. Default: it turns evenly.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cage_jitter: Option<CageJitterInput>,
-    /// The housing that it stands in. Default: it stands on the ground.
+    /// The housing that it is mounted in. Default: it is mounted on the ground.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub housing: Option<HousingInput>,
     /// What a maker's catalogue prints of the bearing, instead of `catalogue`.

@@ -119,7 +119,7 @@ impl ScenarioInput {
         }
     }
 
-    /// Warns where the centre of mass or a load stands far outside the bearings: most often a unit mistaken.
+    /// Warns where the centre of mass or a load is far outside the bearings: most often a unit mistaken.
     pub(super) fn warn_of_far_positions(
         &self,
         bearings: &[MountedBearing],
@@ -147,7 +147,7 @@ impl ScenarioInput {
             let outside = (first - position).max(position - last);
             if outside > reach && reach > 0.0 {
                 problems.warn(format!(
-                    "{what} stands {:.1} mm outside the bearings, which span {:.1} mm: look at the units of \
+                    "{what} is {:.1} mm outside the bearings, which span {:.1} mm: look at the units of \
                      the positions",
                     1e3 * outside,
                     1e3 * (last - first)
@@ -156,7 +156,7 @@ impl ScenarioInput {
         }
     }
 
-    /// Refuses what turns with a shaft that stands while the outer rings of its bearings turn.
+    /// Refuses what turns with a stationary shaft while the outer rings of its bearings turn.
     pub(super) fn check_standing_shaft(
         &self,
         rotor: &RotorDefinition,
@@ -197,8 +197,9 @@ impl ScenarioInput {
             ),
         ];
         for (what, _, help) in found.into_iter().filter(|(_, given, _)| *given) {
-            let message =
-                format!("the outer ring turns and the shaft stands, but the scene has {what}");
+            let message = format!(
+                "the outer ring turns and the shaft is stationary, but the scene has {what}"
+            );
             let key = format!("bearing[{}].rotating_ring", index + 1);
             problems.refuse(Issue::new(key, message).help(help));
         }

@@ -74,7 +74,7 @@ pub struct Coefficients {
 /// Damping ratio below which a mode is not damped: round-off of an eigenvalue.
 const LEAST_RATIO: f64 = 1e-9;
 /// What comes of no damping, and what to write.
-const UNDAMPED: &str = "a free vibration does not decay, the start is never forgotten and stands in the spectra; shafts \
+const UNDAMPED: &str = "a free vibration does not decay, the start is never forgotten and is in the spectra; shafts \
                         on ball bearings have ratio = 0.02 to 0.04 in [damping]";
 
 /// Warns where no table damps the shaft, and bearings, housings and the shaft itself leave a mode undamped.

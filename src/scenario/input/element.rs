@@ -47,7 +47,7 @@ pub struct ElementInput {
     /// A flexible coupling to a shaft that does not vibrate, which may be misaligned.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub coupling: Option<CouplingInput>,
-    /// The housing that it stands in. Default: it stands on the ground.
+    /// The housing that it is mounted in. Default: it is mounted on the ground.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub housing: Option<HousingInput>,
 }
@@ -288,7 +288,7 @@ pub fn check_housings(elements: &[ForceElement], housings: &[usize], problems: &
         let Some(number) = element.housing_of.filter(|own| !housings.contains(own)) else {
             continue;
         };
-        let message = format!("bearing {} stands in no housing", number + 1);
+        let message = format!("bearing {} is in no housing", number + 1);
         let issue = Issue::new(format!("element[{}].housing_of", index + 1), message);
         problems.refuse(
             issue.help("give it a table [bearing.housing]; elements count on behind the bearings"),

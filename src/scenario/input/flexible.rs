@@ -211,7 +211,7 @@ fn refuse_without_mass(shaft: &ShaftInput, discs: &[DiscInput], problems: &mut P
         return;
     }
     if shaft.matrices.is_some() {
-        let message = "the mass of `matrices` stands in their file";
+        let message = "the mass of `matrices` is in their file";
         let issue = Issue::new("shaft.massless", message).help("leave one of them out");
         problems.refuse(issue.against("shaft.matrices"));
     }

@@ -33,7 +33,7 @@ pub struct Output {
     #[schemars(range(min = 8, max = 65_536))]
     pub samples_per_revolution: Option<u32>,
     /// Samples per second, for instance "20 kHz", instead of samples per revolution; needed
-    /// where the shaft stands.
+    /// where the shaft is stationary.
     #[schemars(extend("x-minimum" = 1e-3))]
     pub(super) sample_rate: Option<Quantity<Frequency>>,
     /// Window of the spectra. Default: "rectangular", exact for lines on a bin, or "hann" where strong lines are not on one.
@@ -73,7 +73,7 @@ pub struct Output {
     /// written.
     #[schemars(range(min = 1, max = 1_000_000))]
     pub every: Option<NonZeroU64>,
-    /// What the written trace shows beside the time, in this order; `bearing2_force_x`, … as `bearing1_force_x`. Default:
+    /// What the written trace shows besides the time, in this order; `bearing2_force_x`, … as `bearing1_force_x`. Default:
     /// everything but accelerations of the shaft and moments of single bearings; the force of each bearing where there are
     /// two and more.
     #[schemars(extend("minItems" = 1))]
@@ -176,7 +176,7 @@ impl Output {
         Some(sampling)
     }
 
-    /// What is made of the samples beside the spectra.
+    /// What is made of the samples besides the spectra.
     pub(super) fn analyses(&self, turning: Turning<'_>, problems: &mut Problems<'_>) -> Analyses {
         let (steady, changes) = (turning.steady.is_some(), turning.changes);
         if self.motion == Some(true) && !steady {

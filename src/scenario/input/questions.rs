@@ -10,7 +10,7 @@ use crate::study::ContactChoice as ChosenContact;
 
 /// What a scenario asks.
 pub struct Questions {
-    /// Where the shaft stands.
+    /// The static equilibrium of the shaft.
     pub question: StaticQuestion,
     /// How it moves, where `[time]` is given.
     pub model: Option<Model>,

@@ -137,7 +137,7 @@ pub struct RecordBearingInput {
     pub catalogue: Option<String>,
     /// What a maker's catalogue prints of the bearing, instead of `catalogue`.
     pub ratings: Option<RatingsInput>,
-    /// Four numbers: balls or rollers, their diameter, pitch diameter and contact angle (Default: 0 deg); beside `catalogue` or `ratings` those that
+    /// Four numbers: balls or rollers, their diameter, pitch diameter and contact angle (Default: 0 deg); besides `catalogue` or `ratings` those that
     /// differ.
     pub geometry: Option<GeometryInput>,
     /// How much slower the cage turns than it would roll, as a part. Default: as its lines show it.

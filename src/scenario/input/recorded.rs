@@ -35,7 +35,7 @@ impl<C: AsRef<str>> SpectrumInput<C> {
         let over = ".over";
         let (speed, turns) = (recorded.turning.key, recorded.turning.highest > 0.0);
         if self.over == Axis::Order && !turns {
-            let issue = Issue::new(over, "a shaft that stands has no orders")
+            let issue = Issue::new(over, "a stationary shaft has no orders")
                 .help("set over = \"frequency\"");
             problems.refuse(issue.against(speed));
         } else if self.over == Axis::Order && self.segment.is_some() {

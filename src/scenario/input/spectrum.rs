@@ -55,7 +55,7 @@ pub struct SpectrumInput<C = ChannelName> {
     /// What is taken out of every segment before its window. Default: "constant".
     #[serde(default)]
     pub detrend: Detrend,
-    /// What the spectrum stands over. Default: "frequency".
+    /// What the spectrum is over. Default: "frequency".
     #[serde(default)]
     pub over: Axis,
     /// Lowest and highest frequency of what the envelope is taken of, for instance

@@ -121,7 +121,7 @@ fn points(profile: &[PointInput]) -> Result<(f64, Vec<SpeedPoint>), Issue> {
     for (index, pair) in profile.windows(2).enumerate() {
         let (before, time) = (pair[0].at.si(), pair[1].at.si());
         if time <= before {
-            let message = format!("`at` must rise from point to point: {before} s stands before");
+            let message = format!("`at` must rise from point to point: {before} s comes before");
             let issue = Issue::new(format!("speed.profile[{}].at", index + 2), message);
             return Err(issue.against(format!("speed.profile[{}].at", index + 1)));
         }

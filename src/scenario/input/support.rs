@@ -9,7 +9,7 @@ use crate::rotor::Freedoms;
 use crate::scenario::Issue;
 use crate::scenario::quantity::{Damping, Mass, Quantity, Stiffness};
 
-/// The housing that a bearing stands in: a mass on springs and dampers to the ground, where sensors sit. It moves along x and
+/// The housing that a bearing is mounted in: a mass on springs and dampers to the ground, where sensors sit. It moves along x and
 /// y, and along z where the shaft does; its displacement counts from where its own weight has put it. Base accelerations
 /// act on it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -71,7 +71,7 @@ fn amount(text: &str, rotor: &RotorDefinition) -> Result<f64, Issue> {
         let speed = rotor.highest_speed();
         if speed <= 0.0 {
             let message =
-                "a balance quality grade is an unbalance at a speed, and the shaft stands still";
+                "a balance quality grade is an unbalance at a speed, and the shaft is stationary";
             let issue = Issue::new(path, message).help("give the unbalance, as in \"20 g mm\"");
             return Err(issue.against_all(["speed.constant", "speed.from", "speed.to"]));
         }

@@ -18,7 +18,7 @@ use turning::TurningSource;
 
 /// Part of a rate by which two are the same.
 const SAME_RATE: f64 = 1e-6;
-/// Part of a sample by which a time may be beside it.
+/// Part of a sample by which a time may be off it.
 const ON_SAMPLE: f64 = 1e-3;
 /// Times in s without bounds.
 const ALWAYS: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];

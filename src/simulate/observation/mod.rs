@@ -1,4 +1,4 @@
-//! What a run observes of its bearings beside the trace: events, load zone, life.
+//! What a run observes of its bearings besides the trace: events, load zone, life.
 
 mod contact_watch;
 mod event;

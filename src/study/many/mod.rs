@@ -33,11 +33,11 @@ pub enum Ask {
     /// How the shaft moves, as `jeffcott run` does.
     #[default]
     Run,
-    /// Where the shaft stands, as `jeffcott bearing` does.
+    /// The static equilibrium of the shaft, as `jeffcott bearing` does.
     Bearing,
 }
 
-/// What is kept of every run, beside its numbers.
+/// What is kept of every run, besides its numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Keep {
     /// Highest order up to which the amplitudes of the displacements are kept; none where `None`.

@@ -43,7 +43,7 @@ pub struct NumberColumn {
     pub order: Option<u32>,
     /// Whether it is kept only where it is asked for.
     pub on_request: bool,
-    /// Asks for what it rests on, beside lines of spectra.
+    /// Asks for what it rests on, besides lines of spectra.
     pub(super) ask: fn(&mut Analyses),
     value: Value,
 }
