@@ -455,7 +455,7 @@ fn a_film_that_the_shaft_leaves_at_rest_is_refused() {
         }
     };
     assert!(
-        refused.contains("200.0 µm beside its middle, and its clearance is 100.0 µm"),
+        refused.contains("200.0 µm off its middle, and its clearance is 100.0 µm"),
         "{refused}"
     );
 }

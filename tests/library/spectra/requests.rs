@@ -148,7 +148,7 @@ fn leakage_and_aliasing_are_told_with_numbers_and_remedies() {
     let plain = "[output]\nwindow = \"rectangular\"\n";
     let warning = told(plain, "leakage").expect("the ball pass leaks");
     assert!(warning.contains("window = \"hann\""), "{warning}");
-    assert!(warning.contains("bins beside its bin"), "{warning}");
+    assert!(warning.contains("bins off its bin"), "{warning}");
     assert_eq!(told("[output]\nwindow = \"flat_top\"\n", "leakage"), None);
     assert_eq!(told("", "aliasing"), None);
     // where no window is asked for, such a line is seen through Hann's
