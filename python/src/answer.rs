@@ -102,7 +102,7 @@ impl RunFindings {
     /// Whether a channel has a value in any sample: bearings, elements and housings that the machine lacks have none.
     fn is_observed(&self, channel: Channel) -> bool {
         let mut samples = self.0.recorded.samples.iter();
-        samples.any(|sample| channel.of(sample).is_some())
+        samples.any(|sample| channel.value(sample).is_some())
     }
 }
 
@@ -157,7 +157,7 @@ impl RunFindings {
             )));
         };
         let samples = self.0.recorded.samples.iter();
-        let values = samples.map(|sample| channel.of(sample).unwrap_or(f64::NAN));
+        let values = samples.map(|sample| channel.value(sample).unwrap_or(f64::NAN));
         Ok(values.collect::<Vec<_>>().into_pyarray(py))
     }
 

@@ -258,7 +258,7 @@ impl Channel {
     }
 
     /// Value in a sample; none where it was not observed.
-    pub fn of(self, sample: &Sample) -> Option<f64> {
+    pub fn value(self, sample: &Sample) -> Option<f64> {
         Some(match self {
             Self::Time => sample.time,
             Self::Angle => sample.angle,
@@ -435,7 +435,7 @@ mod tests {
             ..Sample::default()
         };
         for channel in Channel::all() {
-            assert_eq!(channel.of(&sample), Some(0.0), "{channel}");
+            assert_eq!(channel.value(&sample), Some(0.0), "{channel}");
         }
         assert_eq!(
             Channel::all().count(),

@@ -28,7 +28,7 @@ pub(crate) struct NoiseFloor {
 
 impl NoiseFloor {
     /// Of columns with their largest magnitudes, `rate` samples a second; zero where that is unknown.
-    pub fn of(columns: impl IntoIterator<Item = (Channel, f64)>, rate: f64) -> Self {
+    pub fn new(columns: impl IntoIterator<Item = (Channel, f64)>, rate: f64) -> Self {
         let mut largest = [0.0_f64; 5];
         let mut measured = Vec::new();
         for (channel, magnitude) in columns {
@@ -112,7 +112,7 @@ mod tests {
             (Channel::Force(2), 1000.0),
             (Channel::Force(4), 1e-13),
         ];
-        let floor = NoiseFloor::of(columns, 10e3);
+        let floor = NoiseFloor::new(columns, 10e3);
         let close = |value: f64, expected: f64| assert!((value / expected - 1.0).abs() < 1e-12);
         close(floor.below(Channel::Displacement(0)), 2e-16);
         close(floor.below(Channel::Displacement(4)), 2e-14);

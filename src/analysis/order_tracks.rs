@@ -277,7 +277,7 @@ impl TrackRecorder {
     /// Takes one sample of a run: samples are at equal times, and the angle does not fall.
     pub fn record(&mut self, sample: &Sample) {
         let turning = [sample.time, sample.angle, sample.speed];
-        self.take(turning, |channel| channel.of(sample).unwrap_or(f64::NAN));
+        self.take(turning, |channel| channel.value(sample).unwrap_or(f64::NAN));
     }
 
     /// Takes time, angle and speed of a sample, and the values of its channels.

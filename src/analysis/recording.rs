@@ -158,7 +158,7 @@ impl Recording {
         let start = self.start.get_or_insert(sample.time);
         let mut dropped = 0;
         for (channel, values) in &mut self.channels {
-            values.extend(channel.of(sample));
+            values.extend(channel.value(sample));
             dropped = keep_last(values, most, self.most);
         }
         *start += dropped as f64 / self.grid.rate;
@@ -180,7 +180,7 @@ impl Recording {
     pub(super) fn noise_floor(&self) -> NoiseFloor {
         let channels = self.channels.iter();
         let magnitudes = channels.map(|(channel, values)| (*channel, magnitude(values)));
-        NoiseFloor::of(magnitudes, self.grid.rate)
+        NoiseFloor::new(magnitudes, self.grid.rate)
     }
 
     /// Number of samples recorded of every column.

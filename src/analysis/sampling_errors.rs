@@ -37,7 +37,7 @@ impl TopPower {
     ///
     /// What a signal holds above half its sampling rate is folded below it, first into the top. A
     /// spectrum that has fallen off there folds little; one that has not is sampled too seldom.
-    pub fn of(powers: &[f64], rest: f64, window: Window) -> Self {
+    pub fn new(powers: &[f64], rest: f64, window: Window) -> Self {
         // the window spreads the mean over the first bins
         let first = window.coefficients().len().min(powers.len());
         let begin = (TOP * powers.len() as f64) as usize;
@@ -52,10 +52,10 @@ impl TopPower {
     /// that do not meet reach up to the top: it is weighted after Hann first.
     pub fn of_channel(entry: &ChannelSpectrum, window: Window, rest: f64) -> Self {
         match window {
-            Window::Rectangular => Self::of(&hann_powers(entry), rest, Window::Hann),
+            Window::Rectangular => Self::new(&hann_powers(entry), rest, Window::Hann),
             _ => {
                 let powers: Vec<f64> = entry.amplitude.iter().map(|a| 0.5 * a * a).collect();
-                Self::of(&powers, rest, window)
+                Self::new(&powers, rest, window)
             }
         }
     }
@@ -172,7 +172,7 @@ mod tests {
 
     #[test]
     fn a_tenth_of_white_noise_is_at_the_top() {
-        let white = TopPower::of(&[1.0; 1001], 0.0, Window::Rectangular);
+        let white = TopPower::new(&[1.0; 1001], 0.0, Window::Rectangular);
         assert!((white.top / white.total - 0.1).abs() < 2e-3);
     }
 

@@ -96,7 +96,7 @@ impl Spectrum {
             .channels
             .iter()
             .map(|entry| (entry.channel, magnitude(&entry.amplitude)));
-        NoiseFloor::of(magnitudes, self.resolution * self.length as f64)
+        NoiseFloor::new(magnitudes, self.resolution * self.length as f64)
     }
 
     /// Spectrum of one channel, if it was recorded.

@@ -104,7 +104,7 @@ impl WaterfallRecorder {
     /// Takes one sample of a run.
     pub fn record(&mut self, sample: &Sample) {
         let turning = [sample.time, sample.speed];
-        self.take(turning, |channel| channel.of(sample).unwrap_or(f64::NAN));
+        self.take(turning, |channel| channel.value(sample).unwrap_or(f64::NAN));
     }
 
     /// Takes time and speed of a sample, and the values of its channels.

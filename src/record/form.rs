@@ -45,7 +45,7 @@ const MATLAB_HEADER: usize = 128;
 
 impl Form {
     /// The form of a file that begins with these bytes.
-    pub(super) fn of(head: &[u8], path: &Path) -> Result<Self, Problem> {
+    pub(super) fn recognise(head: &[u8], path: &Path) -> Result<Self, Problem> {
         #[cfg(feature = "parquet")]
         if head.starts_with(b"PAR1") {
             return Ok(Self::Parquet);

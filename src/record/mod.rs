@@ -146,7 +146,7 @@ impl Record {
     fn read(mut file: impl Read, length: u64, path: &Path) -> Result<Self, Problem> {
         let mut head = Vec::new();
         (&mut file).take(form::HEAD).read_to_end(&mut head)?;
-        let mut record = Self::new(Form::of(&head, path)?);
+        let mut record = Self::new(Form::recognise(&head, path)?);
         let bytes = Bytes::new(head.chain(file), length);
         match record.form {
             Form::Text => text::read(&mut record, &head, bytes),
@@ -219,7 +219,7 @@ impl Record {
     /// unit, and place with direction.
     pub fn list(&self) -> Table<'static> {
         let word = |text: &Option<String>| text.clone().unwrap_or_default();
-        Table::of(&self.channels)
+        Table::from_items(&self.channels)
             .word("channel", |it| &it.name)
             .count("samples", |it| it.samples.len() as f64)
             .number("rate", "Hz", |it| it.sampling.rate())

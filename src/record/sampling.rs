@@ -30,7 +30,7 @@ pub(crate) struct Gaps {
 impl Gaps {
     /// The gaps of times in s that lie on a grid, however many of its places are empty; none where they lie on no grid, or have no gap.
     /// Its step is the shortest one, made exact by all that are whole numbers of it.
-    pub fn of(times: &[f64]) -> Option<Self> {
+    pub fn find(times: &[f64]) -> Option<Self> {
         let steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let mut sorted = steps.clone();
         sorted.sort_by(f64::total_cmp);
@@ -158,7 +158,7 @@ impl Sampling {
             Self::Times(times) => {
                 let length = times.last()? - times.first()?;
                 let mean = || length / (times.len() - 1) as f64;
-                Some(length + Gaps::of(times).map_or_else(mean, |gaps| 1.0 / gaps.rate))
+                Some(length + Gaps::find(times).map_or_else(mean, |gaps| 1.0 / gaps.rate))
             }
         }
     }
@@ -198,7 +198,7 @@ mod tests {
             let late = |n: usize| if n < 120 { 0.0 } else { gap };
             (0..200).map(|n| 1e-3 * (n as f64 + late(n))).collect()
         };
-        let gaps = Gaps::of(&times(25.0)).expect("a gap");
+        let gaps = Gaps::find(&times(25.0)).expect("a gap");
         assert!((gaps.rate - 1000.0).abs() < 1e-6, "{gaps:?}");
         assert_eq!(gaps.gaps, [(120, 25.0)]);
         let filled = gaps.filled(&[1.0; 200]);
@@ -206,15 +206,15 @@ mod tests {
         assert!(missing.map(|(place, _)| place).eq(120..145));
         assert_eq!(filled.len(), 225);
         // a short one that is no whole number of steps is none, a long one is
-        assert_eq!(Gaps::of(&times(2.4)), None);
-        assert_eq!(Gaps::of(&times(800.4)).expect("a gap").missing(), 800.0);
+        assert_eq!(Gaps::find(&times(2.4)), None);
+        assert_eq!(Gaps::find(&times(800.4)).expect("a gap").missing(), 800.0);
         let part: Vec<f64> = (0..2000).filter(|n| n % 7 < 2).map(f64::from).collect();
-        let gaps = Gaps::of(&part).expect("two of seven");
+        let gaps = Gaps::find(&part).expect("two of seven");
         assert_eq!((gaps.rate, gaps.missing()), (1.0, 1425.0));
         let uneven: Vec<f64> = (0..200).map(|n| f64::from(n * n)).collect();
-        assert_eq!(Gaps::of(&uneven), None);
-        assert_eq!(Gaps::of(&[0.0, 1.0, 1.0]), None);
-        assert_eq!(Gaps::of(&[]), None);
+        assert_eq!(Gaps::find(&uneven), None);
+        assert_eq!(Gaps::find(&[0.0, 1.0, 1.0]), None);
+        assert_eq!(Gaps::find(&[]), None);
     }
 
     #[test]

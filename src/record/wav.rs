@@ -34,7 +34,7 @@ pub(super) fn read(record: &mut Record, mut bytes: Bytes<'_>) -> Result<(), Prob
             }
             b"fmt " => {
                 let chunk = bytes.take(length.into())?;
-                layout = Some(Layout::of(&chunk).map_err(|what| bytes.problem(what))?);
+                layout = Some(Layout::parse(&chunk).map_err(|what| bytes.problem(what))?);
             }
             // the lengths of a file of more than 4 GiB
             b"ds64" => {
@@ -51,7 +51,7 @@ pub(super) fn read(record: &mut Record, mut bytes: Bytes<'_>) -> Result<(), Prob
 }
 
 impl Layout {
-    fn of(chunk: &[u8]) -> Result<Self, String> {
+    fn parse(chunk: &[u8]) -> Result<Self, String> {
         let Some(&[t0, t1, c0, c1, r0, r1, r2, r3, _, _, _, _, b0, b1, ..]) =
             chunk.first_chunk::<16>()
         else {

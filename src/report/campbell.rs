@@ -77,7 +77,7 @@ pub(super) fn modes(campbell: &Campbell) -> Table<'static> {
         modes.filter_map(move |(speed, mode)| Some((index + 1, *speed, mode.as_ref()?)))
     });
     let modes: Vec<_> = modes.collect();
-    Table::of(&modes)
+    Table::from_items(&modes)
         .number("speed", "rad/s", |(_, speed, _)| *speed)
         .count("branch", |(branch, ..)| *branch as f64)
         .number("frequency", "Hz", |(.., mode)| mode.damped_frequency())
@@ -123,7 +123,7 @@ fn critical_table(campbell: &Campbell, named: &[(f64, String)]) -> Table<'static
         let branch = campbell.branches.get(critical.branch);
         branch.map_or(critical.whirl, Branch::whirl)
     };
-    Table::of(&campbell.critical_speeds)
+    Table::from_items(&campbell.critical_speeds)
         .column(Column::order(), |critical| critical.order)
         .word("name", |critical| order_name(critical.order, named))
         .count("branch", |critical| (critical.branch + 1) as f64)

@@ -51,7 +51,7 @@ pub fn matrices_findings(
         )
     });
     text.each("reduction", reduction);
-    let list = Table::of(coordinates)
+    let list = Table::from_items(coordinates)
         .word("coordinate", |own| &own.0)
         .word("unit", |own| own.1)
         .end();

@@ -159,7 +159,7 @@ fn table(
         motions.map(move |(kind, point)| (number, branch.multiple, kind, point))
     });
     let rows: Vec<_> = rows.collect();
-    let mut table = Table::of(&rows)
+    let mut table = Table::from_items(&rows)
         .count("branch", |(number, ..)| f64::from(*number))
         .count("multiple", |(_, multiple, ..)| f64::from(*multiple));
     if kinds {

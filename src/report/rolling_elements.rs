@@ -66,7 +66,7 @@ pub(super) fn balls_table<'a>(
         balls.map(move |(ball, line)| (bearing, ball, line))
     });
     let balls: Vec<_> = balls.collect();
-    Table::of(&balls)
+    Table::from_items(&balls)
         .headed(ROLLING_ELEMENTS)
         .count("bearing", |(bearing, ..)| *bearing as f64)
         .count("ball", |(_, ball, _)| f64::from(*ball))

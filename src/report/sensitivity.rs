@@ -76,7 +76,7 @@ impl SensitivityTable {
             keys.map(move |key| self.row(key, number))
         });
         let rows: Vec<_> = rows.collect();
-        Table::of(&rows)
+        Table::from_items(&rows)
             .word("number", |row| &row.number.name)
             .number("value", "", |row| row.number.value)
             .word("unit", |row| &row.number.unit)

@@ -205,7 +205,7 @@ fn laminae_table<'a>(
     slices: impl IntoIterator<Item = (usize, i32, &'a LaminaLine)>,
 ) -> Table<'static> {
     let slices: Vec<_> = slices.into_iter().collect();
-    Table::of(&slices)
+    Table::from_items(&slices)
         .count("bearing", |(bearing, ..)| *bearing as f64)
         .count("roller", |(_, roller, _)| f64::from(*roller))
         .named("", &LAMINA, |(.., lamina)| Some(lamina))

@@ -67,7 +67,7 @@ pub fn steady_findings(scenario: &Scenario, model: &Model, steady: &Steady) -> F
 /// channel.
 fn line_table(steady: &Steady, speed: f64, causes: &[Line]) -> Table<'static> {
     let mut table =
-        Table::of(&steady.lines.lines).column(Column::frequency(), |line| line.frequency);
+        Table::from_items(&steady.lines.lines).column(Column::frequency(), |line| line.frequency);
     if speed > 0.0 {
         table = table.column(Column::order(), |line| line.frequency * TAU / speed);
     }

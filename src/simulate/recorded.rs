@@ -134,7 +134,7 @@ impl RecordedRun {
     /// [`UnknownColumn`] where no column is called so.
     pub fn column(&self, name: &str) -> Result<Vec<f64>, UnknownColumn> {
         let channel = named(name)?;
-        let values = self.samples.iter().map(|sample| channel.of(sample));
+        let values = self.samples.iter().map(|sample| channel.value(sample));
         Ok(values.map(|value| value.unwrap_or(f64::NAN)).collect())
     }
 

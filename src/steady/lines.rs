@@ -203,7 +203,7 @@ pub struct MotionRange {
 pub(super) fn values(channel: Channel, sampled: &[Vec<Sample>]) -> DMatrix<f64> {
     let instants = sampled.first().map_or(0, Vec::len);
     DMatrix::from_fn(sampled.len(), instants, |node, instant| {
-        channel.of(&sampled[node][instant]).unwrap_or(f64::NAN)
+        channel.value(&sampled[node][instant]).unwrap_or(f64::NAN)
     })
 }
 

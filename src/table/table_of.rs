@@ -97,7 +97,7 @@ impl<'r, R> TableOf<'r, R> {
 
 impl Table<'static> {
     /// Begins a table of rows.
-    pub fn of<R>(rows: &[R]) -> TableOf<'_, R> {
+    pub fn from_items<R>(rows: &[R]) -> TableOf<'_, R> {
         TableOf {
             rows,
             table: Self::default(),

@@ -39,7 +39,7 @@ fn mutants() -> u64 {
 struct Chance(u64);
 
 impl Chance {
-    fn of(seed: u64) -> Self {
+    fn from_seed(seed: u64) -> Self {
         Self(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1)
     }
 
@@ -222,7 +222,7 @@ fn campaign<T: Send>(
         scope.spawn(|| {
             let running = running;
             for seed in 0..count {
-                let mut chance = Chance::of(seed + 1);
+                let mut chance = Chance::from_seed(seed + 1);
                 let input = make(&mut chance);
                 *current.lock().expect("a whole text") = show(&input);
                 let taken = catch_unwind(AssertUnwindSafe(|| take(&input, &mut chance)));

@@ -114,7 +114,7 @@ impl Columns<'_> {
         let of = |powers: &[f64], window| {
             let powers = powers.iter().enumerate();
             let powers: Vec<f64> = powers.map(|(k, power)| welch.sides(k) * power).collect();
-            TopPower::of(&powers, rest, window)
+            TopPower::new(&powers, rest, window)
         };
         Some(match self.request.window {
             Window::Rectangular => {

@@ -42,7 +42,7 @@ pub fn estimate(
     if request.kind == SpectrumKind::Cross && !request.scaling.is_square() {
         return Err(EstimateError::CrossAmplitude);
     }
-    let record = Record::of(recording, request)?;
+    let record = Record::new(recording, request)?;
     let segment = record.segment(request)?;
     // a product such as 0.7 · 10 is no whole number
     let overlap = (request.overlap * segment as f64 * (1.0 + 1e-12)).floor();

@@ -23,7 +23,7 @@ pub(super) struct Record<'a> {
 }
 
 impl<'a> Record<'a> {
-    pub fn of(recording: &'a Recording, request: &SpectrumRequest) -> Result<Self, EstimateError> {
+    pub fn new(recording: &'a Recording, request: &SpectrumRequest) -> Result<Self, EstimateError> {
         match (request.axis, recording.grid.per_revolution) {
             (Axis::Order, None) => Self::resampled(recording, request),
             _ => Ok(Self::as_recorded(recording, request)),
@@ -41,7 +41,7 @@ impl<'a> Record<'a> {
             None => 0.0,
         };
         Self {
-            signals: Signals::of(recording, request),
+            signals: Signals::new(recording, request),
             rate: match request.axis {
                 Axis::Frequency => grid.rate,
                 Axis::Order => per_revolution,
@@ -179,7 +179,7 @@ pub(super) enum Signals<'a> {
 }
 
 impl<'a> Signals<'a> {
-    fn of(recording: &'a Recording, request: &SpectrumRequest) -> Self {
+    fn new(recording: &'a Recording, request: &SpectrumRequest) -> Self {
         let channels = channels(recording, request);
         match request.kind {
             SpectrumKind::Envelope { band } => Self::Envelopes {

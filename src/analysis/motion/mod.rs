@@ -202,7 +202,7 @@ impl MotionRecorder {
         let first = self.times.map_or(sample.time, |[first, _]| first);
         self.times = Some([first, sample.time]);
         for ChannelStatistics { channel, moments } in &mut self.statistics {
-            if let Some(value) = channel.of(sample) {
+            if let Some(value) = channel.value(sample) {
                 moments.take(value);
             }
         }
@@ -215,7 +215,7 @@ impl MotionRecorder {
             level.take(value, &mut self.planner);
         }
         for (channel, level) in &mut self.housing_velocity {
-            if let Some(value) = channel.of(sample) {
+            if let Some(value) = channel.value(sample) {
                 level.take(value, &mut self.planner);
             }
         }
@@ -231,7 +231,7 @@ impl MotionRecorder {
     fn record_sections(&mut self, sample: &Sample) {
         let (nodes, taken) = &mut self.last;
         nodes.rotate_left(1);
-        nodes[NODES - 1] = Node::of(sample);
+        nodes[NODES - 1] = Node::from_sample(sample);
         *taken += 1;
         if *taken >= NODES {
             for section in &mut self.sections {
@@ -272,7 +272,7 @@ impl MotionRecorder {
         let drift = self.drift.finish(&self.settings.levers, displacement);
         let magnitudes = self.statistics.iter();
         let magnitudes = magnitudes.map(|each| (each.channel, each.moments.magnitude()));
-        let floor = NoiseFloor::of(magnitudes, self.settings.rate);
+        let floor = NoiseFloor::new(magnitudes, self.settings.rate);
         let mut statistics = self.statistics;
         for ChannelStatistics { channel, moments } in &mut statistics {
             *moments = moments.above(floor.below(*channel));

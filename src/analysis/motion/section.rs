@@ -30,7 +30,7 @@ pub(super) struct Node {
 
 impl Node {
     /// What a sample says of it.
-    pub fn of(sample: &Sample) -> Self {
+    pub fn from_sample(sample: &Sample) -> Self {
         Self {
             time: sample.time,
             angle: sample.angle,

@@ -41,7 +41,7 @@ impl Heading {
     pub fn of_trace(name: &str) -> Self {
         let is_of_name = |sign: char| sign.is_alphanumeric() || sign == '_';
         if !name.chars().all(is_of_name) {
-            return Self::of(name, "");
+            return Self::from_name(name, "");
         }
         let column = match with_rate(name) {
             Some((quantity, unit)) => Column::number(quantity, unit),
@@ -55,7 +55,7 @@ impl Heading {
     }
 
     /// What name and unit say, of which the name may hold the unit.
-    fn of(name: &str, unit: &str) -> Self {
+    fn from_name(name: &str, unit: &str) -> Self {
         let (name, own) = split(name);
         let unit = unit.trim_matches(['[', ']', '(', ')', ' ', '-']);
         let unit = own.or((!unit.is_empty()).then_some(unit));
@@ -117,7 +117,7 @@ pub(super) fn of_columns(names: &[String], units: &[String]) -> Vec<Heading> {
     }
     let headings = names.iter().zip(units);
     headings
-        .map(|(name, unit)| Heading::of(name, unit))
+        .map(|(name, unit)| Heading::from_name(name, unit))
         .collect()
 }
 

@@ -22,7 +22,7 @@ pub(super) enum Form {
 
 impl Form {
     /// As the first line of the dataset says: `58`, or `58b` with the order of the bytes and the form of the numbers.
-    pub fn of(line: &[u8]) -> Result<Self, &'static str> {
+    pub fn parse(line: &[u8]) -> Result<Self, &'static str> {
         if !matches!(line.get(6), Some(b'b' | b'B')) {
             return Ok(Self::Text);
         }
@@ -46,7 +46,7 @@ enum Part {
 use Part::{Abscissa, Imaginary, Real};
 
 impl Values {
-    fn of(&mut self, part: Part) -> &mut Vec<f64> {
+    fn of_part(&mut self, part: Part) -> &mut Vec<f64> {
         match part {
             Abscissa => &mut self.abscissa,
             Real => &mut self.real,
@@ -68,7 +68,7 @@ pub(super) fn read(lines: &mut Lines<'_>, form: Form, header: &Header) -> Result
     }
     let mut values = Values::default();
     for part in parts {
-        values.of(*part).reserve_exact(header.count as usize);
+        values.of_part(*part).reserve_exact(header.count as usize);
     }
     match form {
         Form::Text => text(lines, header, parts, &mut values)?,
@@ -90,7 +90,7 @@ fn text(
         let cells = line.split(u8::is_ascii_whitespace);
         for cell in cells.filter(|cell| !cell.is_empty()) {
             let value = number(cell).map_err(|what| Problem::line(lines.number, what))?;
-            values.of(parts[taken % parts.len()]).push(value);
+            values.of_part(parts[taken % parts.len()]).push(value);
             taken += 1;
         }
     }
@@ -135,7 +135,7 @@ fn binary(
             for part in parts {
                 let one;
                 (one, point) = point.split_at(form(part).size() as usize);
-                form(part).each(one, &mut |number| values.of(*part).push(number));
+                form(part).each(one, &mut |number| values.of_part(*part).push(number));
             }
         }
         lines.at += range.end;

@@ -34,7 +34,7 @@ pub(super) fn read(record: &mut Record, mut bytes: Bytes<'_>) -> Result<(), Prob
 
 /// Reads a function up to the end of its dataset.
 fn function(record: &mut Record, lines: &mut Lines<'_>, first: &[u8]) -> Result<(), Problem> {
-    let form = Form::of(first).map_err(|what| Problem::line(lines.number, what))?;
+    let form = Form::parse(first).map_err(|what| Problem::line(lines.number, what))?;
     let header = Header::read(lines)?;
     let values = data::read(lines, form, &header)?;
     let name = header.name();

@@ -46,7 +46,7 @@ const ERRORS: [Named<Errors>; 11] = [
 /// Methods × tolerances.
 fn methods_table(accuracy: &Accuracy) -> Table<'static> {
     let measured = |row: &Row| row.result.as_ref().ok().map(|own| own.within_uncertainty);
-    let table = Table::of(&accuracy.rows)
+    let table = Table::from_items(&accuracy.rows)
         .word("method", |row| &row.method)
         .number("tolerance", "", |row| row.tolerance);
     with_costs(table, |row| Some(&row.result.as_ref().ok()?.cost))
@@ -61,7 +61,7 @@ fn methods_table(accuracy: &Accuracy) -> Table<'static> {
 /// The fidelity levels.
 fn ladder_table(accuracy: &Accuracy) -> Table<'static> {
     let cost = |row: &'_ FidelityRow| row.result.as_ref().ok().map(|(cost, _)| cost.seconds);
-    let table = Table::of(&accuracy.ladder.rows)
+    let table = Table::from_items(&accuracy.ladder.rows)
         .word("model", |row| row.configuration)
         .word("as_written", |row| row.as_written)
         .number("wall_time_per_simulated_s", "", |row| {

@@ -103,7 +103,7 @@ pub(super) fn compare_quantities(
         let both = [own, second.remove(partner)];
         let strongest = both.iter().flat_map(|lines| lines.lines.first());
         let allowance = Allowance {
-            tolerance: rules.tolerances.of(&both[0].column.name()),
+            tolerance: rules.tolerances.of_column(&both[0].column.name()),
             scale: strongest.map(|line| line.amplitude).fold(0.0, f64::max),
             more: 0.0,
         };

@@ -45,11 +45,11 @@ impl Overlay {
         let found = file.measurement.analyse();
         let name = path.file_stem().unwrap_or(path.as_os_str());
         let name = name.to_string_lossy();
-        Ok(Self::of(&name, found.spectrum.as_ref(), &found.spectra))
+        Ok(Self::new(&name, found.spectrum.as_ref(), &found.spectra))
     }
 
     /// Of what was estimated.
-    pub fn of(name: &str, spectrum: Option<&Spectrum>, spectra: &[EstimatedSpectrum]) -> Self {
+    pub fn new(name: &str, spectrum: Option<&Spectrum>, spectra: &[EstimatedSpectrum]) -> Self {
         let is_envelope =
             |of: &&EstimatedSpectrum| matches!(of.request.kind, SpectrumKind::Envelope { .. });
         let envelopes = spectra.iter().filter(is_envelope);

@@ -181,7 +181,7 @@ impl<'a> Scales<'a> {
         let channels = columns
             .filter_map(|column| Some((Channel::of_column(column)?, largest(tables, column))));
         Self {
-            floor: NoiseFloor::of(channels, rate),
+            floor: NoiseFloor::new(channels, rate),
             tables,
         }
     }
@@ -209,7 +209,7 @@ impl<'a> Scales<'a> {
             });
         let tolerance = match self.is_axis(column) {
             true => rules.tolerances.of_axis(&column.name()),
-            false => rules.tolerances.of(&column.name()),
+            false => rules.tolerances.of_column(&column.name()),
         };
         Allowance {
             tolerance,

@@ -105,7 +105,7 @@ impl Tolerances {
     }
 
     /// Tolerance of the column `name`.
-    pub fn of(&self, name: &str) -> Tolerance {
+    pub fn of_column(&self, name: &str) -> Tolerance {
         self.own(name).unwrap_or(self.default)
     }
 

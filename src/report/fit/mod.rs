@@ -133,7 +133,7 @@ fn found<'a>(file: &'a FitFile, fit: &'a Fit) -> Vec<Found<'a>> {
 
 fn unknowns_table(file: &FitFile, fit: &Fit) -> Table<'static> {
     let found = found(file, fit);
-    Table::of(&found)
+    Table::from_items(&found)
         .word("key", |(unknown, ..)| &unknown.variable.key)
         .number("value", "", |(_, value, ..)| *value)
         .number("standard_error", "", |(_, _, error, _)| *error)
@@ -146,7 +146,7 @@ fn unknowns_table(file: &FitFile, fit: &Fit) -> Table<'static> {
 }
 
 fn observations_table(rows: &[Row<'_>]) -> Table<'static> {
-    Table::of(rows)
+    Table::from_items(rows)
         .word("observation", |row| row.name)
         .number("measured", "", |row| row.measured)
         .number("computed", "", |row| row.computed)
@@ -158,7 +158,7 @@ fn observations_table(rows: &[Row<'_>]) -> Table<'static> {
 }
 
 fn minima_table(file: &FitFile, fit: &Fit) -> Table<'static> {
-    let table = Table::of(&fit.minima)
+    let table = Table::from_items(&fit.minima)
         .number("chi_square", "", |own| own.chi_square)
         .count("starts", |own| own.starts as f64);
     let keys = file.variables().enumerate();
@@ -175,7 +175,7 @@ fn profiles_table(file: &FitFile, fit: &Fit) -> Table<'static> {
         profile.points.iter().map(move |point| (unknown, point))
     });
     let points: Vec<_> = points.collect();
-    Table::of(&points)
+    Table::from_items(&points)
         .word("key", |(unknown, _)| &unknown.variable.key)
         .number("value", "", |(_, point)| point[0])
         .word("unit", |(unknown, _)| &unknown.variable.unit)

@@ -220,7 +220,7 @@ impl Reported<'_> {
 
     /// The responses: of a force receptance, mobility and accelerance, of unbalances the motion.
     fn table(&self) -> Table<'static> {
-        let mut table = Table::of(&self.response.points)
+        let mut table = Table::from_items(&self.response.points)
             .column(self.first_column(), |(value, _)| self.own_unit(*value));
         for index in 0..self.question.at.len() {
             let name = self.name(index);
@@ -273,7 +273,7 @@ impl Reported<'_> {
             ("unit", "unit".to_owned()),
             ("amplification\nfactor", "amplification_factor".to_owned()),
         ];
-        let mut table = Table::of(&self.response.resonances)
+        let mut table = Table::from_items(&self.response.resonances)
             .word("column", |own| self.name(own.pickup))
             .word("place", |own| place(&self.question.at[own.pickup]))
             .column(self.first_column(), |own| self.own_unit(own.peak))

@@ -366,7 +366,7 @@ impl Digest {
         let varying: Vec<_> = (self.columns.iter())
             .filter(|own| own.quantiles.is_some() && varies(self, own))
             .collect();
-        let table = Table::of(&varying)
+        let table = Table::from_items(&varying)
             .word("number", |own| own.column.name())
             .number("mean", "", |own| own.mean)
             .number("standard_deviation", "", |own| own.standard_deviation);

@@ -96,7 +96,7 @@ impl<'a> RunAnswer<'a> {
         let spectrum = run.spectrum.as_ref();
         let mut figures = Vec::new();
         if !measured.is_empty() {
-            let own = Overlay::of("simulated", spectrum, &run.spectra);
+            let own = Overlay::new("simulated", spectrum, &run.spectra);
             figures = overlay_figures(&[&[own], measured].concat());
         }
         figures.extend(named(true));

@@ -115,7 +115,7 @@ impl Histories {
         let [start, _] = self.time.unwrap_or([sample.time; 2]);
         self.time = Some([start, sample.time]);
         for history in &mut self.histories {
-            if let Some(value) = history.channel.of(sample) {
+            if let Some(value) = history.channel.value(sample) {
                 history.take(sample.time, value, self.open > 0);
             }
         }

@@ -166,7 +166,7 @@ pub(super) fn poincare_table(motion: &Motion) -> Table<'static> {
     let points: Vec<_> = sections
         .flat_map(|section| section.points.iter().map(|point| (section.kind, point)))
         .collect();
-    let table = Table::of(&points)
+    let table = Table::from_items(&points)
         .word("section", |(kind, _)| kind)
         .count("number", |(_, point)| point.number as f64)
         .number("t", "s", |(_, point)| point.time);

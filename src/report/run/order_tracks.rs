@@ -14,7 +14,7 @@ pub(super) const LEAST_OF_PHASE: f64 = 0.01;
 
 /// One row a window: time, speed, then amplitude and phase of every order of every channel.
 pub(in crate::report) fn tracks_table(tracks: &OrderTracks) -> Table<'static> {
-    let mut table = Table::of(&tracks.points)
+    let mut table = Table::from_items(&tracks.points)
         .number("t", "s", |point| point.time)
         .number("speed", "rad/s", |point| point.speed);
     for (row, channel) in tracks.channels.iter().enumerate() {

@@ -48,7 +48,7 @@ impl SampleFiles {
 
 /// Channels of a sample; NaN where a value was not observed.
 fn sample_row(channels: impl Iterator<Item = Channel>, sample: &Sample) -> Vec<f64> {
-    let values = channels.map(|channel| channel.of(sample));
+    let values = channels.map(|channel| channel.value(sample));
     values.map(|value| value.unwrap_or(f64::NAN)).collect()
 }
 
@@ -59,7 +59,7 @@ pub(in crate::report) fn sample_table(
 ) -> Table<'static> {
     let mut table = Table::default();
     for channel in channels {
-        let values = samples.iter().map(|sample| channel.of(sample));
+        let values = samples.iter().map(|sample| channel.value(sample));
         table.add(channel.column(), values);
     }
     table

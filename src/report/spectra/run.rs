@@ -54,7 +54,7 @@ pub(in crate::report) fn peak_table(peaks: &[Peak], spectrum: &Spectrum) -> Tabl
         let names = peak.others.iter().map(|line| line.kind.to_string());
         names.collect::<Vec<_>>().join("; ")
     };
-    Table::of(peaks)
+    Table::from_items(peaks)
         .word("channel", |peak| peak.channel.name())
         .word("unit", |peak| peak.channel.unit())
         .column(Column::frequency(), |peak| peak.frequency)

@@ -229,7 +229,7 @@ mod tests {
     #[test]
     fn what_is_missing_is_an_empty_cell_and_words_may_hold_commas() {
         let rows = [(1.0, Some(0.1), "a, \"b\""), (2.0, None, "")];
-        let table = Table::of(&rows)
+        let table = Table::from_items(&rows)
             .count("n", |row| row.0)
             .number("x", "m", |row| row.1)
             .word("note", |row| row.2)

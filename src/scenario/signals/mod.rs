@@ -185,7 +185,7 @@ impl Signals {
     /// What is analysed, and what each channel is in the file.
     pub fn table(&self) -> Table<'static> {
         let signals: Vec<_> = self.values.iter().zip(&self.sources).collect();
-        let table = Table::of(&signals)
+        let table = Table::from_items(&signals)
             .word("channel", |((channel, _), _)| channel.name())
             .word("unit", |((channel, _), _)| channel.unit());
         let words = ["column", "unit_in_file", "measured", "direction"];

@@ -80,7 +80,7 @@ impl SignalReader<'_> {
             }
             (sampling, Some(given)) => {
                 if let Sampling::Times(times) = sampling
-                    && let Some(gaps) = Gaps::of(times)
+                    && let Some(gaps) = Gaps::find(times)
                 {
                     let (behind, _) = gaps.gaps[0];
                     problems.warn(format!(
@@ -94,7 +94,7 @@ impl SignalReader<'_> {
             }
             (Sampling::Times(times), None) => {
                 let times = &times[known.clone()];
-                return match Gaps::of(times) {
+                return match Gaps::find(times) {
                     Some(gaps) => self.with_gaps(name, times, values, gaps, problems),
                     None => self.uneven(name, times, values, problems),
                 };

@@ -52,7 +52,7 @@ fn stiffness(definition: &RotorDefinition) -> [f64; 3] {
     [k[(0, 0)], k[(0, 4)], k[(3, 3)]]
 }
 
-fn of(campbell: &Campbell, whirl: Whirl) -> Vec<usize> {
+fn of_whirl(campbell: &Campbell, whirl: Whirl) -> Vec<usize> {
     let branches = campbell.branches.iter().enumerate();
     branches
         .filter(|(_, branch)| branch.whirl() == whirl)
@@ -155,8 +155,8 @@ fn whirl_frequencies_of_an_uneven_rotor_are_roots_of_its_equation() {
         ..
     } = definition.shaft;
     let campbell = solved(definition, 20_000.0, &[1.0]);
-    assert_eq!(of(&campbell, Whirl::Forward).len(), 2);
-    assert_eq!(of(&campbell, Whirl::Backward).len(), 2);
+    assert_eq!(of_whirl(&campbell, Whirl::Forward).len(), 2);
+    assert_eq!(of_whirl(&campbell, Whirl::Backward).len(), 2);
     for branch in &campbell.branches {
         for (speed, mode) in campbell.speeds.iter().zip(&branch.modes).skip(1) {
             let mode = mode.as_ref().expect("a mode at every speed");
