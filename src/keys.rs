@@ -81,7 +81,7 @@ pub(crate) fn stiffness<S: Serializer>(matrix: &Matrix5, serializer: S) -> Seria
     )
 }
 
-/// The same of rows.
+/// The rows of a stiffness matrix with the names of its rows and columns, and its diagonal by name.
 pub(crate) fn rows<S: Serializer>(
     rows: &[[f64; FREEDOMS]; FREEDOMS],
     serializer: S,

@@ -20,7 +20,7 @@ const LEAST_STEP: f64 = 1e-10;
 const LEAST_GAIN: f64 = 1e-16;
 /// A step of the search for the lowest place that is to lower χ² by less than this part of it is the last.
 const FINE: f64 = 1e-8;
-/// The same of searches that only tell which place is the lowest.
+/// A step of a search that only finds which place is the lowest, and that is to lower χ² by less than this part, is the last.
 const ROUGH: f64 = 1e-3;
 /// Step of the differences of a search, in parts of the ranges.
 const DIFFERENCE: f64 = 1e-4;

@@ -22,7 +22,7 @@ pub struct ResponseError {
     value: f64,
     /// The difference, m.
     displacement_m: f64,
-    /// The same relative to the largest peak-to-peak range.
+    /// That difference over the largest peak-to-peak range.
     relative: f64,
     /// Tolerances of both.
     tolerance: f64,

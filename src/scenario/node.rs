@@ -126,7 +126,7 @@ impl Node {
         }
     }
 
-    /// The same values at other places.
+    /// This node with its values at other places of the text.
     pub fn moved(mut self, to: impl Fn(usize) -> usize + Copy) -> Self {
         let place = |span: &Range<usize>| to(span.start)..to(span.end);
         self.span = place(&self.span);

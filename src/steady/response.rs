@@ -107,7 +107,7 @@ impl ResponseQuestion<'_> {
 pub struct RangeError {
     /// Largest difference of a mean or a peak-to-peak range of a displacement, m.
     pub displacement: f64,
-    /// The same relative to the largest peak-to-peak range.
+    /// That difference over the largest peak-to-peak range.
     pub relative: f64,
     /// Tolerance of the motion that was found again.
     pub reference_tolerance: f64,

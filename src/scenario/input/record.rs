@@ -246,7 +246,7 @@ impl RecordBearingInput {
         Some((printed.name, geometry, estimate.notes))
     }
 
-    /// The same of a ball bearing, of which nothing may be printed.
+    /// Name, geometry and notes of a ball bearing, of which nothing may be printed.
     fn balls(
         &self,
         printed: Option<Printed>,

@@ -41,7 +41,7 @@ pub(in crate::bearing::law) struct RollerCells {
     /// Vector instructions of the processor.
     pub level: Level,
     pub laminae: Box<[Four]>,
-    /// The same laminae, each a position and 2 P, m.
+    /// The laminae one by one, each a position and 2 P, m.
     each: Box<[[f64; 2]]>,
     /// L/2, m.
     pub half_length: f64,
