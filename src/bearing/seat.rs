@@ -114,6 +114,7 @@ fn press(
 ) {
     for _ in 0..STEP_LIMIT {
         let (carried, stiffness) = tangent(place);
+        // Δz = (F − F_z)/K_zz
         let step = ((force - carried[AXIAL]) / stiffness[(AXIAL, AXIAL)]).clamp(-reach, reach);
         // nothing bears and nothing resists: press on
         let next = place[AXIAL] + if step.is_nan() { reach } else { step };

@@ -52,6 +52,7 @@ impl System for Augmented<'_> {
         self.system.derivative(time, state, own);
         let (jacobian, panels) = &mut *self.slopes.borrow_mut();
         self.system.linearisation(time, state, jacobian);
+        // Φ̇ = ∂f/∂y Φ, column by column
         panels.set(jacobian, states);
         rates.fill(0.0);
         in_wide_registers!(self.level, {

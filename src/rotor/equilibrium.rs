@@ -176,6 +176,7 @@ fn condensed(stiffness: &DMatrix<f64>, kept: [usize; FREEDOMS]) -> Matrix5 {
         |rows: &[usize], columns: &[usize]| stiffness.select_rows(rows).select_columns(columns);
     let mut own = block(&kept, &kept);
     let inner = block(&yielding, &yielding).lu();
+    // K_oo − K_oe (K_ee⁻¹ K_eo)
     if let Some(followed) = inner.solve(&block(&yielding, &kept)) {
         own -= block(&kept, &yielding) * followed;
     }

@@ -105,6 +105,7 @@ pub fn solve_within(
     let mut is_borrowed = slopes.is_some_and(|slopes| slopes.len() < map.circle().nodes());
     let (mut before, mut renewed) = (f64::INFINITY, false);
     while search.history.len() < MOST_CORRECTIONS && !search.is_stuck() {
+        // (Φ − shift) Δ = −r, with the slopes Φ of these or of earlier states
         let correction = search.correction(map)?;
         let size = correction.amax();
         if size > reach {
@@ -118,6 +119,7 @@ pub fn solve_within(
                 slopes: search.slopes,
             });
         }
+        // slopes of earlier states serve as long as corrections shrink fast
         let slow = size > SLOW * before;
         renewed = slow || size > 1.0;
         if slow && !is_borrowed {
@@ -199,6 +201,7 @@ impl Search {
         let (start, before) = (self.states.clone(), self.residual.amax());
         let mut part = 1.0;
         for halving in 0..=MOST_HALVINGS {
+            // s + λ Δ, λ = 1, ½, ¼ … until the residual no longer grows
             self.states = &start + correction * part;
             if renewed {
                 self.factors = None;
