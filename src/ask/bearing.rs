@@ -31,7 +31,7 @@ impl<'a> BearingQuestion<'a> {
         }
     }
 
-    /// Equilibrium, stiffness and every ball.
+    /// Equilibrium, stiffness and every rolling element.
     ///
     /// # Errors
     /// [`AskError::Failed`] where there is no equilibrium.

@@ -53,7 +53,7 @@ impl Geometry {
             return Err(GeometryError::Balls { balls });
         }
         for (name, value) in [
-            ("ball diameter", ball_diameter),
+            ("diameter of the rolling elements", ball_diameter),
             ("pitch diameter", pitch_diameter),
         ] {
             Self::check_length(name, value)?;

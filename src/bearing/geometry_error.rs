@@ -12,7 +12,7 @@ fn millimetres(length: f64) -> f64 {
 #[non_exhaustive]
 pub enum GeometryError {
     /// Too few or too many balls to be a bearing.
-    #[error("{balls} balls: a ball bearing has {min} to {max}", min = Geometry::FEWEST_BALLS, max = Geometry::MOST_BALLS)]
+    #[error("{balls} rolling elements: a row has {min} to {max}", min = Geometry::FEWEST_BALLS, max = Geometry::MOST_BALLS)]
     Balls {
         /// Number of balls as given.
         balls: usize,
@@ -132,7 +132,7 @@ pub enum GeometryError {
     },
     /// The balls overlap on the pitch circle.
     #[error(
-        "{balls} balls of {ball_diameter} m overlap on a pitch circle of {pitch_diameter} m: at \
+        "{balls} rolling elements of {ball_diameter} m overlap on a pitch circle of {pitch_diameter} m: at \
          most {largest} fit"
     )]
     Overlap {

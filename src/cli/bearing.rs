@@ -7,7 +7,7 @@ use super::jobs::Files;
 use crate::ask::BearingQuestion;
 use crate::scenario::{self, Issue};
 
-/// Finds the static equilibrium of the shaft: displacement, stiffness and every ball.
+/// Finds the static equilibrium of the shaft: displacement, stiffness and every rolling element.
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Example:\n  jeffcott bearing scenarios/bearing-7205c.toml\n\n\

@@ -32,7 +32,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-/// Simulates a shaft on ball bearings: transient response and spectra.
+/// Simulates a shaft on rolling bearings: transient response and spectra.
 #[derive(Debug, Parser)]
 #[command(
     name = "jeffcott",

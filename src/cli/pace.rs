@@ -24,9 +24,9 @@ const STEPS_A_PERIOD: f64 = 100.0;
 /// Part of the trials that are rejected from which on it is worth a word.
 const MANY_REJECTED: f64 = 0.25;
 /// What steps follow that are far shorter than any natural period.
-const FASTER: &str = "they follow something faster, as balls that are pressed far harder than at rest, or contacts \
+const FASTER: &str = "they follow something faster, as rolling elements that are pressed far harder than at rest, or contacts \
                       that part and meet";
-const FASTER_OR_STIFF: &str = "they follow something faster, as balls that are pressed far harder than at rest, \
+const FASTER_OR_STIFF: &str = "they follow something faster, as rolling elements that are pressed far harder than at rest, \
                                contacts that part and meet, or strong damping (method = \"rodas\" in [integrator])";
 /// Part of the work below which nothing is left: the last sample is before the end of the duration, and the spectra and
 /// files that follow take no steps.

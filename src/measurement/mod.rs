@@ -83,6 +83,9 @@ pub struct Measured {
     pub speed: Option<[f64; 3]>,
     /// What the bearings are called.
     pub bearings: Vec<String>,
+    /// What rolls in them: `ball` or `roller`.
+    #[serde(skip)]
+    pub elements: Vec<&'static str>,
     /// Frequencies of the bearings at the mean speed, as they roll at the nominal contact angle.
     #[serde(rename = "nominal_ball_pass")]
     pub nominal: Vec<BallPass>,
@@ -211,6 +214,10 @@ impl Measurement {
             rate,
             speed,
             bearings: bearings.iter().map(|own| own.name.clone()).collect(),
+            elements: bearings
+                .iter()
+                .map(|own| own.bearing.geometry.element())
+                .collect(),
             nominal: bearings.iter().map(|own| at_mean(None, own)).collect(),
             ball_pass: slips
                 .iter()

@@ -104,11 +104,12 @@ fn tell(out: &mut Lines, found: &Measured) {
             "speed",
             format!("{mean:.2} rpm ({:.4} Hz){range}", mean / 60.0),
         );
-        for (index, (pass, name)) in found.ball_pass.iter().zip(names).enumerate() {
+        let passes = found.ball_pass.iter().zip(&found.elements);
+        for (index, ((pass, element), name)) in passes.zip(names).enumerate() {
             let bearing = of_bearing(index, names.len());
             out.line(
                 "ball pass",
-                format!("{bearing}{name}: {}", ball_pass_text(pass, "ball")),
+                format!("{bearing}{name}: {}", ball_pass_text(pass, element)),
             );
         }
     }
@@ -116,11 +117,15 @@ fn tell(out: &mut Lines, found: &Measured) {
         add_severity(out, severity);
     }
     add_envelope_lines(out, &found.spectra);
-    for (index, slip) in found.slips.iter().enumerate() {
+    for (index, (slip, element)) in found.slips.iter().zip(&found.elements).enumerate() {
         if let Some(slip) = slip {
             out.line(
                 "slip",
-                format!("{}{}", of_bearing(index, names.len()), slip_text(slip)),
+                format!(
+                    "{}{}",
+                    of_bearing(index, names.len()),
+                    slip_text(slip, element)
+                ),
             );
         }
     }
@@ -168,11 +173,11 @@ fn part_text(spectrum: &Spectrum, samples: usize, rate: f64) -> Option<String> {
 }
 
 /// `the line of the outer race is at 3.5480× (with 2×, 3×), and at 3.5848× if the cage rolled: cage_slip = 0.0103 ± 0.0002`.
-fn slip_text(slip: &Slip) -> String {
+fn slip_text(slip: &Slip, element: &str) -> String {
     let part = match slip.race {
         Some(Race::Inner) => "the inner race",
         Some(Race::Outer) => "the outer race",
-        None => "a ball that spins",
+        None => &format!("a {element} that spins"),
     };
     let further = slip.multiples.iter().filter(|multiple| **multiple > 1);
     let further = listed(further.map(|multiple| format!("{multiple}×")));

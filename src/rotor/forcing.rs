@@ -24,7 +24,7 @@ pub enum ForcingCause {
     Load(usize),
 }
 
-/// `unbalance`, `ball pass of bearing 1`, `cage of bearing 1`, `inner race of bearing 1`, `balls of bearing 1`, `varying load 1`.
+/// `unbalance`, `ball pass of bearing 1`, `cage of bearing 1`, `inner race of bearing 1`, `rolling-element spin of bearing 1`, `varying load 1`.
 impl fmt::Display for ForcingCause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -37,7 +37,7 @@ impl fmt::Display for ForcingCause {
             Self::TurningRace(bearing, Race::Outer) => {
                 write!(f, "outer race of bearing {}", bearing + 1)
             }
-            Self::BallSpin(bearing) => write!(f, "balls of bearing {}", bearing + 1),
+            Self::BallSpin(bearing) => write!(f, "rolling-element spin of bearing {}", bearing + 1),
             Self::Load(number) => write!(f, "varying load {}", number + 1),
         }
     }
@@ -71,8 +71,8 @@ pub enum Unrepeated {
     Drive,
     /// Balls pass a defect that turns.
     #[error(
-        "bearing {} has a defect on its turning race or on a ball: where and when balls meet it repeats with no period of \
-         theirs, and what is not smooth cannot be followed round a torus; leave it out, or use `jeffcott run`",
+        "bearing {} has a defect on its turning race or on a rolling element: where and when it is rolled over repeats with no \
+         period of the bearing, and what is not smooth cannot be followed round a torus; leave it out, or use `jeffcott run`",
         bearing + 1
     )]
     Defect {

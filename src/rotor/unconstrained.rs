@@ -100,7 +100,7 @@ pub fn check_constraints(
     }
     let damping = match rotor.start.damped_by_later_balls {
         true => {
-            "; its damping follows from the stiffness with the cages turned by half a ball spacing"
+            "; its damping follows from the stiffness with the cages turned by half the spacing of their rolling elements"
         }
         false => "",
     };

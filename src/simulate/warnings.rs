@@ -54,7 +54,7 @@ pub(super) fn warnings(
             if method == Method::Verner76 {
                 ""
             } else {
-                ", or set method = \"verner76\" in [integrator], whose steps end where balls lift off"
+                ", or set method = \"verner76\" in [integrator], whose steps end where contacts part"
             }
         )
     }));

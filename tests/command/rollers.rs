@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::support::{column, done, json, verb};
+use crate::support::{changed, column, done, jeffcott_in, json, text, told, verb};
 
 /// Length, m, and diameter of the shaft, and the distance of its bearings.
 const LENGTH: f64 = 0.2;
@@ -131,4 +131,57 @@ fn a_shaft_that_hardly_bends_sinks_by_its_own_deflection() {
         summary["largest_ball_load_N"].as_f64().expect("a number")
     });
     assert!((bending / rigid - 1.0).abs() < 0.02, "{rigid} {bending}");
+}
+
+/// Where rollers alone roll, no message speaks of balls; a ball pass is the name of a frequency.
+#[test]
+fn messages_of_roller_bearings_speak_of_no_balls() {
+    let folder = TempDir::new().expect("a folder");
+    let scene = |name: &str, from: &str, to: &str| {
+        let rollers = [
+            ("catalogue = \"6206\"", "catalogue = \"NU206\""),
+            (from, to),
+        ];
+        let file = changed(folder.path(), "spall-outer-nu206.toml", &rollers);
+        let own = folder.path().join(name);
+        fs::rename(file, own).expect("a name of its own");
+    };
+    scene("turning.toml", "on = \"outer\"", "on = \"inner\"");
+    scene(
+        "linear.toml",
+        "[damping]",
+        "[model]\ncontact = \"linear\"\n[damping]",
+    );
+    let jitter = "cage_jitter = { amplitude = \"20 deg\" }\nroughness";
+    scene("jitter.toml", "roughness", jitter);
+    let signal: String = (0..4000)
+        .map(|sample| f64::from(sample) / 4000.0)
+        .map(|time| format!("{time},{}\n", (2.0 * PI * 100.0 * time).sin()))
+        .collect();
+    fs::write(folder.path().join("signal.csv"), format!("t_s,a\n{signal}")).expect("a record");
+    for (arguments, says) in [
+        (&["steady", "turning.toml"][..], "there is no steady motion"),
+        (&["check", "linear.toml"], "freezes the force"),
+        (&["check", "jitter.toml"], "with these rollers"),
+        (
+            &[
+                "analyze",
+                "signal.csv",
+                "--speed",
+                "1500 rpm",
+                "--bearing",
+                "NU206",
+            ],
+            "roller spin",
+        ),
+    ] {
+        let output = jeffcott_in(&folder, arguments);
+        let told = (text(&output.stdout) + &told(&output)).replace("ball pass", "");
+        assert!(told.contains(says), "{told}");
+        let mut words = told.split(|letter: char| !letter.is_alphanumeric());
+        assert!(
+            !words.any(|word| matches!(word, "ball" | "balls")),
+            "{told}"
+        );
+    }
 }

@@ -494,7 +494,7 @@ fn cycles_that_contradict_are_refused() {
         (
             "linear-7205c.toml",
             format!("{SPEEDS}{}", cycles("ball_pass")),
-            "no ball passes here",
+            "no rolling element passes here",
         ),
         (
             "linear-7205c.toml",

@@ -96,7 +96,7 @@ pub enum ImperfectionError {
         order: u32,
     },
     /// Not one deviation for each ball.
-    #[error("{given} deviations of diameters are given for {balls} balls or rollers")]
+    #[error("{given} deviations of diameters are given for {balls} rolling elements")]
     Oversizes {
         /// Number as given.
         given: usize,
@@ -105,7 +105,7 @@ pub enum ImperfectionError {
     },
     /// A cage gains too much with a ball pass.
     #[error(
-        "the cage gains {:.3}° with a ball pass; it can gain or lose at most {:.3}°, half the spacing of its balls",
+        "the cage gains {:.3}° with a ball pass; it can gain or lose at most {:.3}°, half the spacing of its rolling elements",
         step.to_degrees(),
         largest.to_degrees()
     )]
@@ -167,7 +167,7 @@ impl Imperfections {
             return Err(ImperfectionError::Oversizes { given, balls });
         }
         let mut oversizes = self.oversizes.iter();
-        oversizes.try_for_each(|size| finite("the deviation of a ball's diameter in m", *size))
+        oversizes.try_for_each(|size| finite("the deviation of a diameter in m", *size))
     }
 
     /// Imperfections with the turning race and the balls turned by angles in rad, the balls past the place where they meet

@@ -136,7 +136,7 @@ impl BearingInput {
         problems: &mut Problems<'_>,
     ) {
         if self.contact(model) == ContactChoice::Linear {
-            let message = "contact = \"linear\" freezes the force of the bearing, and no ball rolls over its surfaces";
+            let message = "contact = \"linear\" freezes the force of the bearing, and nothing rolls over its surfaces";
             let issue = Issue::new(key, message).help("remove it, or set contact = \"hertz\"");
             problems.refuse(issue.against_all([".contact", "model.contact"]));
         }

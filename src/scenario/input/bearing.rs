@@ -293,9 +293,10 @@ impl BearingInput {
         for (key, _) in idle.into_iter().filter(|(_, given)| *given) {
             if bearing.dynamic_rating.is_none() {
                 problems.warn(format!(
-                    "`{}` has no effect: no life is given without `dynamic_rating`; ISO 281 gives {:.0} N by the balls",
+                    "`{}` has no effect: no life is given without `dynamic_rating`; ISO 281 gives {:.0} N by the {}s",
                     problems.path(key),
-                    bearing.geometry.dynamic_rating()
+                    bearing.geometry.dynamic_rating(),
+                    bearing.geometry.element()
                 ));
             }
         }

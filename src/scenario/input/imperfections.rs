@@ -284,7 +284,11 @@ impl CageJitterInput {
                 "the cage would wander by {:.3} deg with a ball pass, and might turn backwards",
                 amplitude.to_degrees()
             );
-            let help = format!("at most {:.3} deg with these balls", largest.to_degrees());
+            let help = format!(
+                "at most {:.3} deg with these {}s",
+                largest.to_degrees(),
+                geometry.element()
+            );
             return Err(Issue::new(".amplitude", message).help(help));
         }
         if amplitude == 0.0 {

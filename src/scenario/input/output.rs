@@ -206,7 +206,7 @@ impl Output {
     /// Refuses a trace of balls where no bearing knows any.
     pub(super) fn check_balls(&self, known: bool, problems: &mut Problems<'_>) {
         if self.balls && !known {
-            let message = "a linear bearing knows no balls that could be traced";
+            let message = "a linear bearing knows no rolling elements that could be traced";
             let issue = Issue::new("output.balls", message)
                 .help("remove it, or set contact = \"hertz\" or \"jones\" in `[model]`");
             problems.refuse(issue.against("model.contact"));

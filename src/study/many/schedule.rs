@@ -234,7 +234,7 @@ pub enum CyclesError {
     Speed,
     /// No ball passes.
     #[error(
-        "no ball passes here: the cage is held or all bearings are linear; count revolutions, or set \
+        "no rolling element passes here: the cage is held or all bearings are linear; count revolutions, or set \
          model.contact and model.cage"
     )]
     BallPass,

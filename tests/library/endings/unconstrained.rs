@@ -168,7 +168,7 @@ fn a_start_that_is_one_of_many_and_that_nothing_drives_is_refused() {
     warning(under(still(), [shaken]));
 }
 
-/// In its clearance a shaft rests on a single ball right below, which holds it along y alone; half a ball spacing
+/// In its clearance a shaft rests on a single ball right below, which holds it along y alone; half the spacing of their rolling elements
 /// later two balls hold it. Damping that is derived from a stiffness is that of the latter, unless the cage stands.
 #[test]
 fn a_shaft_on_a_single_ball_is_damped_as_on_two() {
@@ -183,7 +183,10 @@ fn a_shaft_on_a_single_ball_is_damped_as_on_two() {
     let below = -FRAC_PI_2;
     let text = warning(resting(below, CageMotion::Rolling));
     assert!(text.contains("along x at"), "{text}");
-    assert!(text.contains("half a ball spacing"), "{text}");
+    assert!(
+        text.contains("half the spacing of their rolling elements"),
+        "{text}"
+    );
     let damping = |definition| {
         Rotor::assemble(&definition)
             .expect("a rotor")
