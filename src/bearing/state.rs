@@ -86,6 +86,8 @@ pub struct Around {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct BallLine {
+    /// Number of its row, from 1 on.
+    pub row: usize,
     /// Azimuth φ, rad, from +X towards +Y.
     #[serde(rename = "azimuth_rad")]
     pub azimuth: f64,

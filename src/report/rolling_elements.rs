@@ -6,8 +6,9 @@ use crate::bearing::{BallLine, BearingState, FilmState, RaceContact};
 use crate::physics::Race;
 use crate::table::{Named, Table};
 
-/// What is reported of the balls, of pressure, film and spin at the inner race; films and inertia where the bearing has them.
-pub(super) const SHOWN: [(&str, &str); 14] = [
+/// What is given of the balls, of pressure, film and spin at the inner race; films and inertia where the bearing has them.
+pub(super) const SHOWN: [(&str, &str); 15] = [
+    ("row", "row"),
     ("ball", "ball"),
     ("φ", "azimuth"),
     ("Qi", "inner_load"),
@@ -57,7 +58,7 @@ pub(super) const INERTIAS: [Named<BallLine>; 2] = [
     ("gyroscopic_moment", "N m", |line| line.gyroscopic_moment),
 ];
 
-/// The balls of bearings with their numbers; balls count from 1.
+/// The balls of bearings with their numbers and rows; balls count from 1, row after row.
 pub(super) fn balls_table<'a>(
     bearings: impl IntoIterator<Item = (usize, &'a BearingState)>,
 ) -> Table<'static> {
@@ -69,6 +70,7 @@ pub(super) fn balls_table<'a>(
     Table::from_items(&balls)
         .headed(ROLLING_ELEMENTS)
         .count("bearing", |(bearing, ..)| *bearing as f64)
+        .count("row", |(.., line)| line.row as f64)
         .count("ball", |(_, ball, _)| f64::from(*ball))
         .number("azimuth", "rad", |(.., line)| line.azimuth)
         .number("deformation", "m", |(.., line)| line.deformation)
@@ -99,7 +101,12 @@ pub(super) const HEIGHT: u32 = 272;
 pub(super) fn balls_figure(title: &str, bearings: &[&BearingState]) -> Option<Figure> {
     let named = bearings.iter().enumerate();
     let panels = named.flat_map(|(index, state)| panels(&of_bearing(index, bearings.len()), state));
-    let names = Name::each(["inner race", "outer race"]);
+    let names = Name::each([
+        "inner race",
+        "outer race",
+        "inner race, row 2",
+        "outer race, row 2",
+    ]);
     let figure = Figure {
         heading: ROLLING_ELEMENTS.to_owned(),
         ..Figure::new("balls", title, 2, panels.collect()).with_names(names)
@@ -107,28 +114,70 @@ pub(super) fn balls_figure(title: &str, bearings: &[&BearingState]) -> Option<Fi
     (!figure.panels.is_empty()).then_some(figure)
 }
 
-pub(super) fn panels(bearing: &str, state: &BearingState) -> [Panel; 2] {
+fn panels(bearing: &str, state: &BearingState) -> [Panel; 2] {
     let panel = |name: &str, unit: &str, value: fn(&RaceContact) -> f64| {
-        // the outer race first: where both agree, the inner one is seen
-        let curves = vec![
-            curve(&state.balls, 1, |line| value(&line.outer)),
-            curve(&state.balls, 0, |line| value(&line.inner)),
-        ];
+        let rows: Vec<_> = state.balls.chunk_by(|a, b| a.row == b.row).collect();
+        // the outer race and the second row first: where all agree, the inner race of the first row is seen
+        let curves = rows.iter().enumerate().rev().flat_map(|(row, balls)| {
+            [
+                curve(balls, 2 * row + 1, |line| value(&line.outer)),
+                curve(balls, 2 * row, |line| value(&line.inner)),
+            ]
+        });
+        let curves = curves.collect();
         let label = (format!("{bearing}{name}"), unit);
         Panel::holding(Axis::azimuth(), label, HEIGHT, curves)
     };
+    let load = format!("{} load Q", state.geometry.elements.name());
     [
-        panel("ball load Q", "N", |contact| contact.load),
+        panel(&load, "N", |contact| contact.load),
         panel("contact angle α", "deg", |contact| {
             contact.angle.to_degrees()
         }),
     ]
 }
 
-pub(super) fn curve(balls: &[BallLine], race: usize, value: impl Fn(&BallLine) -> f64) -> Curve {
+fn curve(balls: &[BallLine], colour: usize, value: impl Fn(&BallLine) -> f64) -> Curve {
     let marks = turned(balls.iter().map(|line| (line.azimuth, value(line))));
     Curve {
         marks: marks.clone(),
-        ..Curve::line(distinct(race), all_around(marks))
+        ..Curve::line(distinct(colour), all_around(marks))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quasi_static::quasi_static;
+    use crate::scenario::Scenario;
+
+    /// Under a thrust the rows of a spherical bearing bear differently: each has curves of its own, of its own rollers.
+    #[test]
+    fn rows_of_a_bearing_are_told_and_drawn_apart() {
+        let text = include_str!("../../scenarios/conveyor-head-22212.toml");
+        let scenario = Scenario::from_toml(text).expect("a shipped scenario");
+        let answer = quasi_static(&scenario.question).expect("an answer");
+        let state = &answer.bearings[0];
+        let table = balls_table([(1, state)]);
+        let [rows, loads] = ["row", "inner_load"].map(|name| {
+            let (_, values) = table.column(name).expect("a column");
+            values
+        });
+        let count = rows.len() / 2;
+        let figure = balls_figure("", &[state]).expect("a figure");
+        let curves = &figure.panels[0].curves;
+        assert_eq!((curves.len(), figure.names.len()), (4, 4));
+        for row in 0..2 {
+            let own = row * count..(row + 1) * count;
+            assert!(
+                rows[own.clone()]
+                    .iter()
+                    .all(|value| *value == (row + 1) as f64)
+            );
+            let colour = distinct(2 * row);
+            let inner = curves.iter().find(|curve| curve.colour == colour);
+            let drawn = inner.expect("a curve").marks.iter().map(|mark| mark.1);
+            assert_eq!(drawn.collect::<Vec<_>>(), loads[own]);
+        }
     }
 }

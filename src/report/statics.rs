@@ -29,7 +29,7 @@ pub fn answer_findings(
         rollers.flat_map(move |(roller, line)| {
             line.laminae
                 .iter()
-                .map(move |lamina| (bearing, roller, lamina))
+                .map(move |lamina| (bearing, roller, line.row, lamina))
         })
     });
     let slices: Vec<_> = slices.collect();
@@ -165,10 +165,15 @@ fn add_bearing(out: &mut Lines, number: usize, state: &BearingState) {
         out.line("of films", diagonal(&shares.films));
     }
     if !state.balls.is_empty() {
-        let heads = SHOWN.map(|(head, column)| match head {
-            "ball" => (&name[..name.len() - 1], column),
+        let has_rows = state.balls.iter().any(|line| line.row > 1);
+        let shown = SHOWN
+            .into_iter()
+            .filter(|(head, _)| has_rows || *head != "row");
+        let heads = shown.map(|(head, column)| match head {
+            "ball" => (element, column),
             _ => (head, column),
         });
+        let heads: Vec<_> = heads.collect();
         out.show(&balls_table([(number, state)]), &heads, 4);
     }
     let load = |line: &&BallLine| line.inner.load;
@@ -178,7 +183,8 @@ fn add_bearing(out: &mut Lines, number: usize, state: &BearingState) {
         return;
     };
     out.line("most loaded", format!("roller {roller}, slice by slice:"));
-    let slices = line.laminae.iter().map(|lamina| (number, roller, lamina));
+    let slices = line.laminae.iter();
+    let slices = slices.map(|lamina| (number, roller, line.row, lamina));
     out.show(&laminae_table(slices), &SHOWN_LAMINA, 4);
 }
 
@@ -200,14 +206,15 @@ const LAMINA: [Named<LaminaLine>; 5] = [
     ("outer_peak_pressure", "Pa", |own| own.peak_pressure[1]),
 ];
 
-/// Slices of rollers with the numbers of their bearings and their own.
+/// Slices of rollers with the numbers of their bearings, rollers and rows.
 fn laminae_table<'a>(
-    slices: impl IntoIterator<Item = (usize, i32, &'a LaminaLine)>,
+    slices: impl IntoIterator<Item = (usize, i32, usize, &'a LaminaLine)>,
 ) -> Table<'static> {
     let slices: Vec<_> = slices.into_iter().collect();
     Table::from_items(&slices)
         .count("bearing", |(bearing, ..)| *bearing as f64)
-        .count("roller", |(_, roller, _)| f64::from(*roller))
+        .count("row", |(_, _, row, _)| *row as f64)
+        .count("roller", |(_, roller, ..)| f64::from(*roller))
         .named("", &LAMINA, |(.., lamina)| Some(lamina))
         .end()
 }

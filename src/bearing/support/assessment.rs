@@ -225,6 +225,7 @@ impl Assessment<'_> {
         let loads = [contact.load_inner, contact.load_outer];
         let films = self.films(loads);
         BallLine {
+            row: number / geometry.balls() + 1,
             azimuth,
             deformation,
             inner: RaceContact {
