@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::table::Source;
 use super::{ColumnComparison, CompareError, Comparison, TableComparison, Worst};
-use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
+use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, broken_at_turns, distinct};
 use crate::report::terminal::shown_column;
 use crate::report::write_whole;
 use crate::table::{Column, ColumnKind};
@@ -99,18 +99,27 @@ fn both_panels(tables: &[Source<'_>; 2], column: &ColumnComparison) -> [Panel; 2
     }
     let ((name, unit), factor) = shown_column(of);
     let shown = |(at, value): Point| (across * at, factor * value);
+    let broken = |mut curve: Curve| {
+        if of.kind == ColumnKind::Phase {
+            curve.points = broken_at_turns(&curve.points);
+        }
+        curve
+    };
     let change = Curve {
         marks: marks.into_iter().map(shown).collect(),
-        ..Curve::envelope(distinct(2), difference.into_iter().map(shown))
+        ..broken(Curve::envelope(
+            distinct(2),
+            difference.into_iter().map(shown),
+        ))
     };
     let scale = tables[0].largest(of).max(tables[1].largest(of));
     let in_decibels = of.kind == ColumnKind::Measure("amplitude") && scale > 0.0;
-    let curves = curves.iter().enumerate().map(|(index, curve)| {
-        let points = curve.iter().map(|&(at, value)| match in_decibels {
+    let curves = curves.iter().enumerate().map(|(index, points)| {
+        let points = points.iter().map(|&(at, value)| match in_decibels {
             true => (across * at, 20.0 * (value / scale).max(SMALLEST).log10()),
             false => shown((at, value)),
         });
-        Curve::envelope(distinct(index), points)
+        broken(Curve::envelope(distinct(index), points))
     });
     let values = match in_decibels {
         true => (name, "dB of the largest".to_owned()),
@@ -145,5 +154,50 @@ fn apart(a: f64, b: f64, column: &Column) -> f64 {
         (b - a + PI).rem_euclid(TAU) - PI
     } else {
         b - a
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Rules, Tolerance, Tolerances, compare};
+    use super::*;
+
+    /// Neither the phases nor their difference, which all pass half a turn, are joined across it.
+    #[test]
+    fn phases_are_broken_where_they_begin_anew() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let written = |name: &str, lag: f64| {
+            let row = |step: u32| {
+                let phase = (lag * f64::from(step) + PI).rem_euclid(TAU) - PI;
+                format!("{step},1,{phase}\n")
+            };
+            let rows: String = (0..40).map(row).collect();
+            let file = folder.path().join(name);
+            let head = "speed_rad_s,x_amplitude_m,x_phase_rad\n";
+            std::fs::write(&file, head.to_owned() + &rows).expect("a table");
+            file
+        };
+        let [first, second] = [written("a.csv", -0.1), written("b.csv", -0.3)];
+        let exact = Tolerance::new(0.0, 1e-9).expect("a tolerance");
+        let rules = Rules::new(Tolerances::uniform(exact));
+        let comparison = compare(&first, &second, &rules).expect("a comparison");
+        let figure = difference_figure("", &comparison, [&first, &second]).expect("a figure");
+        let is_phase = |panel: &&Panel| panel.y.label.unit == "deg";
+        let curves = figure
+            .panels
+            .iter()
+            .filter(is_phase)
+            .flat_map(|panel| &panel.curves);
+        let mut count = 0;
+        for curve in curves {
+            let steps = curve
+                .points
+                .windows(2)
+                .map(|pair| (pair[1].1 - pair[0].1).abs());
+            assert!(steps.filter(|step| !step.is_nan()).all(|step| step < 20.0));
+            assert!(curve.points.iter().any(|point| point.1.is_nan()));
+            count += 1;
+        }
+        assert_eq!(count, 3);
     }
 }

@@ -295,6 +295,18 @@ pub(in crate::report) fn all_around(mut points: Vec<Point>) -> Vec<Point> {
     points
 }
 
+/// Points of an angle in degrees without the lines between those where it begins anew.
+pub(in crate::report) fn broken_at_turns(points: &[Point]) -> Vec<Point> {
+    let mut broken: Vec<Point> = Vec::new();
+    for point in points {
+        let before = broken.last().copied();
+        let jumps = |before: &Point| (point.1 - before.1).abs() > 0.5 * TURN;
+        broken.extend(before.filter(jumps).map(|_| (point.0, f64::NAN)));
+        broken.push(*point);
+    }
+    broken
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -307,5 +319,13 @@ mod tests {
         ]));
         assert_eq!(points[0], (0.0, 3.0));
         assert_eq!(points[3], (360.0, 3.0));
+    }
+
+    #[test]
+    fn no_line_runs_from_half_a_turn_to_its_other_side() {
+        let points = [(1.0, 170.0), (2.0, 179.0), (3.0, -179.0), (4.0, -20.0)];
+        let broken = broken_at_turns(&points);
+        let gaps: Vec<_> = broken.iter().map(|point| point.1.is_nan()).collect();
+        assert_eq!(gaps, [false, false, true, false, false]);
     }
 }

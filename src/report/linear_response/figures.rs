@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use nalgebra::Complex;
 
 use super::{Reported, place};
-use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
+use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, broken_at_turns, distinct};
 use crate::report::terminal::{MICRO, PER_MINUTE, digits};
 
 /// Height of a plot, px.
@@ -97,33 +97,5 @@ impl Reported<'_> {
             )
         };
         Figure::new("polar", title, 1, vec![panel]).with_names(self.names())
-    }
-}
-
-/// Half a turn, degrees.
-const HALF_TURN: f64 = 180.0;
-
-/// Points of an angle without the lines between those where it begins anew.
-fn broken_at_turns(points: &[Point]) -> Vec<Point> {
-    let mut broken: Vec<Point> = Vec::new();
-    for point in points {
-        let before = broken.last().copied();
-        let jumps = |before: &Point| (point.1 - before.1).abs() > HALF_TURN;
-        broken.extend(before.filter(jumps).map(|_| (point.0, f64::NAN)));
-        broken.push(*point);
-    }
-    broken
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn no_line_runs_from_half_a_turn_to_its_other_side() {
-        let points = [(1.0, 170.0), (2.0, 179.0), (3.0, -179.0), (4.0, -20.0)];
-        let broken = broken_at_turns(&points);
-        let gaps: Vec<_> = broken.iter().map(|point| point.1.is_nan()).collect();
-        assert_eq!(gaps, [false, false, true, false, false]);
     }
 }
