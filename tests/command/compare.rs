@@ -116,6 +116,41 @@ fn the_order_of_columns_does_not_matter() {
     assert!(compared(TRACE, swapped, 0.0).agrees());
 }
 
+/// Words are equal or not; where one table has words and the other nothing, they are not.
+#[test]
+fn words_of_tables_are_compared_row_by_row() {
+    let table = "run,direction,race,x_m\n0,alone,,1e-6\n1,up,,2e-6\n2,up,,3e-6\n";
+    assert!(compared(table, table, 0.0).agrees());
+    let differences = |second: &str| {
+        let comparison = compared(table, second, 0.0);
+        assert!(!comparison.agrees());
+        let differences = &comparison.tables[0].differences;
+        differences
+            .iter()
+            .map(ToString::to_string)
+            .collect::<Vec<_>>()
+    };
+    let told = differences(
+        &table
+            .replace("up", "down")
+            .replace("0,alone,,", "0,alone,inner,"),
+    );
+    assert_eq!(told.len(), 2, "{told:?}");
+    assert!(
+        told[0].contains("direction") && told[0].contains("row 2"),
+        "{told:?}"
+    );
+    assert!(
+        told[1].contains("race") && told[1].contains("row 1"),
+        "{told:?}"
+    );
+    let told = differences(&table.replace("direction", "way"));
+    assert!(
+        told[0].ends_with("column direction") && told[1].ends_with("column way"),
+        "{told:?}"
+    );
+}
+
 #[test]
 fn exit_codes_tell_equal_different_and_unusable() {
     let (folder, a, b) = files(TRACE, &TRACE.replace("2e-6", "3e-6"));
@@ -177,8 +212,9 @@ fn what_cannot_be_compared_says_why() {
         "holds a table to compare (trace.csv, spectrum.csv)",
     );
     for (content, expected) in [
-        ("", "no rows"),
-        ("t_s,x_m\n", "no rows"),
+        ("", "no rows of numbers"),
+        ("method,kind\nhertz,alone\n", "no rows of numbers"),
+        ("t_s,x_m\n", "no rows of numbers"),
         ("t_s,t_s\n1,2\n", "two columns named \"t_s\""),
         ("t_s,x_m\n1\n", "not a table"),
     ] {

@@ -25,7 +25,7 @@ pub enum CompareError {
         source: csv::Error,
     },
     /// A file has no header or no row.
-    #[error("{} has no rows to compare: a header line and at least one row are needed", path.display())]
+    #[error("{} has no rows of numbers to compare: a header line and at least one row are needed", path.display())]
     Empty {
         /// The file.
         path: PathBuf,
@@ -85,7 +85,7 @@ pub enum CompareError {
         file: PathBuf,
     },
     /// Two folders hold no table.
-    #[error("neither {} nor {} holds a table to compare ({names}), or no table is in both", first.display(), second.display())]
+    #[error("neither {} nor {} holds a table to compare ({names}), or no table is in both: give two files, as runs.csv of two studies", first.display(), second.display())]
     NoTables {
         /// First folder.
         first: PathBuf,

@@ -41,6 +41,7 @@ mod rows;
 mod rules;
 mod table;
 mod text;
+mod words;
 
 use std::fs;
 use std::io::BufReader;
@@ -52,6 +53,7 @@ use self::lines::{compare_quantities, compare_spectra, have_common, is_spectrum}
 use self::named::{quantities, shaft};
 use self::rows::compare_rows;
 use self::table::Source;
+use self::words::check_words;
 use crate::record::open_regular;
 
 pub use assertion::{ComparedSpectrum, spectra_close};
@@ -111,6 +113,7 @@ fn compare_tables(
     rules: &Rules,
 ) -> Result<TableComparison, CompareError> {
     let Some(lines) = &rules.lines else {
+        check_words(tables)?;
         return Ok(compare_rows(name, tables, rules));
     };
     if let Some(table) = tables.iter().find(|table| !is_spectrum(table)) {

@@ -5,6 +5,7 @@ use std::f64::consts::{PI, TAU};
 use super::lines::is_spectrum;
 use super::rules::Allowance;
 use super::table::Source;
+use super::words::different_words;
 use super::{ColumnComparison, Difference, Rules, TableComparison, Worst};
 use crate::analysis::{Channel, NoiseFloor};
 use crate::table::{Column, ColumnKind};
@@ -18,6 +19,7 @@ pub(super) fn compare_rows(
     let mut differences = Source::alone(tables, |_| true);
     let rows = MatchedRows::from_tables(tables);
     differences.extend(rows.difference(tables));
+    differences.extend(different_words(tables, rows.steps));
     let scales = Scales::from_tables(tables);
     let shared = tables[0].columns();
     let shared = shared.filter_map(|column| Some((column, pair(tables, column)?)));

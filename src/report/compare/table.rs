@@ -4,6 +4,7 @@ use std::collections::HashSet;
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
+use super::words::Words;
 use super::{CompareError, Difference};
 use crate::analysis::Spectrum;
 use crate::record::open_regular;
@@ -18,6 +19,8 @@ pub(super) struct Source<'a> {
     /// Its file, or what messages call it.
     pub path: PathBuf,
     pub table: Table<'a>,
+    /// Its columns of words.
+    pub words: Vec<Words>,
 }
 
 impl Source<'static> {
@@ -33,24 +36,30 @@ impl Source<'static> {
                 column: twice.to_owned(),
             });
         }
-        let mut columns = vec![Vec::new(); names.len()];
+        let mut columns: Vec<_> = names.iter().map(Cells::of_nothing).collect();
         for record in reader.records() {
             let record = record.map_err(bad)?;
-            for (place, column) in columns.iter_mut().enumerate() {
-                column.push(number(path, &record, place, &names[place])?);
+            let line = record.position().map_or(0, csv::Position::line);
+            for (column, text) in columns.iter_mut().zip(&record) {
+                column.push(path, line, text)?;
             }
         }
-        if columns.first().is_none_or(Vec::is_empty) {
-            return Err(CompareError::Empty {
-                path: path.to_owned(),
-            });
+        let mut source = Self {
+            path: path.to_owned(),
+            table: Table::default(),
+            words: Vec::new(),
+        };
+        for column in columns {
+            match column {
+                Cells::Words(words) => source.words.push(words),
+                Cells::Numbers(name, values) => source.table.add(Column::from_name(name), values),
+            }
         }
-        let mut table = Table::default();
-        for (name, values) in names.iter().zip(columns) {
-            table.add(Column::from_name(name), values);
+        let axis = source.table.iter().next();
+        match axis.is_none_or(|(_, values)| values.is_empty()) {
+            true => Err(CompareError::Empty { path: source.path }),
+            false => Ok(source),
         }
-        let path = path.to_owned();
-        Ok(Self { path, table })
     }
 }
 
@@ -60,6 +69,7 @@ impl<'a> Source<'a> {
         Self {
             path: PathBuf::from(name),
             table: spectrum_table(spectrum),
+            words: Vec::new(),
         }
     }
 
@@ -80,6 +90,19 @@ impl<'a> Source<'a> {
         found.map(|(_, values)| values)
     }
 
+    /// Whether it has a column of a name.
+    pub fn knows(&self, name: &str) -> bool {
+        let mut columns = self.columns();
+        self.words.iter().any(|own| own.name == name) || columns.any(|own| own.name() == name)
+    }
+
+    /// The word of a row in a column; empty where there is none.
+    pub fn word(&self, name: &str, row: usize) -> &str {
+        let words = self.words.iter().find(|own| own.name == name);
+        let cell = words.and_then(|own| own.cells.get(row));
+        cell.map_or("", String::as_str)
+    }
+
     /// Largest finite magnitude of a column; zero where there is none.
     pub fn largest(&self, column: &Column) -> f64 {
         self.largest_at(column, |_| true)
@@ -98,9 +121,10 @@ impl<'a> Source<'a> {
     pub fn alone(both: &[Self; 2], counts: fn(&Column) -> bool) -> Vec<Difference> {
         let [first, second] = both;
         let alone = |own: &Self, other: &Self| {
-            let columns = own.columns().filter(|column| counts(column));
-            let columns = columns.filter(|column| other.values(column).is_none());
-            let names: Vec<_> = columns.map(Column::name).collect();
+            let words = own.words.iter().map(|words| Column::from_name(&words.name));
+            let columns = own.columns().cloned().chain(words);
+            let names = columns.filter(counts).map(|column| column.name());
+            let names: Vec<_> = names.filter(|name| !other.knows(name)).collect();
             let noun = if names.len() == 1 {
                 "column"
             } else {
@@ -132,23 +156,49 @@ fn reader(path: &Path) -> Result<csv::Reader<File>, CompareError> {
     Ok(builder.trim(csv::Trim::All).from_reader(file))
 }
 
-/// The number at a place of a row; an empty cell is a value that is missing.
-fn number(
-    path: &Path,
-    record: &csv::StringRecord,
-    place: usize,
-    column: &str,
-) -> Result<f64, CompareError> {
-    let text = record.get(place).unwrap_or_default();
-    if text.is_empty() {
-        return Ok(f64::NAN);
+/// What a column has been found to hold.
+enum Cells<'a> {
+    /// Its name, and a number a row, NaN where a cell is empty.
+    Numbers(&'a str, Vec<f64>),
+    Words(Words),
+}
+
+impl<'a> Cells<'a> {
+    fn of_nothing(name: &'a str) -> Self {
+        Self::Numbers(name, Vec::new())
     }
-    text.parse().map_err(|_| CompareError::Number {
-        path: path.to_owned(),
-        line: record.position().map_or(0, csv::Position::line),
-        column: column.to_owned(),
-        text: text.to_owned(),
-    })
+
+    /// Takes the next cell: a word where no number stands above it.
+    fn push(&mut self, path: &Path, line: u64, text: &str) -> Result<(), CompareError> {
+        let (name, values) = match self {
+            Self::Words(words) => {
+                words.cells.push(text.to_owned());
+                return Ok(());
+            }
+            Self::Numbers(name, values) => (*name, values),
+        };
+        if text.is_empty() {
+            values.push(f64::NAN);
+            return Ok(());
+        }
+        if let Ok(number) = text.parse() {
+            values.push(number);
+            return Ok(());
+        }
+        if values.iter().any(|value| !value.is_nan()) {
+            return Err(CompareError::Number {
+                path: path.to_owned(),
+                line,
+                column: name.to_owned(),
+                text: text.to_owned(),
+            });
+        }
+        let mut cells = vec![String::new(); values.len()];
+        cells.push(text.to_owned());
+        let name = name.to_owned();
+        *self = Self::Words(Words { name, line, cells });
+        Ok(())
+    }
 }
 
 /// A failure to read is told apart from a file that is not CSV.
