@@ -53,7 +53,7 @@ impl fmt::Display for Whirl {
 #[non_exhaustive]
 pub struct NaturalFrequency {
     /// Undamped natural frequency |λ|/2π, Hz.
-    #[serde(rename = "frequency_Hz")]
+    #[serde(rename = "undamped_frequency_Hz")]
     pub frequency: f64,
     /// Frequency of the damped free vibration, Im λ/2π, Hz: the place of its line.
     #[serde(rename = "damped_frequency_Hz")]

@@ -503,7 +503,7 @@ fn a_browser_draws_every_part_of_the_page() {
     for sign in ["undefined", "NaN", "[object"] {
         assert!(!shown_text.contains(sign), "{sign} is shown");
     }
-    let frequency = summary["natural_frequencies"][0]["frequency_Hz"]
+    let frequency = summary["natural_frequencies"][0]["undamped_frequency_Hz"]
         .as_f64()
         .expect("a number");
     assert!(

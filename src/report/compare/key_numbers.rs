@@ -23,7 +23,7 @@ pub(super) const KEY_NUMBERS: [(&str, &str, f64); 5] = [
     ("largest ball\nload, N", "/largest_ball_load_N", 1.0),
     (
         "lowest natural\nfrequency, Hz",
-        "/natural_frequencies/0/frequency_Hz",
+        "/natural_frequencies/0/undamped_frequency_Hz",
         1.0,
     ),
     (
