@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::surface::Imperfections;
 use super::{BearingError, Clearance, ClearanceClass, ContactLaw, FitState, Geometry};
-use crate::physics::{Contamination, Material, Race, SkfFriction};
+use crate::physics::{Contamination, Material, PER_MINUTE, Race, SkfFriction};
 
 /// A bearing by itself: dimensions, materials, contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,7 +49,7 @@ pub struct Bearing {
 
 /// Speed factor `ω d_m`, m/s, above which manufacturers ask for bearings and lubrication of special
 /// design, where they give no limiting speed: `n d_m` = 10⁶ mm/min, a rule of thumb.
-const LIMITING_SPEED_FACTOR: f64 = 1e6 * 1e-3 * std::f64::consts::TAU / 60.0;
+const LIMITING_SPEED_FACTOR: f64 = 1e6 * 1e-3 / PER_MINUTE;
 
 /// How many times as dense as the rings balls of the same material are at least.
 const AS_HEAVY: f64 = 0.8;

@@ -1,8 +1,7 @@
 //! What a reader should know of a loaded bearing: one line each, with its numbers.
 
-use std::f64::consts::TAU;
-
 use super::{BallLine, Bearing, LaminaLine, RaceContact};
+use crate::physics::PER_MINUTE;
 
 /// A contact of a numbered ball at a race with a name.
 struct Place<'a> {
@@ -60,7 +59,6 @@ pub(super) fn bearing_warnings(
 
 /// A speed that cage and lubrication of the bearing are not made for.
 fn too_fast(bearing: &Bearing, speed: f64) -> Option<String> {
-    const PER_MINUTE: f64 = 60.0 / TAU;
     let limit = bearing.highest_permissible_speed();
     let (source, advice) = match bearing.limiting_speed {
         Some(_) => ("its limiting speed", ""),

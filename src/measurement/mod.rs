@@ -18,7 +18,7 @@ use crate::analysis::{
     SpectrumKind, SpectrumRequest, TrackRecorder, WaterfallRecorder, Window, causes, estimate,
 };
 use crate::bearing::Bearing;
-use crate::physics::{BallPass, velocity_band};
+use crate::physics::{BallPass, PER_MINUTE, velocity_band};
 use crate::simulate::{Machine, Maps, VibrationSeverity, tracked_orders};
 
 pub(crate) use slip::Slip;
@@ -277,7 +277,7 @@ fn estimated(
 
 /// What a speed in rad/s that changes does to lines, and the spectra that have them over orders.
 fn smearing(speeds: [f64; 2], spectra: &[EstimatedSpectrum]) -> String {
-    let [lowest, highest] = speeds.map(|speed| speed * 60.0 / TAU);
+    let [lowest, highest] = speeds.map(|speed| speed * PER_MINUTE);
     let over_orders = spectra.iter().filter(|of| of.request.axis == Axis::Order);
     let files: Vec<_> = over_orders
         .map(|of| format!("spectrum_{}.csv", of.request.name))

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::at_least;
+use super::{PER_MINUTE, at_least};
 
 /// Density of mineral oil, kg/m³: what turns dynamic into kinematic viscosity where no density is
 /// given. Mineral oils lie between 850 and 900 kg/m³.
@@ -162,7 +162,7 @@ impl FrictionFactors {
             return 0.0;
         }
         // ν n in mm²/s per minute, d_m in mm
-        let product = viscosity * 1e6 * (speed.abs() * 30.0 / PI);
+        let product = viscosity * 1e6 * (speed.abs() * PER_MINUTE);
         let diameter = pitch_diameter * 1e3;
         // the books change over at ν n = 2000 by a jump of 0.8 %; the larger one has none
         let growth = at_least(product.cbrt().powi(2), 160.0);

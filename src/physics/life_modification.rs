@@ -3,8 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::at_most;
 use super::equivalent_load::between;
+use super::{PER_MINUTE, at_most};
 
 /// Largest viscosity ratio that counts.
 const HIGHEST_RATIO: f64 = 4.0;
@@ -29,7 +29,7 @@ const HIGHEST_FACTOR: f64 = 50.0;
 /// assert!((at(3000.0) - 13.24).abs() < 5e-3);
 /// ```
 pub fn reference_viscosity(speed: f64, pitch_diameter: f64) -> f64 {
-    let rpm = speed.abs() * 30.0 / std::f64::consts::PI;
+    let rpm = speed.abs() * PER_MINUTE;
     let diameter = 1e3 * pitch_diameter;
     // a speed in rad/s that is 1000 rpm but for round-off belongs above
     let growth = if rpm < 1000.0 * (1.0 - 1e-12) {

@@ -20,6 +20,7 @@ mod line_contact;
 mod material;
 mod roller_rating;
 mod skf_friction;
+mod units;
 mod vibration_zones;
 mod viscosity;
 
@@ -44,6 +45,7 @@ pub use line_contact::{LINE_EXPONENT, LineContact, line_stiffness};
 pub use material::{Material, contact_modulus};
 pub use roller_rating::{roller_dynamic_rating, roller_rating_factor, roller_static_rating};
 pub use skf_friction::{SkfFriction, SkfOperation};
+pub use units::PER_MINUTE;
 pub use vibration_zones::{
     MachineGroup, MachineSupport, VibrationZone, velocity_band, zone_boundaries,
 };

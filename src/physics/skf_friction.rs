@@ -1,6 +1,6 @@
 //! Friction moment of a deep-groove ball bearing after SKF.
 
-use std::f64::consts::PI;
+use super::PER_MINUTE;
 
 /// Constants of a series of deep-groove ball bearings.
 ///
@@ -87,7 +87,7 @@ impl SkfFriction {
     /// assert!((1e3 * rolling - 14.286).abs() < 2e-3 && (1e3 * sliding - 6.345).abs() < 2e-3);
     /// ```
     pub fn moment(&self, operation: &SkfOperation) -> [f64; 2] {
-        let rpm = operation.speed.abs() * 30.0 / PI;
+        let rpm = operation.speed.abs() * PER_MINUTE;
         if rpm == 0.0 {
             return [0.0; 2];
         }

@@ -6,9 +6,10 @@ use serde_json::{Value, json};
 
 use super::figure::{Axis, Colour, Curve, Figure, GREY, Name, Panel, distinct};
 use super::shaft_shapes::shapes_at;
-use super::terminal::{Lines, PER_MINUTE, PER_SECOND, decimal, or_dash, rounded, shown_column};
+use super::terminal::{Lines, PER_SECOND, decimal, or_dash, rounded, shown_column};
 use super::{FileSet, Findings};
 use crate::analysis::Channel;
+use crate::physics::PER_MINUTE;
 use crate::rotor::{Mode, RotorDefinition, Whirl};
 use crate::scenario::Scenario;
 use crate::study::campbell::{Branch, Campbell, CriticalSpeed};

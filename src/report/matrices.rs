@@ -4,9 +4,10 @@ use nalgebra::DMatrix;
 use serde_json::{Value, json};
 
 use super::npz::Npz;
-use super::terminal::{Lines, PER_MINUTE};
+use super::terminal::Lines;
 use super::{FileSet, Findings};
 use crate::numerics::digits::to_digits;
+use crate::physics::PER_MINUTE;
 use crate::rotor::LinearMatrices;
 use crate::scenario::Scenario;
 use crate::table::{Column, Table};

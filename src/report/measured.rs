@@ -19,11 +19,11 @@ use super::spectra::{
     spectrum_table, table_name,
 };
 use super::statics::ball_pass_text;
-use super::terminal::{Lines, PER_MINUTE, digits, listed, of_bearing, shown_unit, significant};
+use super::terminal::{Lines, digits, listed, of_bearing, shown_unit, significant};
 use crate::analysis::{Axis, ChannelStatistics, Spectrum};
 use crate::measurement::{Measured, Slip, SpeedEstimate, UnnamedLine};
 use crate::numerics::distinct::each_once;
-use crate::physics::{Race, velocity_band};
+use crate::physics::{PER_MINUTE, Race, velocity_band};
 use crate::record::Record;
 use crate::scenario::RecordDescription;
 use crate::table::Table;

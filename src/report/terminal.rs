@@ -9,6 +9,7 @@ use serde::{Serialize, Serializer};
 pub(super) use super::digits::{decimal, digits, in_digits, significant, without_negative_zeros};
 use crate::bearing::Clearance;
 use crate::keys::AXES;
+use crate::physics::PER_MINUTE;
 use crate::rotor::FREEDOMS;
 use crate::table::{Column, ColumnKind, Table as NumberTable};
 
@@ -337,9 +338,6 @@ pub(super) const MICRO: f64 = 1e6;
 
 /// s → ms, rad → mrad, m/s → mm/s, N m → N mm.
 pub(super) const MILLI: f64 = 1e3;
-
-/// rad/s → revolutions a minute.
-pub(super) const PER_MINUTE: f64 = 30.0 / std::f64::consts::PI;
 
 /// rad/s → Hz.
 pub(super) const PER_SECOND: f64 = 0.5 / std::f64::consts::PI;

@@ -1,7 +1,5 @@
 //! What a shaft is and what acts on it: plain data, before any computation.
 
-use std::f64::consts::TAU;
-
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -11,7 +9,7 @@ use super::{
 };
 use crate::bearing::{CageMotion, Housing, MountedBearing};
 use crate::numerics::distinct::each_once;
-use crate::physics::Race;
+use crate::physics::{PER_MINUTE, Race};
 
 /// Standard acceleration of gravity, m/s² (ISO 80000-3).
 pub const STANDARD_GRAVITY: f64 = 9.806_65;
@@ -343,7 +341,7 @@ impl RotorDefinition {
 
 /// That the coefficients of an element, known between two speeds, are kept at one beyond, all in rad/s.
 fn beyond_table(number: usize, known: [f64; 2], speed: f64) -> String {
-    let [first, last, speed] = [known[0], known[1], speed].map(|own| own * 60.0 / TAU);
+    let [first, last, speed] = [known[0], known[1], speed].map(|own| own * PER_MINUTE);
     let known = match first == last {
         true => format!("are known at {first:.0} rpm only"),
         false => format!("reach from {first:.0} to {last:.0} rpm"),

@@ -1,12 +1,13 @@
 //! The vibration of a run, judged by the zones of ISO 20816-3.
 
-use std::f64::consts::TAU;
 use std::fmt::Display;
 
 use serde::Serialize;
 
 use crate::analysis::{Channel, ChannelLevel, Motion, VelocityLevel};
-use crate::physics::{MachineGroup, MachineSupport, VibrationZone, velocity_band, zone_boundaries};
+use crate::physics::{
+    MachineGroup, MachineSupport, PER_MINUTE, VibrationZone, velocity_band, zone_boundaries,
+};
 
 /// Edition of the tables in [`zone_boundaries`].
 const STANDARD: &str = "ISO 20816-3:2022";
@@ -150,7 +151,7 @@ fn covered(
     longer: impl Fn(f64) -> String,
     finer: impl Fn(f64) -> String,
 ) -> Result<(), String> {
-    let rpm = speed.abs() * 60.0 / TAU;
+    let rpm = speed.abs() * PER_MINUTE;
     let [slowest, fastest] = SPEEDS;
     if !(slowest * (1.0 - 1e-9)..=fastest * (1.0 + 1e-9)).contains(&rpm) {
         return Err(refused(format!(

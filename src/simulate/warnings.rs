@@ -1,6 +1,6 @@
 //! What the reader of a run should know.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 use super::passes::Passes;
 use super::run::Reduction;
@@ -8,7 +8,7 @@ use super::{MeasuredError, Model};
 use crate::analysis::{Channel, Motion};
 use crate::bearing::{ContactLaw, Support};
 use crate::integrate::{Method, Stiffness};
-use crate::physics::{Race, ball_mass, centrifugal_force, nominal_cage_speed};
+use crate::physics::{PER_MINUTE, Race, ball_mass, centrifugal_force, nominal_cage_speed};
 use crate::rotor::{Damping, GrowingMotion, Rotor, RotorDefinition, unconstrained_warning};
 
 /// Balance quality grade of ISO 21940-11 beyond all that it lists but rigidly mounted marine engines, mm/s.
@@ -33,7 +33,7 @@ pub(super) fn warnings(
              the spectra, which have no orders, and no peak is named after them; ball-pass \
              frequencies are those at the highest speed, {:.0} rpm ({:.1} rad/s)",
             model.settle,
-            rotor.highest_speed() * 60.0 / TAU,
+            rotor.highest_speed() * PER_MINUTE,
             rotor.highest_speed()
         ));
     }
@@ -159,7 +159,7 @@ fn unbalance(definition: &RotorDefinition, rotor: &Rotor) -> Option<String> {
             "the eccentricity of {:.4} mm gives e·ω = {grade:.0} mm/s at {:.0} rpm, beyond balance grade G \
              {COARSEST_BALANCE} of ISO 21940-11 (shafts have G 2.5 to G 16): check its unit",
             1e3 * eccentricity,
-            rotor.highest_speed() * 60.0 / TAU
+            rotor.highest_speed() * PER_MINUTE
         )
     })
 }
@@ -168,7 +168,7 @@ fn unbalance(definition: &RotorDefinition, rotor: &Rotor) -> Option<String> {
 fn inertia_left_out(rotor: &Rotor) -> Vec<String> {
     let fast = |(index, support): (usize, &Support)| {
         let geometry = &support.definition().bearing.geometry;
-        let factor = 1e3 * geometry.pitch_diameter() * rotor.highest_speed().abs() * 60.0 / TAU;
+        let factor = 1e3 * geometry.pitch_diameter() * rotor.highest_speed().abs() * PER_MINUTE;
         // of a turning outer ring nothing better is known
         let left_out = support.definition().law == ContactLaw::Hertz
             && support.definition().bearing.rotating_ring == Race::Inner;
@@ -214,7 +214,7 @@ fn not_stable(rotor: &Rotor, growing: GrowingMotion) -> String {
     };
     format!(
         "the shaft is not stable at its static equilibrium at {:.0} rpm: {growing}; {outcome}",
-        rotor.speed() * 60.0 / TAU
+        rotor.speed() * PER_MINUTE
     )
 }
 

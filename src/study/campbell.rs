@@ -1,9 +1,10 @@
 //! Natural frequencies over the speed: the Campbell diagram of the linearised rotor.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::numerics::digits::to_digits;
+use crate::physics::PER_MINUTE;
 use crate::rotor::{Rotor, RotorDefinition, RotorError, Whirl};
 use crate::simulate::{Model, Run, RunUp, finer_modes, range_warnings};
 
@@ -223,7 +224,7 @@ pub enum CampbellError {
 
 /// A speed in rad/s as revolutions per minute, with the digits that people read.
 fn per_minute(speed: f64) -> f64 {
-    to_digits(speed * 30.0 / PI, 6)
+    to_digits(speed * PER_MINUTE, 6)
 }
 
 /// Whether a diagram from one speed to another in rad/s has a range, and all orders a frequency.

@@ -5,8 +5,9 @@ use std::f64::consts::TAU;
 use nalgebra::Complex;
 
 use super::{Reported, place};
+use crate::physics::PER_MINUTE;
 use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, broken_at_turns, distinct};
-use crate::report::terminal::{MICRO, PER_MINUTE, digits};
+use crate::report::terminal::{MICRO, digits};
 
 /// Height of a plot, px.
 const HEIGHT: u32 = 240;

@@ -9,7 +9,8 @@ use serde_json::{Value, json};
 
 use crate::numerics::digits::to_digits;
 use crate::numerics::distinct::each_once;
-use crate::report::terminal::{Lines, MILLI, PER_MINUTE};
+use crate::physics::PER_MINUTE;
+use crate::report::terminal::{Lines, MILLI};
 use crate::report::{FileSet, Findings};
 use crate::rotor::{FREEDOM_NAMES, Pickup};
 use crate::scenario::Scenario;

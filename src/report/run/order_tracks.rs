@@ -1,9 +1,10 @@
 //! Amplitudes and phases of orders over the speed.
 
 use crate::analysis::{Channel, OrderTracks, Track};
+use crate::physics::PER_MINUTE;
 use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
 use crate::report::raster::moving;
-use crate::report::terminal::{PER_MINUTE, shown_column};
+use crate::report::terminal::shown_column;
 use crate::table::Table;
 
 /// Height of a plot, px.

@@ -4,11 +4,12 @@ use serde_json::{Map as Object, Value, json};
 
 use super::order_tracks::order_figure;
 use crate::analysis::{Channel, Waterfall};
+use crate::physics::PER_MINUTE;
 use crate::report::figure::{Axis, Curve, Figure, Label, Panel, WHITE};
 use crate::report::findings::with_keys;
 use crate::report::raster::{DECADES, Raster, moving};
 use crate::report::terminal::{
-    Lines, MICRO, PER_MINUTE, PER_SECOND, listed, shown_column, shown_unit, significant,
+    Lines, MICRO, PER_SECOND, listed, shown_column, shown_unit, significant,
 };
 use crate::simulate::{Extreme, Maps, RunUp};
 use crate::study::campbell::{Campbell, CriticalSpeed};
