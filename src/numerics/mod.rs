@@ -5,6 +5,7 @@ pub(crate) mod digits;
 pub(crate) mod distinct;
 pub(crate) mod eigenvectors;
 pub(crate) mod elimination;
+pub(crate) mod minimum;
 pub(crate) mod panels;
 pub(crate) mod registers;
 pub(crate) mod root;

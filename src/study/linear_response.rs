@@ -7,7 +7,9 @@ use nalgebra::Complex;
 
 use super::campbell::CampbellQuestion;
 use super::resonance_places::{Place, between};
+use crate::numerics::minimum::minimum;
 use crate::numerics::root::root;
+use crate::physics::PER_MINUTE;
 use crate::rotor::{Excursion, GrowingMotion, Pickup, Rotor, RotorDefinition, RotorError};
 use crate::simulate::{finer_modes, range_warnings};
 
@@ -446,30 +448,11 @@ impl<'a> Solver<'a> {
         Ok(())
     }
 
-    /// The highest amplitude between two values, by the golden section.
+    /// The highest amplitude between two values, and where it is.
     fn highest(&self, pickup: usize, ends: [f64; 2]) -> Result<(f64, f64), LinearResponseError> {
-        const GOLDEN: f64 = 0.618_033_988_749_894_9;
-        let [mut low, mut high] = ends;
-        let inner =
-            |low: f64, high: f64| [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
-        let mut places = inner(low, high);
-        let mut heights = [
-            self.amplitude(pickup, places[0])?,
-            self.amplitude(pickup, places[1])?,
-        ];
-        while high - low > FOUND * high {
-            if heights[0] > heights[1] {
-                high = places[1];
-                places = [inner(low, high)[0], places[0]];
-                heights = [self.amplitude(pickup, places[0])?, heights[0]];
-            } else {
-                low = places[0];
-                places = [places[1], inner(low, high)[1]];
-                heights = [heights[1], self.amplitude(pickup, places[1])?];
-            }
-        }
-        let best = usize::from(heights[1] > heights[0]);
-        Ok((places[best], heights[best]))
+        let depth = |value: f64| Ok(-self.amplitude(pickup, value)?);
+        let (place, depth) = minimum(depth, ends, FOUND * ends[1])?;
+        Ok((place, -depth))
     }
 
     /// Where the amplitude has fallen to 1/√2 of a peak on one of its sides; none where it rises above the peak before.
@@ -566,5 +549,5 @@ fn beyond_clearances(mut excursions: Vec<(f64, Vec<Excursion>)>) -> Vec<String> 
 
 /// A speed in rpm, to a tenth.
 fn in_rpm(speed: f64) -> String {
-    format!("{:.1}", speed * 60.0 / TAU)
+    format!("{:.1}", speed * PER_MINUTE)
 }
