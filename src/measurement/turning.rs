@@ -383,7 +383,7 @@ mod tests {
     }
 
     #[test]
-    fn rises_that_are_known_to_a_sample_leave_a_constant_speed_constant() {
+    fn rises_known_to_a_sample_leave_a_constant_speed_constant() {
         for (pulses, rate, hertz) in [
             (1.0, 10_000.0, 101.3),
             (1.0, 5000.0, 49.7),

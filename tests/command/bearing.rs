@@ -102,7 +102,7 @@ fn run_names_the_table_that_a_standing_shaft_lacks() {
 }
 
 #[test]
-fn warnings_are_messages_and_a_load_that_nothing_carries_is_code_1() {
+fn warnings_are_messages_and_an_uncarried_load_is_code_1() {
     let folder = TempDir::new().unwrap();
     let pair = "preload = \"100 N\"\narrangement = \"back-to-back\"\nspacing = \"20 mm\"\n";
     let file = standing(&folder, &format!("{pair}{THRUST}"));

@@ -50,7 +50,7 @@ fn a_table_agrees_with_itself_exactly() {
 }
 
 #[test]
-fn the_tolerance_is_relative_to_the_largest_magnitude_of_the_column() {
+fn the_tolerance_is_relative_to_the_largest_of_the_column() {
     let moved = TRACE
         .replace("0.1,2e-6", "0.1,2.0002e-6")
         .replace("0.0,0.0", "0.0,1e-10");

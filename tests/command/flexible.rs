@@ -315,7 +315,7 @@ fn the_stated_error_of_the_reduction_is_the_true_one() {
 
 /// The same of a steady motion, an unbalance at a third of a shaft on stiff supports.
 #[test]
-fn the_stated_error_of_a_steady_motions_reduction_is_the_true_one() {
+fn the_stated_error_of_a_reduction_is_the_true_one() {
     let with = |modes: usize, more: &[&str]| {
         let scene = Scene::new(&format!(
             "[shaft]\nfreedoms = \"radial\"\nmodes = {modes}\nobserved = \"0.3 m\"\n[[shaft.section]]\nlength = \"0.8 m\"\n\

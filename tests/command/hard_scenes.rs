@@ -38,7 +38,7 @@ fn assert_silent_on(output: &Output, part: &str) {
 }
 
 #[test]
-fn a_load_beyond_any_contact_of_a_ball_is_an_error_with_its_numbers() {
+fn a_load_beyond_any_contact_is_an_error_with_its_numbers() {
     let output = answer("run", "shock-1e9", &["--no-verify"]);
     assert_eq!(output.status.code(), Some(1));
     assert_says(&output, &["a ball carries 1.767e8 N", "3.97 mm", "units"]);
@@ -149,7 +149,7 @@ fn balls_under_any_inertia_come_to_an_end() {
 }
 
 #[test]
-fn a_run_that_needs_more_memory_than_there_is_is_refused_beforehand() {
+fn a_run_beyond_the_memory_is_refused_beforehand() {
     let out = TempDir::new().expect("a folder");
     // a spectrum of its own is of the whole record
     let text = std::fs::read_to_string(scene("many-samples")).expect("a scene");
@@ -248,7 +248,7 @@ fn a_pair_that_faces_the_same_way_is_told() {
 }
 
 #[test]
-fn a_single_angular_contact_bearing_without_an_axial_load_is_told() {
+fn a_single_angular_contact_bearing_without_thrust_is_told() {
     let output = done(answer("run", "radial-load-on-7205c", &["--no-verify"]));
     assert_says(
         &output,
@@ -411,7 +411,7 @@ fn doubtful_values_are_told_before_the_run() {
 
 /// At rest the ellipses end below the shoulders, in a shock along the axis they pass them.
 #[test]
-fn contact_ellipses_cut_off_in_the_motion_are_told_with_their_time() {
+fn contact_ellipses_that_are_cut_off_are_told_with_their_time() {
     let folder = TempDir::new().expect("a folder");
     let shoulder = (
         "facing = \"+z\"",
@@ -434,7 +434,7 @@ fn contact_ellipses_cut_off_in_the_motion_are_told_with_their_time() {
 }
 
 #[test]
-fn more_bearings_than_a_shaft_has_and_files_larger_than_any_are_refused() {
+fn too_many_bearings_and_too_large_files_are_refused() {
     let folder = TempDir::new().expect("a folder");
     let file = folder.path().join("scene.toml");
     let text = std::fs::read_to_string(scene("radial-load-on-7205c")).expect("a scene");

@@ -184,7 +184,7 @@ fn a_killed_run_leaves_nothing_that_looks_whole_and_is_not() {
 }
 
 #[test]
-fn a_killed_study_with_traces_leaves_nothing_that_looks_whole_and_is_not() {
+fn a_killed_study_with_traces_leaves_nothing_that_looks_whole() {
     studies().kill_again_and_again(&["--restart"]);
 }
 

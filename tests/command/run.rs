@@ -219,7 +219,7 @@ fn an_unwritable_folder_is_code_1_before_the_run() {
 
 #[cfg(unix)]
 #[test]
-fn an_interrupt_ends_the_run_and_leaves_no_file_that_looks_whole() {
+fn an_interrupted_run_leaves_no_file_that_looks_whole() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let file = folder.path().join("long.toml");
     let text_of = shipped_text("steady-7205c");

@@ -88,7 +88,7 @@ fn the_zone_is_that_of_the_housing_where_there_is_one() {
 }
 
 #[test]
-fn a_zone_of_the_shaft_is_said_to_be_that_and_larger_machines_have_wider_zones() {
+fn a_zone_of_the_shaft_is_told_and_large_machines_have_wider() {
     let folder = tempfile::tempdir().expect("a folder");
     let zone = |machine: &str| {
         let (output, summary) = run(folder.path(), &scene("600 g mm", RADIAL, machine));

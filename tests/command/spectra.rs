@@ -22,7 +22,7 @@ fn write(folder: &Path, text: &str) -> Value {
 }
 
 #[test]
-fn every_file_says_how_it_was_made_and_does_not_outlive_its_table() {
+fn every_file_says_how_it_was_made_and_goes_with_its_table() {
     let spectra = "
 [[spectrum]]
 name = \"vibration\"

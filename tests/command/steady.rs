@@ -126,7 +126,7 @@ fn a_branch_that_goes_on_beyond_its_motions_fails_and_says_why() {
 
 /// What is wrong with a command line is code 2, a scene without a steady motion is code 1.
 #[test]
-fn exit_codes_tell_wrong_input_from_a_scene_without_a_steady_motion() {
+fn exit_codes_tell_wrong_input_from_no_steady_motion() {
     let folder = tempfile::tempdir().expect("a folder");
     let run_up = jeffcott(folder.path(), &["scenarios/run-up-7205c.toml"]);
     assert_eq!(run_up.status.code(), Some(1));

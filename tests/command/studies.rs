@@ -103,7 +103,7 @@ fn every_shipped_study_runs() {
 }
 
 #[test]
-fn every_cell_of_speeds_and_loads_has_its_spectrum_and_named_peaks() {
+fn every_cell_of_a_grid_has_its_spectrum_and_named_peaks() {
     let out = TempDir::new().expect("a folder");
     let fewer = ["axis[1].count=2", "axis[2].count=2", "verify_every=0"];
     let fewer = fewer.iter().flat_map(|set| ["--set", set]);
@@ -148,7 +148,7 @@ fn words_vary_along_an_axis() {
 
 /// The balanced shaft answers where its balls pass at a natural frequency.
 #[test]
-fn a_resonance_stands_where_the_balls_pass_at_a_natural_frequency() {
+fn a_resonance_is_where_balls_pass_at_a_natural_frequency() {
     let out = TempDir::new().expect("a folder");
     let answer = run_shipped("resonance-7205c", "response.svg", out.path());
     let digest = &answer["digest"];

@@ -122,7 +122,7 @@ fn what_a_linear_bearing_does_not_know_is_missing() {
 }
 
 #[test]
-fn a_table_for_matlab_is_answered_with_the_formats_that_it_reads() {
+fn a_table_for_matlab_is_answered_with_its_formats() {
     let folder = scene("formats = [\"mat\"]");
     for arguments in [
         &["run", "scene.toml"][..],

@@ -233,7 +233,7 @@ fn random_loads_converge_or_say_what_nothing_carries() {
 }
 
 #[test]
-fn a_shaft_loose_in_its_clearance_is_told_by_the_names_of_its_freedoms() {
+fn a_loose_shaft_is_told_by_the_names_of_its_freedoms() {
     let text = r#"
         [shaft]
         mass = "5 kg"

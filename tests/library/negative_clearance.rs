@@ -105,7 +105,7 @@ fn a_clearance_changes_sign_steadily() {
 
 /// `A (1 − cos 15°)` is what an angular contact bearing gives up before its balls are squeezed.
 #[test]
-fn an_angular_contact_bearing_is_squeezed_where_its_angle_has_closed() {
+fn a_bearing_is_squeezed_where_its_angle_has_closed() {
     let made = bearing("7205C").geometry;
     let distance = made.groove_centre_distance();
     let closing = 2.0 * distance * (1.0 - 15f64.to_radians().cos());

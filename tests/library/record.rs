@@ -247,7 +247,7 @@ fn structs_with_a_name_and_data_are_channels_of_that_name() {
 }
 
 #[test]
-fn missing_samples_are_counted_and_functions_of_frequency_left_out() {
+fn missing_samples_are_counted_and_spectra_left_out() {
     let gaps = record("gaps.csv");
     assert!(gaps.channel("b").unwrap().samples[7].is_nan());
     assert_eq!(gaps.missing().len(), 1);

@@ -368,7 +368,7 @@ fn is_a_name(column: &str) -> bool {
 }
 
 #[test]
-fn the_trace_of_balls_has_four_columns_a_ball_and_reads_back_bit_by_bit() {
+fn the_trace_of_balls_reads_back_bit_by_bit() {
     let mut definition = model().rotor;
     let linear = MountedBearing {
         law: ContactLaw::Linear,

@@ -99,7 +99,7 @@ fn z_that_is_loaded_and_not_held_is_an_error_that_names_it() {
 }
 
 #[test]
-fn z_that_is_written_as_free_is_held_too_where_nothing_acts_on_it() {
+fn a_free_z_that_nothing_acts_on_is_held_too() {
     for (written, left) in [
         ("all", Freedoms::Lateral),
         ("translational", Freedoms::Radial),
@@ -424,7 +424,7 @@ fn an_inclined_stiffness_has_principal_axes() {
 
 /// `m s² + c s + k ∓ i q = 0` with k_xy = q = −k_yx: the forward whirl grows where q > c ω. Its energy comes from the rotation.
 #[test]
-fn a_circulatory_stiffness_drives_a_forward_whirl_and_its_energy_closes() {
+fn a_circulatory_stiffness_drives_a_forward_whirl() {
     let text = "[shaft]\nmass = \"2 kg\"\neccentricity = \"2 um\"\n[[element]]\nlinear = { stiffness = { x = \"1e6 N/m\", y = \
                 \"1e6 N/m\", xy = \"2e5 N/m\", yx = \"-2e5 N/m\" }, damping = { x = \"100 N s/m\", y = \"100 N s/m\", xy = \"30 \
                 N s/m\", yx = \"-30 N s/m\" } }\n[speed]\nconstant = \"3000 rpm\"\n[output]\nenergy = true\n[integrator]\n\

@@ -10,7 +10,7 @@ mod parquet_files {
     use parquet::record::Field;
 
     #[test]
-    fn row_groups_follow_each_other_and_the_same_rows_give_the_same_bytes() {
+    fn row_groups_follow_and_equal_rows_give_equal_bytes() {
         let columns: Vec<Column> = (0..64)
             .map(|n| Column::number(format!("c{n}"), ""))
             .collect();

@@ -267,7 +267,7 @@ mod tests {
     }
 
     #[test]
-    fn values_alone_are_interpolated_to_the_seventh_degree_everywhere() {
+    fn values_alone_are_interpolated_to_the_seventh_degree() {
         let p = |t: f64| {
             (0..8)
                 .rev()

@@ -171,7 +171,7 @@ mod tests {
     }
 
     #[test]
-    fn faults_of_a_6205_drop_the_ball_by_micrometres_and_not_by_their_depth() {
+    fn faults_of_a_6205_drop_the_ball_by_less_than_their_depth() {
         let expected = [
             (7.0, [0.8273, 1.2496]),
             (14.0, [3.3105, 4.9998]),

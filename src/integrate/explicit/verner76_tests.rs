@@ -183,7 +183,7 @@ fn the_error_over_a_surface_is_as_stated() {
 }
 
 #[test]
-fn the_orders_are_seven_and_six_and_that_of_the_interpolant_is_six() {
+fn the_orders_are_seven_six_and_six_of_the_interpolant() {
     nodes_are_row_sums();
     interpolant_meets_the_ends();
     let weights = factors(LAST);

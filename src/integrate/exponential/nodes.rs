@@ -186,7 +186,7 @@ mod tests {
 
     /// P₆ − P₄ vanishes at both ends, and its Legendre coefficients are −1, 0 and 1.
     #[test]
-    fn what_one_point_fewer_leaves_out_is_a_difference_of_legendre_polynomials() {
+    fn one_point_fewer_leaves_out_legendre_polynomials() {
         let values = NODES.left_out.map(|value| [value; 4]);
         let coefficients = NODES.modes.map(|mode| combined(&mode, &values)[0]);
         for (found, expected) in coefficients.iter().zip([-1.0, 0.0, 1.0]) {

@@ -475,7 +475,7 @@ fn the_energy_of_everything_closes() {
 }
 
 #[test]
-fn the_energy_of_a_driven_shaft_closes_with_unbalances_in_two_planes() {
+fn energy_closes_with_a_drive_and_unbalances_in_two_planes() {
     for bends in [true, false] {
         let mut definition = everything();
         // heavy unbalances, so that they ask much of the rotation
@@ -560,7 +560,7 @@ fn a_pinned_shaft_yields_as_a_beam_and_has_its_frequency() {
 }
 
 #[test]
-fn damping_inside_the_shaft_drives_a_whirl_above_the_speed_of_the_books() {
+fn inner_damping_drives_a_whirl_above_the_speed_of_the_books() {
     // ω = ω_n (1 + c_external/c_internal)
     let (internal, external) = (20e-6, 3.0);
     let mut definition = laval(1.0, internal);

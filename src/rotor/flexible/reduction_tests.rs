@@ -123,7 +123,7 @@ fn a_pinned_shaft_vibrates_a_little_slower_than_eulers() {
 }
 
 #[test]
-fn a_reduction_errs_as_its_modes_allow_and_not_at_all_in_statics() {
+fn a_reduction_errs_as_its_modes_allow_and_not_in_statics() {
     let mesh = book_shaft().mesh(&[0.0, 1.5], None).expect("a mesh");
     let speed = 4000.0 / 60.0 * TAU;
     let last = 2 * (mesh.nodes.len() - 1);

@@ -9,7 +9,7 @@ fn limited(steps: u32) -> String {
 }
 
 #[test]
-fn the_trace_up_to_the_failure_is_the_beginning_of_the_whole_one() {
+fn the_trace_up_to_a_failure_begins_the_whole_one() {
     let (failing, whole) = (Scene::new(&limited(2000)), Scene::new(&limited(100_000)));
     let said = failing.run(&[]);
     said.says(1, "2000 steps are used up at t = ");
@@ -91,7 +91,7 @@ fn an_interrupt_says_that_nothing_was_written() {
 }
 
 #[test]
-fn what_made_a_run_in_parts_is_answered_with_the_way_that_is_left() {
+fn what_made_a_run_in_parts_is_answered_with_a_way() {
     let scene = Scene::new(&limited(2000));
     for gone in ["--stop-at=0.1 s", "--restartable", "--resume"] {
         scene.run(&[gone]).says(2, "tip: a run is made in one go");
@@ -99,7 +99,7 @@ fn what_made_a_run_in_parts_is_answered_with_the_way_that_is_left() {
 }
 
 #[test]
-fn other_formats_of_figures_are_answered_with_the_way_that_is_left() {
+fn other_formats_of_figures_are_answered_with_a_way() {
     let scene = Scene::new(&limited(2000));
     let said = scene.run(&["--figure-format=pdf"]);
     said.says(2, "tip: figures are written as SVG");

@@ -33,7 +33,7 @@ fn difference(choice: &ContactChoice, rung: Fidelity) -> f64 {
 }
 
 #[test]
-fn a_dry_bearing_at_low_speed_needs_no_ball_inertia_and_one_at_high_speed_does() {
+fn ball_inertia_is_needed_at_high_speed_only() {
     let auto = "contact = \"auto\"\nmodel_error = 1e-3";
     let slow = chosen(&text("100 rad/s", auto, ""));
     let fast = chosen(&text("3000 rad/s", auto, ""));

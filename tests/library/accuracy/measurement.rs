@@ -38,7 +38,7 @@ fn one(name: &str) -> Vec<Method> {
 }
 
 #[test]
-fn the_error_of_every_method_falls_with_its_tolerance_and_its_work_grows() {
+fn errors_of_methods_fall_with_the_tolerance_and_work_grows() {
     let scenario = read(&text("500 rad/s", "contact = \"hertz\"", ""));
     let tolerances = [1e-4, 1e-6, 1e-8];
     let accuracy = measure(&scenario, methods(), &tolerances);
@@ -78,7 +78,7 @@ fn the_error_of_every_method_falls_with_its_tolerance_and_its_work_grows() {
 
 /// the scene as it is written is the highest level here: it differs from itself by nothing.
 #[test]
-fn a_rung_differs_from_itself_by_nothing_and_lower_rungs_by_something() {
+fn lower_rungs_differ_and_a_rung_not_from_itself() {
     let stiffness = "[bearing.geometry]\nballs = 9\nball_diameter = \"7.94 mm\"\npitch_diameter = \"38.5 mm\"\n\
                      radial_clearance = \"0 um\"\ncontact_stiffness = \"8e9 N/m^1.5\"\n";
     let scene = format!(

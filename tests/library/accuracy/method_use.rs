@@ -69,7 +69,7 @@ fn partings(run: &Run) -> u64 {
 
 /// One of them passes a resonance between two speeds at which the shaft hardly moves.
 #[test]
-fn what_the_motion_might_have_done_takes_no_run_from_the_exponential_method() {
+fn a_motion_that_did_not_come_ends_no_exponential_method() {
     for (file, most) in [
         ("benches/scenes/thirteen-balls-preloaded.toml", 6_000),
         ("scenarios/laval-rotor.toml", 25_000),
@@ -83,7 +83,7 @@ fn what_the_motion_might_have_done_takes_no_run_from_the_exponential_method() {
 
 /// The elastic modes of a shaft are so fast that a pair held by its stability takes far shorter steps.
 #[test]
-fn balls_that_part_under_a_bent_shaft_are_no_reason_for_the_explicit_pair() {
+fn balls_that_part_under_a_bent_shaft_keep_the_method() {
     let mut model = scene("scenarios/conveyor-shaft-6213.toml");
     (model.duration, model.settle) = (0.1, 0.0);
     let (chosen, used) = run(&model);
@@ -96,7 +96,7 @@ fn balls_that_part_under_a_bent_shaft_are_no_reason_for_the_explicit_pair() {
 
 /// The finer the tolerance, the more short steps a ball that parts takes; long ones in between make up for them.
 #[test]
-fn a_few_balls_that_part_at_a_fine_tolerance_do_not_end_the_long_steps() {
+fn a_few_balls_that_part_do_not_end_the_long_steps() {
     let mut model = scene("scenarios/overhung-rotor-6208.toml");
     (model.duration, model.settle) = (0.1, 0.0);
     model.integrator.tolerance = 1e-9;
@@ -106,7 +106,7 @@ fn a_few_balls_that_part_at_a_fine_tolerance_do_not_end_the_long_steps() {
 }
 
 #[test]
-fn balls_that_unload_at_every_turn_are_left_to_the_pair_that_lands_on_lift_offs() {
+fn balls_that_unload_each_turn_are_left_to_the_pair_that_lands() {
     let model = open("1000 rad/s", &[("5 um", "50 um"), ("1000 N", "50 N")]);
     let (chosen, used) = run(&model);
     let (reason, time) = used.change.expect("a change");
@@ -181,7 +181,7 @@ fn hard(name: &str) -> Model {
 /// A run-up through the resonance of a light thrust: nothing of it is known at either of its ends, where no ball is
 /// expected to part.
 #[test]
-fn a_run_whose_balls_part_again_and_again_goes_on_with_the_pair_that_lands() {
+fn balls_that_part_often_are_left_to_the_pair_that_lands() {
     let start = "from = \"3500 rad/s\"\nto = \"7500 rad/s\"\nover = \"0.5 s\"";
     let changes = [
         ("constant = \"1 rad/s\"", start),
@@ -202,7 +202,7 @@ fn a_run_whose_balls_part_again_and_again_goes_on_with_the_pair_that_lands() {
 }
 
 #[test]
-fn the_same_scene_takes_the_same_steps_and_a_named_method_is_kept() {
+fn equal_scenes_take_equal_steps_and_a_named_method_is_kept() {
     let scene = open("300 rad/s", &[]);
     let [first, second] = [0, 1].map(|_| try_run(&scene, 0.0));
     assert_eq!(first.0.unwrap(), second.0.unwrap());

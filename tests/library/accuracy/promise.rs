@@ -224,7 +224,7 @@ fn blows_in_a_clearance_keep_to_ten_tolerances_or_warn() {
 }
 
 #[test]
-fn a_fast_bearing_with_ball_inertia_and_films_keeps_to_ten_tolerances_or_warns() {
+fn a_fast_bearing_keeps_to_ten_tolerances_or_warns() {
     let oil = "catalogue = \"7205C\"\nfilm = true\n[bearing.oil]\nviscosity = \"0.04 Pa s\"\n\
                pressure_viscosity = \"22 1/GPa\"\n";
     let scene = text("2500 rad/s", "contact = \"jones\"", "");

@@ -72,7 +72,7 @@ fn harris_and_mindel_inner_race() {
 }
 
 #[test]
-fn without_oil_the_approaches_are_the_deformation_and_the_stiffness_its_slope() {
+fn without_oil_the_approaches_are_the_deformation() {
     let state = state_under_thrust(&mounted(bearing("7205C")), 1000.0, 0.0);
     for ball in &state.balls {
         let sum = ball.inner.approach + ball.outer.approach;
@@ -100,7 +100,7 @@ fn azimuths_go_round_from_the_first_ball() {
 }
 
 #[test]
-fn a_given_stiffness_leaves_ellipse_and_pressure_to_the_geometry() {
+fn a_given_stiffness_leaves_the_ellipse_to_the_geometry() {
     let literature = literature_bearing(8, [11.9062e-3, 52.0e-3], 0.0, 8.37536e9);
     let ball = state_at(&mounted(literature), [10e-6, 0.0, 0.0, 0.0, 0.0], 0.0).balls[0].clone();
     // Q = K_n δ^(3/2) of the given constant
@@ -134,7 +134,7 @@ fn static_safety_is_one_where_a_contact_reaches_4200_megapascal() {
 }
 
 #[test]
-fn an_unloaded_bearing_has_neither_life_nor_safety_nor_angle_of_its_own() {
+fn an_unloaded_bearing_has_no_life_safety_or_angle() {
     let state = state_at(
         &mounted(bearing("7205C")),
         [0.0, 0.0, -1e-6, 0.0, 0.0],

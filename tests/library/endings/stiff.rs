@@ -23,7 +23,7 @@ const RUNGE_KUTTA: [Method; 2] = [Method::Dopri5, Method::Dop853];
 const EXPLICIT: [Method; 3] = [Method::Verner76, Method::Dopri5, Method::Dop853];
 
 #[test]
-fn a_run_that_stability_slowed_down_says_so_with_numbers_and_the_remedy() {
+fn a_run_that_stability_slowed_down_names_the_remedy() {
     let (implicit, reference) = try_run(&stiff(Method::Rodas), 0.0);
     let implicit = implicit.expect("it runs");
     assert!(implicit.warnings.is_empty(), "{:?}", implicit.warnings);

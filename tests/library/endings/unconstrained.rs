@@ -58,7 +58,7 @@ fn warning(definition: RotorDefinition) -> String {
 }
 
 #[test]
-fn an_unbalanced_shaft_floats_in_its_clearance_and_the_run_says_so() {
+fn a_shaft_that_floats_in_its_clearance_is_told() {
     let text = warning(floating());
     assert!(
         text.contains("along x, y at the static equilibrium"),
@@ -128,7 +128,7 @@ fn a_linear_bearing_that_holds_nothing_is_refused() {
 }
 
 #[test]
-fn a_start_that_is_one_of_many_and_that_nothing_drives_is_refused() {
+fn a_start_that_is_one_of_many_is_refused() {
     let still = || {
         let mut definition = floating();
         definition.shaft.eccentricity = 0.0;

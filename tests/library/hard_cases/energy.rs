@@ -128,7 +128,7 @@ impl TraceSink for Drift<'_> {
 /// 1e5 periods is where small losses add up: a million steps, each allowed an error of 2.5e-9 at the
 /// default tolerance. The drift grows with time and falls with the tolerance.
 #[test]
-fn an_undamped_bearing_keeps_its_energy_over_a_hundred_thousand_periods() {
+fn a_bearing_keeps_its_energy_over_a_hundred_thousand_periods() {
     let vibration = Vibration::new();
     let (long, counters) = vibration.drift(1e5, 1e-8);
     assert!(long.largest < 3e-4, "{:e}", long.largest);

@@ -112,7 +112,7 @@ const IRREGULAR: Scene = Scene {
 };
 
 #[test]
-fn runs_that_start_side_by_side_part_where_the_motion_is_irregular() {
+fn runs_side_by_side_part_where_the_motion_is_irregular() {
     let exponent = IRREGULAR.exponent().rate;
     println!(
         "{exponent} 1/s, {} a ball pass",

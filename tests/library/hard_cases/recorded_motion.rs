@@ -157,7 +157,7 @@ fn a_free_shaft_states_its_error_of_the_recorded_motion() {
 }
 
 #[test]
-fn a_shaft_that_little_holds_states_its_error_of_the_recorded_motion() {
+fn a_loosely_held_shaft_states_its_error_of_the_record() {
     assert_stated(HELD);
     let neighbour = HELD
         .replace("1e-6", "1e-3")

@@ -164,7 +164,7 @@ fn orders_on_the_rules_give_their_lines() {
 }
 
 #[test]
-fn even_waves_of_a_ball_act_at_twice_its_spin_and_odd_ones_hardly() {
+fn even_waves_of_a_ball_act_at_twice_its_spin() {
     let geometry = bearing("7205C").geometry;
     let pass = geometry.ball_pass(std::f64::consts::TAU);
     let bearing = |order| wavy(Surface::Ball(3), order, 1e-11, 0.0);
@@ -189,7 +189,7 @@ fn even_waves_of_a_ball_act_at_twice_its_spin_and_odd_ones_hardly() {
 }
 
 #[test]
-fn a_ball_that_is_too_large_pushes_the_shaft_round_with_the_cage() {
+fn a_large_ball_pushes_the_shaft_round_with_the_cage() {
     let mut oversizes = vec![0.0; 12];
     oversizes[0] = 1e-11;
     let large = MountedBearing {

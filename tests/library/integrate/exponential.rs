@@ -182,7 +182,7 @@ fn apart(left: &[Sample], right: &[Sample], rest: &Rotor) -> f64 {
 /// To an error of 1e-6 of the settled motion the exponential method takes a fifth of the evaluations of
 /// Dormand–Prince 8(5,3) up to 200 rad/s, and less than a half at 500 rad/s.
 #[test]
-fn settled_motion_costs_a_fraction_of_the_evaluations_of_an_explicit_method() {
+fn settled_motion_costs_a_fraction_of_an_explicit_method() {
     for (speed, factor) in [(100.0, 5.0), (200.0, 5.0), (500.0, 2.5)] {
         let (truth, _) = settled(speed, Method::Dop853, 1e-12);
         let mut shaft = shaft(Freedoms::Translational);

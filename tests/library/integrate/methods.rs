@@ -101,7 +101,7 @@ fn rodas_has_order_four_where_time_enters() {
 }
 
 #[test]
-fn exponential_collocation_gains_as_a_method_of_order_six_where_time_enters() {
+fn exponential_collocation_has_order_six_where_time_enters() {
     // step sizes are rounded down, and the slope of J is no small part of this problem
     let order = observed_order(Method::Exponential, 1e-5, 1e-10);
     assert!((5.5..9.0).contains(&order), "observed order {order}");
@@ -210,7 +210,7 @@ fn explicit_methods_cross_a_stiff_slope_and_know_what_held_them() {
 }
 
 #[test]
-fn a_stiff_slope_that_takes_too_many_steps_ends_the_integration_early() {
+fn a_stiff_slope_ends_the_integration_early() {
     for method in [Method::Dopri5, Method::Dop853] {
         kaps(method, 100_000, |integration, result| {
             let Err(IntegrateError::Stiff {
@@ -354,7 +354,7 @@ fn work_is_counted() {
 }
 
 #[test]
-fn a_derivative_that_is_not_a_number_ends_the_integration_at_its_time() {
+fn a_derivative_of_nan_ends_the_integration_at_its_time() {
     let (stop, fault) = (AtomicBool::new(false), Swing { fault_from: 12.345 });
     for method in METHODS {
         let (states, _, result) = integrate(&fault, settings(method, 1e-8), 100, &stop);

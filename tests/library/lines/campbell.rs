@@ -141,7 +141,7 @@ fn critical_speeds_of_a_symmetric_rotor_are_the_closed_forms() {
 
 /// With coupling: (k − m ω²)(k_θ ∓ I_p Ω ω − I_t ω²) = k_c², forward with −… of ω > 0, backward with +.
 #[test]
-fn whirl_frequencies_of_an_uneven_rotor_are_roots_of_its_equation() {
+fn whirl_of_an_uneven_rotor_has_the_roots_of_its_equation() {
     let definition = rigid([-0.02, 0.05]);
     let [across, coupling, tilting] = stiffness(&definition);
     assert!(

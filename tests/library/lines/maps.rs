@@ -118,7 +118,7 @@ fn mapped(definition: RotorDefinition, duration: f64) -> Maps {
 /// Order 1 of a slow run-up is the steady response to unbalance, `e r²/√((1 − r²)² + (2ζr)²)`, with the
 /// phase `−atan2(2ζr, 1 − r²)`.
 #[test]
-fn the_first_order_of_a_slow_run_up_is_the_response_to_unbalance() {
+fn in_a_slow_run_up_order_one_is_the_response_to_unbalance() {
     let (definition, duration) = slow_run_up();
     let rotor = Rotor::assemble(&definition).expect("a rotor");
     let natural = (rotor.equilibrium().stiffness[(0, 0)] / 200.0).sqrt();

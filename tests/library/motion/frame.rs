@@ -75,7 +75,7 @@ fn reach(samples: &[Sample]) -> f64 {
 }
 
 #[test]
-fn turning_loads_balls_and_unbalance_about_the_axis_turns_the_trace() {
+fn turning_all_about_the_axis_turns_the_trace() {
     let angle = 0.7;
     for law in LAWS {
         let straight = with_law(loaded(), law);

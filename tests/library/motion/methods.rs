@@ -63,7 +63,7 @@ const PARTING: [&str; 14] = [
 /// Each method keeps to ten of its tolerances, or the run warns that it does not; and the error that
 /// it measures by itself is the one that the other methods find.
 #[test]
-fn explicit_and_implicit_methods_give_the_same_trace_of_every_scenario() {
+fn methods_give_the_same_trace_of_every_scenario() {
     let files = shipped();
     assert!(files.len() >= 9, "{files:?}");
     for file in files {

@@ -39,7 +39,7 @@ fn distance(left: &[Sample], right: &[Sample]) -> f64 {
 const EXPLICIT: [Method; 3] = [Method::Verner76, Method::Dopri5, Method::Dop853];
 
 #[test]
-fn a_tighter_tolerance_never_moves_the_trace_by_more_than_the_looser_one_did() {
+fn a_tighter_tolerance_never_moves_the_trace_by_more() {
     for method in EXPLICIT {
         let traces: Vec<Vec<Sample>> = [1e-4, 1e-6, 1e-8, 1e-10]
             .into_iter()

@@ -116,7 +116,7 @@ fn excursion(samples: &[Sample]) -> f64 {
 
 /// Small motions know no difference between a law and its tangent.
 #[test]
-fn the_linear_law_is_damped_as_the_hertz_law_is_in_small_motions() {
+fn in_small_motions_the_linear_law_is_damped_as_hertz() {
     let mut definition = decaying(ContactLaw::Hertz, 20.0);
     definition.cage = CageMotion::Frozen;
     definition.initial.displacement = [Some(1e-9), Some(-2e-9), None, None, None];

@@ -87,7 +87,7 @@ impl System for OneBall {
 
 /// The mass swings between half and about one and a half times its static approach.
 #[test]
-fn an_undamped_hertz_contact_keeps_its_energy_over_ten_thousand_periods() {
+fn a_contact_keeps_its_energy_over_ten_thousand_periods() {
     let system = OneBall::new(100.0);
     let still = (system.load / system.stiffness()).cbrt().powi(2);
     // the period of a small vibration: k = 1.5 W/δ
@@ -110,7 +110,7 @@ fn an_undamped_hertz_contact_keeps_its_energy_over_ten_thousand_periods() {
 
 /// (2/5) K δ_max^(5/2) = ½ m v², and the mass leaves as fast as it came.
 #[test]
-fn an_impact_turns_all_kinetic_energy_into_contact_energy_and_back() {
+fn an_impact_turns_kinetic_into_contact_energy_and_back() {
     let system = OneBall::new(0.0);
     let speed = 0.1;
     let expected = (0.5 * MASS * speed * speed / (0.4 * system.stiffness())).powf(0.4);

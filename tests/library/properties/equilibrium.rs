@@ -90,7 +90,7 @@ fn check(
 }
 
 #[test]
-fn a_thrust_that_no_ball_can_carry_is_refused_by_the_name_of_its_freedom() {
+fn a_thrust_that_no_ball_can_carry_is_refused_by_name() {
     let bearings = [mounted(with_clearance(20e-6))];
     let free = [false, false, true, false, false];
     let load = [0.0, 0.0, 1e9, 0.0, 0.0];
@@ -122,7 +122,7 @@ fn loads_too_small_to_square_have_an_answer() {
 }
 
 #[test]
-fn a_load_that_is_not_a_number_is_refused_by_the_name_of_its_freedom() {
+fn a_load_of_nan_is_refused_by_the_name_of_its_freedom() {
     let load = [0.0, f64::NAN, 0.0, 0.0, 0.0];
     let error = equilibrium(&[mounted(bearing("7205C"))], load, [true; 5]).expect_err("NaN");
     assert!(
@@ -133,7 +133,7 @@ fn a_load_that_is_not_a_number_is_refused_by_the_name_of_its_freedom() {
 
 /// From out of contact, K singular at the start: the inner ring falls through the clearance.
 #[test]
-fn a_bearing_with_clearance_stands_where_its_lowest_balls_carry_the_load() {
+fn with_clearance_the_lowest_balls_carry_the_load() {
     let clearance = 20e-6;
     let bearing = with_clearance(clearance);
     let first_ball = -std::f64::consts::FRAC_PI_2;

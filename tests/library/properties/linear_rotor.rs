@@ -28,7 +28,7 @@ pub fn natural_speed(definition: &RotorDefinition) -> f64 {
 
 /// Jeffcott: x = e r²/√((1 − r²)² + (2ζr)²) cos(ψ − φ), tan φ = 2ζr/(1 − r²), y a quarter later.
 #[test]
-fn unbalance_whirls_with_the_amplitude_and_phase_of_the_closed_form() {
+fn unbalance_has_amplitude_and_phase_of_the_closed_form() {
     let (ratio, eccentricity) = (0.05, 1e-7);
     for r in [0.1, 0.5, 0.9, 1.0, 1.1, 2.0, 5.0] {
         let mut definition = linear(thrust_rotor());
@@ -107,7 +107,7 @@ fn tilting_pair() -> RotorDefinition {
 }
 
 #[test]
-fn gyroscopic_moments_split_the_tilt_frequencies_as_the_closed_form_says() {
+fn gyroscopic_moments_split_the_tilt_frequencies() {
     let definition = tilting_pair();
     let rotor = Rotor::assemble(&definition).expect("a rotor");
     let natural = rotor.natural_frequencies();
@@ -123,7 +123,7 @@ fn gyroscopic_moments_split_the_tilt_frequencies_as_the_closed_form_says() {
 
 /// From rest at a tilt θ0 the tilt θx + iθy is θ0 (Ω_f e^(iΩ_b t) − Ω_b e^(iΩ_f t))/(Ω_f − Ω_b).
 #[test]
-fn a_released_tilt_precesses_forward_and_backward_as_the_closed_form_says() {
+fn a_released_tilt_precesses_as_the_closed_form_says() {
     let start = 1e-5;
     let mut definition = tilting_pair();
     let tilted = [None, None, None, Some(start), None];

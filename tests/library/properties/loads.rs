@@ -82,7 +82,7 @@ const STATISTICS: ShockStatistics = ShockStatistics {
 };
 
 #[test]
-fn random_shocks_come_as_often_and_as_strong_as_asked_and_by_their_seed() {
+fn random_shocks_come_as_asked_and_by_their_seed() {
     let shocks = RandomShocks::new(&STATISTICS, 100.0);
     assert_eq!(shocks, RandomShocks::new(&STATISTICS, 100.0));
     let other = ShockStatistics {
@@ -128,7 +128,7 @@ fn chain(teeth: u32, harmonics: u32) -> ChainDrive {
 
 /// F ∝ 1/cos θ along the strand and F (mean(r) − r)/L across it, θ from the middle of a pitch.
 #[test]
-fn the_pull_of_a_chain_is_inverse_to_its_lever_and_swings_by_its_rise() {
+fn the_pull_of_a_chain_is_inverse_to_its_lever() {
     for teeth in [5, 8, 17] {
         let sprocket = Sprocket::new(&chain(teeth, 2000));
         let half = PI / f64::from(teeth);
@@ -221,7 +221,7 @@ fn a_series_passes_its_rows_and_holds_its_ends() {
 }
 
 #[test]
-fn a_series_is_straight_or_cubic_without_overshoot_between_its_rows() {
+fn a_series_does_not_overshoot_between_its_rows() {
     let straight = series(&RISING, Interpolation::Linear);
     assert_near("straight", straight.at(2.0)[1], 3.0 + 7.0 / 3.0, 1e-14);
     let cubic = series(&RISING, Interpolation::MonotoneCubic);
@@ -359,7 +359,7 @@ fn a_short_shock_on_a_resting_shaft_is_not_missed() {
 }
 
 #[test]
-fn the_equilibrium_carries_mean_pulls_and_first_rows_but_no_vibration() {
+fn the_equilibrium_carries_mean_pulls_but_no_vibration() {
     let place = |loads| {
         let definition = at_rest(loads);
         let rotor = Rotor::assemble(&definition).expect("a rotor");

@@ -166,7 +166,7 @@ proptest! {
     }
 
     #[test]
-    fn a_mirrored_bearing_answers_a_mirrored_displacement_with_the_mirrored_force(
+    fn a_mirrored_bearing_has_the_mirrored_force(
         place in displacement(), offset in -1e-5..1e-5f64,
     ) {
         let mirror = |[x, y, z, a, b]: Vector5| [x, y, -z, -a, -b];

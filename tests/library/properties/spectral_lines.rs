@@ -65,7 +65,7 @@ fn on_and_off(amplitudes: &[f64], on: impl Fn(usize) -> bool) -> (f64, f64) {
 }
 
 #[test]
-fn a_balanced_shaft_has_lines_at_multiples_of_the_ball_pass_only() {
+fn a_balanced_shaft_has_lines_of_the_ball_pass_only() {
     let amplitudes = amplitudes(0.0);
     let (on, off) = on_and_off(&amplitudes, |bin| bin % PASSES == 0);
     println!("balanced: {on:e} µm on the lines, {off:e} µm elsewhere");
@@ -79,7 +79,7 @@ fn a_balanced_shaft_has_lines_at_multiples_of_the_ball_pass_only() {
 }
 
 #[test]
-fn an_unbalanced_shaft_adds_lines_at_shaft_orders_and_sums_with_the_ball_pass_only() {
+fn unbalance_adds_shaft_orders_and_sums_with_the_ball_pass_only() {
     let amplitudes = amplitudes(1e-6);
     let combination = |bin: usize| {
         let bin = bin as i64;

@@ -59,7 +59,7 @@ fn times_that_do_not_rise_and_negative_speeds_are_errors() {
 }
 
 #[test]
-fn a_profile_of_one_speed_gives_the_trace_of_the_constant_speed_bit_by_bit() {
+fn a_profile_of_one_speed_is_the_constant_speed_bit_by_bit() {
     let mut definition = thrust_rotor();
     definition.shaft.eccentricity = 1e-6;
     let constant = samples(&model(definition.clone(), 0.02, 10_000.0), 0.0);
@@ -108,7 +108,7 @@ fn unbalance_has_a_tangential_part_while_the_speed_changes() {
 
 /// Cage and gyroscopic moments know angle and speed of the moment alone.
 #[test]
-fn a_ramp_passes_through_what_constant_speeds_have_at_its_angle_and_speed() {
+fn a_slow_ramp_has_what_constant_speeds_have() {
     let mut ramp = tilting();
     ramp.speed_points = points(&[(1.0, 800.0)]);
     let constant = RotorDefinition {
@@ -153,7 +153,7 @@ fn reference_run_up(ratio: f64, natural: f64, eccentricity: f64, rise: f64, end:
 }
 
 #[test]
-fn a_run_up_through_resonance_is_that_of_an_independent_integration() {
+fn a_run_up_is_that_of_an_independent_integration() {
     let (ratio, eccentricity, end) = (0.03, 1e-7, 0.1);
     let mut definition = RotorDefinition {
         damping: Damping::Ratio(ratio),
@@ -175,7 +175,7 @@ fn a_run_up_through_resonance_is_that_of_an_independent_integration() {
 }
 
 #[test]
-fn spectra_have_orders_where_the_speed_is_steady_and_a_warning_where_it_is_not() {
+fn spectra_have_orders_at_a_steady_speed_and_else_a_warning() {
     let mut definition = thrust_rotor();
     definition.shaft.eccentricity = 1e-6;
     definition.speed_points = points(&[(0.02, 800.0)]);

@@ -100,7 +100,7 @@ fn every_costly_law_has_a_table_within_the_tolerance() {
 }
 
 #[test]
-fn loaded_balls_have_a_table_of_force_and_couple_under_any_race_control() {
+fn loaded_balls_have_a_table_under_any_race_control() {
     let bearing = bearing("7205C");
     let loaded = [regions(&bearing)[0]];
     for control in [RaceControl::Even, RaceControl::Inner] {
@@ -126,7 +126,7 @@ fn a_law_that_is_not_smooth_is_refused() {
 }
 
 #[test]
-fn the_derivative_is_that_of_the_table_and_close_to_that_of_the_law() {
+fn the_derivative_of_a_table_is_close_to_that_of_its_law() {
     let bearing = bearing("7205C");
     let law = JonesFilmLaw::with_film(&bearing, RaceControl::Inner, OIL, SPEED).expect("a law");
     let region = regions(&bearing)[0];
@@ -184,7 +184,7 @@ fn both_sides_of_a_centred_ball_are_the_same() {
 }
 
 #[test]
-fn outside_the_region_and_at_other_speeds_a_table_covers_nothing() {
+fn elsewhere_and_at_other_speeds_a_table_covers_nothing() {
     let bearing = bearing("7205C");
     let law = JonesFilmLaw::with_film(&bearing, RaceControl::Outer, OIL, SPEED).expect("a law");
     let region = regions(&bearing)[0];
@@ -205,7 +205,7 @@ fn outside_the_region_and_at_other_speeds_a_table_covers_nothing() {
 
 /// Around a thrust that loads all balls: the table's force and slopes inside, the law's own outside.
 #[test]
-fn a_bearing_has_the_force_of_its_table_inside_it_and_that_of_its_law_outside() {
+fn outside_its_table_a_bearing_has_the_force_of_its_law() {
     let definition = crate::bearing::MountedBearing {
         law: ContactLaw::Jones(RaceControl::Even),
         oil: Some(OIL),
@@ -343,7 +343,7 @@ fn a_stiff_method_takes_the_derivative_from_the_table() {
 }
 
 #[test]
-fn hertz_contacts_without_film_have_no_table_and_a_varying_speed_none() {
+fn hertz_contacts_and_varying_speeds_have_no_table() {
     let hertz = model(unloading(ContactLaw::Hertz, None), 0.001, 20_000.0);
     let (_, [own, _]) = table_and_exact(hertz);
     assert_eq!(own.tables, [None]);

@@ -170,7 +170,7 @@ fn a_static_question_and_a_motion_share_the_rotor() {
 }
 
 #[test]
-fn given_displacements_and_unbalance_belong_to_the_static_question() {
+fn displacements_and_unbalance_belong_to_the_static_question() {
     let tables =
         "[static]\nunbalance = true\ndisplacement = { z = \"2 um\", tilt_y = \"1 mrad\" }\n";
     let question = static_question(&format!("{BEARING}{tables}"));
@@ -608,7 +608,7 @@ fn keys_of_a_life_that_is_not_told_are_told() {
 
 /// A shaft that moves across its axis only is judged by what holds it there.
 #[test]
-fn freedoms_that_a_shaft_lacks_do_not_make_its_stiffness_singular() {
+fn freedoms_that_are_held_leave_the_stiffness_regular() {
     let text = "[shaft]\nmass = \"5 kg\"\nfreedoms = \"radial\"\n[[element]]\nlinear = { stiffness = { x = \"1 N/um\", y = \"4 N/um\" } }\n\
                 [speed]\nconstant = \"500 rad/s\"\n";
     let found = quasi_static(&read(text).question).expect("an answer");

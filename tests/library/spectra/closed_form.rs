@@ -75,7 +75,7 @@ fn mean_and_half_sampling_rate_are_not_doubled() {
 }
 
 #[test]
-fn a_window_in_the_frequency_domain_is_the_window_in_the_time_domain() {
+fn a_window_is_alike_in_frequency_and_in_time() {
     for (length, window) in [(64, Window::Hann), (97, Window::FlatTop)] {
         let signal = cosine(length, 7.3, 1.5, 0.4);
         let weighted = signal.iter().enumerate();
@@ -169,7 +169,7 @@ fn at_most_twelve_peaks_strongest_first() {
 }
 
 #[test]
-fn the_window_holds_the_last_whole_revolutions_after_the_settle_time() {
+fn the_window_holds_the_last_whole_revolutions() {
     let channels = Channel::of_freedoms(Freedoms::Translational);
     let grid = SampleGrid::of_angle(10.0, 32);
     let mut recording = Recording::new(grid, 0.105).with(channels.iter().copied());

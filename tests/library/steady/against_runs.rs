@@ -80,7 +80,7 @@ fn check_periodic(name: &str, mut model: Model) {
 }
 
 #[test]
-fn passing_balls_of_a_balanced_shaft_make_the_motion_of_a_long_run() {
+fn passing_balls_make_the_motion_of_a_long_run() {
     check_periodic("balanced", shipped("balanced-7205c"));
 }
 
@@ -152,7 +152,7 @@ fn check_torus(name: &str, mut model: Model) {
 }
 
 #[test]
-fn unbalance_and_passing_balls_make_the_two_frequencies_of_a_long_run() {
+fn unbalance_and_passing_balls_make_two_frequencies() {
     for name in ["steady-7205c", "back-to-back-7205c"] {
         check_torus(name, shipped(name));
     }

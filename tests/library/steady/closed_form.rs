@@ -41,7 +41,7 @@ fn natural() -> f64 {
 
 /// e r²/√((1 − r²)² + (2ζr)²), and multipliers e^{(−ζ ± i√(1 − ζ²)) ω_n T}, for damping however low.
 #[test]
-fn unbalance_whirls_with_the_closed_form_amplitude_and_multipliers() {
+fn unbalance_has_the_closed_form_amplitude_and_multipliers() {
     for ratio in [1e-4, 0.002, 0.05] {
         for r in [0.1_f64, 0.9, 1.0, 5.0] {
             let natural = natural();

@@ -129,7 +129,7 @@ fn errors_of_multipliers_hold_at_loose_tolerances() {
 }
 
 #[test]
-fn at_150_radians_per_second_the_single_period_has_left_through_minus_one() {
+fn at_150_rad_s_the_single_period_has_doubled() {
     let single = search(&question(jis_6306(150.0)), Some(1)).expect("a motion");
     assert_eq!((single.multiple, single.is_stable()), (1, false));
     assert_eq!(

@@ -93,7 +93,7 @@ fn folds(branch: &Response) -> Vec<f64> {
 }
 
 #[test]
-fn the_resonance_of_a_preloaded_contact_folds_and_both_its_branches_are_those_of_long_runs() {
+fn both_branches_of_a_folded_resonance_are_those_of_long_runs() {
     let natural = natural();
     let branch = &*DOWN;
     let folds = folds(branch);
@@ -191,7 +191,7 @@ fn turning_points_are_the_same_from_either_end() {
 }
 
 #[test]
-fn every_multiplier_of_a_branch_has_an_error_where_it_is_verified() {
+fn multipliers_of_a_verified_branch_have_errors() {
     let mut model = question(0.3 * natural());
     for verify in [true, false] {
         model.verify = verify;

@@ -320,7 +320,7 @@ mod tests {
     }
 
     #[test]
-    fn every_place_has_its_cell_and_places_beyond_the_ends_the_outermost() {
+    fn every_place_has_its_cell_and_those_beyond_the_outermost() {
         let grid = Grid {
             root: Parts::new([2.0, 4.0], 64),
             along: Parts::new([-1.0, 1.0], 4),
