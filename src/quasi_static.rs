@@ -6,7 +6,8 @@ use serde::Serialize;
 use crate::bearing::{BearingState, Geometry, Matrix5, Support, Vector5};
 use crate::keys;
 use crate::rotor::{
-    FREEDOM_NAMES, FREEDOMS, RotorDefinition, RotorError, build_supports, static_place,
+    FREEDOM_NAMES, FREEDOMS, RotorDefinition, RotorError, axial_hold_warning, build_supports,
+    static_place,
 };
 
 /// Twist of the shaft's middle segment, `θz = M_z L/(G I_p)`.
@@ -147,6 +148,7 @@ pub(crate) fn answer_on(
         warnings: rotor.warnings_with(
             unconstrained(&equilibrium.stiffness, &judged)
                 .into_iter()
+                .chain(found.axial_hold.map(axial_hold_warning))
                 .chain(warnings(supports, &bearings)),
         ),
         bearings,

@@ -1,7 +1,9 @@
 //! What a reader should know of a loaded bearing: one line each, with its numbers.
 
-use super::{BallLine, Bearing, LaminaLine, RaceContact};
-use crate::physics::PER_MINUTE;
+use std::f64::consts::PI;
+
+use super::{BallLine, Bearing, ContactLaw, LaminaLine, RaceContact};
+use crate::physics::{PER_MINUTE, Race, ball_mass, centrifugal_force, nominal_cage_speed};
 
 /// A contact of a numbered ball at a race with a name.
 struct Place<'a> {
@@ -24,6 +26,7 @@ impl Place<'_> {
 /// squeezed without load, m, `loaded` are the balls that bear at the inner race, with their numbers.
 pub(super) fn bearing_warnings(
     bearing: &Bearing,
+    law: ContactLaw,
     speed: f64,
     permissible: f64,
     squeeze: f64,
@@ -32,6 +35,7 @@ pub(super) fn bearing_warnings(
 ) -> Vec<String> {
     let first = [
         too_fast(bearing, speed),
+        inertia_left_out(bearing, law, speed),
         wrong_way(bearing, loaded),
         squeezed(bearing, squeeze),
         edge_loaded(loaded),
@@ -55,6 +59,38 @@ pub(super) fn bearing_warnings(
         warnings.extend(thin_film(&places));
     }
     warnings
+}
+
+/// Speed factor d_m·n, mm/min, above which the centrifugal forces of the balls move their contact angles.
+const INERTIA_FREE: f64 = 5e5;
+
+/// A speed at which a law without the inertia of the balls is off.
+fn inertia_left_out(bearing: &Bearing, law: ContactLaw, speed: f64) -> Option<String> {
+    let geometry = &bearing.geometry;
+    let factor = 1e3 * geometry.pitch_diameter() * speed.abs() * PER_MINUTE;
+    // of a turning outer ring nothing better is known
+    let left_out = law == ContactLaw::Hertz && bearing.rotating_ring == Race::Inner;
+    (left_out && factor > INERTIA_FREE).then(|| {
+        let density = bearing.ball_material.density;
+        let (name, diameter) = (geometry.element(), geometry.ball_diameter());
+        let (mass, advice) = match geometry.rollers() {
+            // a cylinder
+            Some(rollers) => (
+                0.25 * PI * diameter * diameter * rollers.length * density,
+                "no law of rollers counts that",
+            ),
+            None => (
+                ball_mass(diameter, density),
+                "contact = \"jones\" counts that, and gives other stiffnesses and frequencies",
+            ),
+        };
+        let orbit = nominal_cage_speed(speed, geometry.gamma());
+        format!(
+            "contact = \"hertz\" leaves out the inertia of the {name}s, and d_m·n is {factor:.0} mm/min, above \
+             {INERTIA_FREE:.0}: a {name} is pressed outwards with {:.1} N; {advice}",
+            centrifugal_force(mass, geometry.pitch_diameter(), orbit)
+        )
+    })
 }
 
 /// A speed that cage and lubrication of the bearing are not made for.

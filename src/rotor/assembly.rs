@@ -43,6 +43,7 @@ impl Rotor {
             coordinates: rest,
             stiffness: tangent,
             equilibrium,
+            axial_hold,
             unloaded,
             ..
         } = static_place_of(structure, definition, &supports, &load, &[None; FREEDOMS])?;
@@ -73,6 +74,7 @@ impl Rotor {
                 tangent,
                 law_damping,
                 unloaded,
+                axial_hold,
                 free,
             },
             structure,

@@ -193,6 +193,8 @@ pub(crate) struct StaticPlace {
     /// K of all its coordinates.
     pub(super) stiffness: DMatrix<f64>,
     pub equilibrium: Equilibrium,
+    /// Force in N by which z is held, where the axial forces of several bearings balance nowhere.
+    pub axial_hold: Option<f64>,
     /// Axial displacement of every bearing where the shaft rests without load, [`Structure::unloaded_axial`]; zero where
     /// its axial place is held.
     pub(super) unloaded: Vec<f64>,
@@ -266,23 +268,35 @@ pub(super) fn static_place_of(
     given: &[Option<f64>; FREEDOMS],
 ) -> Result<StaticPlace, EquilibriumError> {
     let [_, _, z, ..] = structure.shaft.coordinates;
-    let (mut free, mut start) = static_start(definition, supports, load[z]);
-    for (axis, given) in given.iter().enumerate() {
-        if let Some(position) = *given {
-            (free[axis], start[axis]) = (false, position);
+    let solved = |axial: AxialPlace| {
+        let (mut free, mut start) = static_start(definition, supports, axial);
+        for (axis, given) in given.iter().enumerate() {
+            if let Some(position) = *given {
+                (free[axis], start[axis]) = (false, position);
+            }
         }
-    }
-    let problem = StaticProblem {
-        supports,
-        load: [0.0; FREEDOMS],
-        free,
-        start,
-        speed: definition.speed,
+        let problem = StaticProblem {
+            supports,
+            load: [0.0; FREEDOMS],
+            free,
+            start,
+            speed: definition.speed,
+        };
+        Ok((free, problem.on(&structure, load)?))
     };
-    let balance = problem.on(&structure, load)?;
+    let axial = AxialPlace::find(&structure, supports, load[z]);
+    let (found, is_pushed) = match solved(axial) {
+        Err(EquilibriumError::NotCarried { .. }) if axial == AxialPlace::BalancedOrHeld => {
+            (solved(AxialPlace::Held)?, true)
+        }
+        found => (found?, false),
+    };
+    let (free, balance) = found;
+    let equilibrium = balance.equilibrium(&structure);
     Ok(StaticPlace {
         free,
-        equilibrium: balance.equilibrium(&structure),
+        axial_hold: is_pushed.then_some(equilibrium.force[2]),
+        equilibrium,
         coordinates: balance.displacement.as_slice().to_vec(),
         stiffness: balance.restoring.stiffness,
         unloaded: match free[2] {
@@ -293,11 +307,19 @@ pub(super) fn static_place_of(
     })
 }
 
+/// Warning of a hold along z that bears what the bearings do not balance, N.
+pub(crate) fn axial_hold_warning(force: f64) -> String {
+    format!(
+        "the springs of the bearings push the shaft along z and nothing pushes back: z is held, against {force:.1} N, which no \
+         machine does by itself; turn the `facing` of a bearing, or leave out a `spring_preload`"
+    )
+}
+
 /// Which freedoms find their position, and where the search starts and the others stay.
 fn static_start(
     definition: &RotorDefinition,
     supports: &[Support],
-    axial_load: f64,
+    axial: AxialPlace,
 ) -> ([bool; FREEDOMS], Vector5) {
     let freedoms = definition.shaft.freedoms;
     let bends = definition.flexible.is_some();
@@ -308,32 +330,62 @@ fn static_start(
         start[axis] = definition.shaft.held_tilt[axis - 3];
     }
     if !free[2] {
-        match held_axial(supports, axial_load) {
-            Some(position) => start[2] = position,
-            None => free[2] = true,
-        }
+        free[2] = axial != AxialPlace::Held;
+        start[2] = match axial {
+            AxialPlace::Balanced => 0.0,
+            AxialPlace::Held | AxialPlace::BalancedOrHeld => held_axial(supports),
+        };
     }
     (free, start)
 }
 
-/// Where a radial scene holds the axial displacement; `None`: where the equilibrium puts it.
-///
-/// An axial load or two bearings that face each other fix it by equilibrium. A preset offset fixes
-/// it by itself, at z = 0. A bearing with neither is axially centred.
-fn held_axial(supports: &[Support], axial_load: f64) -> Option<f64> {
-    let faces = |facing| {
-        supports
-            .iter()
-            .any(|support| support.definition().facing == facing)
-    };
-    if axial_load != 0.0 || (faces(Facing::PlusZ) && faces(Facing::MinusZ)) {
-        return None;
+/// Where a shaft whose freedoms leave z out is along its axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum AxialPlace {
+    /// Where its axial forces balance.
+    Balanced,
+    /// There, or where a single bearing holds it if they balance nowhere.
+    BalancedOrHeld,
+    /// Where a single bearing holds it.
+    Held,
+}
+
+impl AxialPlace {
+    /// An axial load and two bearings that face each other have their balance; so have several bearings that hold the shaft
+    /// along its axis, unless springs press all of them one way. A single one is where it is mounted.
+    fn find(structure: &Structure, supports: &[Support], axial_load: f64) -> Self {
+        let faces = |facing| {
+            supports
+                .iter()
+                .any(|support| support.definition().facing == facing)
+        };
+        if axial_load != 0.0 || (faces(Facing::PlusZ) && faces(Facing::MinusZ)) {
+            return Self::Balanced;
+        }
+        let springs = structure.axial_stiffness() > 0.0;
+        match holding(supports).count() + usize::from(springs) {
+            0 | 1 => Self::Held,
+            _ => Self::BalancedOrHeld,
+        }
     }
+}
+
+/// The bearings that hold the shaft along its axis.
+fn holding(supports: &[Support]) -> impl Iterator<Item = &Support> {
+    let holds = |support: &&Support| support.definition().bearing.geometry.carries_axial_load();
+    supports.iter().filter(holds)
+}
+
+/// Where the first bearing holds a shaft along its axis that no other one does: a preset offset fixes it by itself, at z = 0; a
+/// bearing without one is axially centred.
+fn held_axial(supports: &[Support]) -> f64 {
     if supports.iter().any(Support::is_preloaded) {
-        return Some(0.0);
+        return 0.0;
     }
-    let first = supports.first()?;
-    Some(first.definition().facing.sign() * first.centred_axial())
+    let first = holding(supports).next().or(supports.first());
+    first.map_or(0.0, |first| {
+        first.definition().facing.sign() * first.centred_axial()
+    })
 }
 
 impl Bearing {

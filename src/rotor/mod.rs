@@ -64,8 +64,8 @@ pub use definition::{
 };
 pub use drive::{Drive, DriveMoments};
 pub use energy::{EnergyBalance, Works};
-pub(crate) use equilibrium::static_place;
 pub use equilibrium::{Equilibrium, EquilibriumError, FREEDOM_NAMES, StaticProblem};
+pub(crate) use equilibrium::{axial_hold_warning, static_place};
 pub use error::RotorError;
 pub use flexible::{Disc, FlexibleShaft, Mesh, Plane, PointUnbalance, ShaftError};
 pub use force_law::{ElementLaw, ForceElement};

@@ -6,7 +6,7 @@ use fearless_simd::Simd;
 use nalgebra::{DMatrix, DVector};
 
 use super::element::{AttachedBearing, Elements, Instant};
-use super::equilibrium::Equilibrium;
+use super::equilibrium::{Equilibrium, axial_hold_warning};
 use super::excitation::Excitation;
 use super::linear_part::LinearPart;
 use super::point::Point;
@@ -65,6 +65,8 @@ pub(super) struct Start {
     pub law_damping: DMatrix<f64>,
     /// Axial displacement of every bearing where the shaft rests without load, [`Structure::unloaded_axial`], m.
     pub unloaded: Vec<f64>,
+    /// Force in N by which z is held there, where the axial forces of several bearings balance nowhere.
+    pub axial_hold: Option<f64>,
     /// What nothing holds there.
     pub free: FreeDirections,
     /// Whether C follows from the stiffness with the cages turned by half a ball spacing, as nothing holds the shaft before.
@@ -76,6 +78,11 @@ pub(super) struct Start {
 }
 
 impl Rotor {
+    /// Warning of axial forces that balance nowhere.
+    pub(crate) fn axial_warning(&self) -> Option<String> {
+        self.start.axial_hold.map(axial_hold_warning)
+    }
+
     /// Freedoms of the shaft that move.
     pub fn freedoms(&self) -> Freedoms {
         self.structure.freedoms

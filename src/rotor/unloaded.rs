@@ -14,6 +14,12 @@ const ROUND_OFF: f64 = 1e-9;
 const FIRST_STEP: f64 = 1e-3;
 
 impl Structure {
+    /// Stiffness of springs and couplings against a motion of the shaft along its axis as a rigid body, N/m.
+    pub(super) fn axial_stiffness(&self) -> f64 {
+        let motion = &self.rigid_motions[AXIAL];
+        motion.dot(&(&self.matrices.stiffness * motion))
+    }
+
     /// Axial displacement of every bearing at standstill, in its own orientation, m, with a shaft that moves along its axis as
     /// a rigid body to where nothing pushes it: `k z + Σ s F(s z) = 0`, k the stiffness of springs and couplings, s the facing.
     /// Zero where the bearings balance as they are, or nowhere, as with spring preloads that all press one way.
@@ -24,7 +30,7 @@ impl Structure {
             .iter()
             .map(|attachment| attachment.displacement(motion.as_slice(), &[])[AXIAL]);
         let signs: Vec<f64> = signs.collect();
-        let spring = motion.dot(&(&self.matrices.stiffness * motion));
+        let spring = self.axial_stiffness();
         let forces = |place: f64| {
             let pairs = supports.iter().zip(&signs);
             pairs.map(move |(support, sign)| sign * support.axial_force(sign * place))

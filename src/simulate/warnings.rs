@@ -1,20 +1,15 @@
 //! What the reader of a run should know.
 
-use std::f64::consts::PI;
-
 use super::passes::Passes;
 use super::run::Reduction;
 use super::{MeasuredError, Model};
 use crate::analysis::{Channel, Motion};
-use crate::bearing::{ContactLaw, Support};
 use crate::integrate::{Method, Stiffness};
-use crate::physics::{PER_MINUTE, Race, ball_mass, centrifugal_force, nominal_cage_speed};
+use crate::physics::PER_MINUTE;
 use crate::rotor::{Damping, GrowingMotion, Rotor, RotorDefinition, unconstrained_warning};
 
 /// Balance quality grade of ISO 21940-11 beyond all that it lists but rigidly mounted marine engines, mm/s.
 const COARSEST_BALANCE: f64 = 100.0;
-/// Speed factor d_m·n, mm/min, above which the centrifugal forces of the balls move their contact angles.
-const INERTIA_FREE: f64 = 5e5;
 
 /// A measured error above this many tolerances is worth a warning.
 pub(crate) const PROMISE: f64 = 10.0;
@@ -108,9 +103,9 @@ pub(crate) fn assembled_warnings(definition: &RotorDefinition, rotor: &Rotor) ->
 /// Warnings of the highest speed of an assembled shaft.
 fn of_highest_speed(definition: &RotorDefinition, rotor: &Rotor) -> Vec<String> {
     let unbalance = unbalance(definition, rotor).into_iter();
-    let inertia = inertia_left_out(rotor).into_iter();
-    let doubtful = unbalance.chain(overdamped(definition)).chain(inertia);
+    let doubtful = unbalance.chain(overdamped(definition));
     let doubtful = doubtful.chain(base_left_out(definition));
+    let doubtful = doubtful.chain(rotor.axial_warning());
     doubtful.chain(bearings(rotor)).collect()
 }
 
@@ -162,40 +157,6 @@ fn unbalance(definition: &RotorDefinition, rotor: &Rotor) -> Option<String> {
             rotor.highest_speed() * PER_MINUTE
         )
     })
-}
-
-/// Bearings so fast that a law without the inertia of the balls is off.
-fn inertia_left_out(rotor: &Rotor) -> Vec<String> {
-    let fast = |(index, support): (usize, &Support)| {
-        let geometry = &support.definition().bearing.geometry;
-        let factor = 1e3 * geometry.pitch_diameter() * rotor.highest_speed().abs() * PER_MINUTE;
-        // of a turning outer ring nothing better is known
-        let left_out = support.definition().law == ContactLaw::Hertz
-            && support.definition().bearing.rotating_ring == Race::Inner;
-        (left_out && factor > INERTIA_FREE).then(|| {
-            let speed = nominal_cage_speed(rotor.highest_speed(), geometry.gamma());
-            let density = support.definition().bearing.ball_material.density;
-            let (name, diameter) = (geometry.element(), geometry.ball_diameter());
-            let (mass, advice) = match geometry.rollers() {
-                // a cylinder
-                Some(rollers) => (
-                    0.25 * PI * diameter * diameter * rollers.length * density,
-                    "no law of rollers counts that",
-                ),
-                None => (
-                    ball_mass(diameter, density),
-                    "contact = \"jones\" counts that, and gives other stiffnesses and frequencies",
-                ),
-            };
-            format!(
-                "bearing {}: contact = \"hertz\" leaves out the inertia of the {name}s, and d_m·n is {factor:.0} mm/min, \
-                 above {INERTIA_FREE:.0}: a {name} is pressed outwards with {:.1} N; {advice}",
-                index + 1,
-                centrifugal_force(mass, geometry.pitch_diameter(), speed)
-            )
-        })
-    };
-    rotor.supports().enumerate().filter_map(fast).collect()
 }
 
 fn stiff(stiffness: &Stiffness) -> String {

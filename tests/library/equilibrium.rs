@@ -6,9 +6,10 @@ use crate::bearing::{
     Support, catalogue,
 };
 use crate::physics::RaceControl;
-use crate::quasi_static::quasi_static;
+use crate::quasi_static::{QuasiStatic, quasi_static};
 use crate::rotor::{RotorError, StaticProblem};
 use crate::scenario::{self, Format};
+use crate::tests::support;
 
 /// Contacts, dimensions and loads out of all proportion end in an error that names them, and nothing panics.
 #[test]
@@ -255,4 +256,66 @@ fn a_loose_shaft_is_told_by_the_names_of_its_freedoms() {
         warning.contains("nothing resists the shaft along x, y, z:"),
         "{warning}"
     );
+}
+
+/// The static answer to a scenario of a rigid shaft that moves along these freedoms.
+#[track_caller]
+fn at_rest(freedoms: &str, bearings: &str) -> QuasiStatic {
+    let text = format!(
+        "[shaft]\nmass = \"10 kg\"\nfreedoms = \"{freedoms}\"\n[speed]\nconstant = \"3000 rpm\"\n{bearings}\n\
+         [[load]]\nconstant = {{ y = \"-1000 N\" }}\n"
+    );
+    quasi_static(&support::scenario(&text).question).expect("an equilibrium")
+}
+
+/// Whether z moves or is held: the bearings bear what their axial forces leave them, in any order.
+#[test]
+fn bearings_share_axial_forces_where_z_is_held() {
+    let spring_loaded = "[[bearing]]\ncatalogue = \"6205\"\nposition = \"-80 mm\"\n\
+        [[bearing]]\ncatalogue = \"6205\"\nposition = \"80 mm\"\nspring_preload = \"200 N\"\n";
+    let [angular, deep] = [
+        "[[bearing]]\ncatalogue = \"7205C\"\nposition = \"-50 mm\"\n",
+        "[[bearing]]\ncatalogue = \"6205\"\nposition = \"50 mm\"\n",
+    ];
+    let warm =
+        "[bearing.fit]\nshaft_temperature = \"60 degC\"\nhousing_temperature = \"40 degC\"\n";
+    let apart = ["100 mm", "300 mm"].map(|position| {
+        format!("[[bearing]]\ncatalogue = \"6205\"\nposition = \"{position}\"\n{warm}")
+    });
+    for bearings in [
+        spring_loaded.to_owned(),
+        angular.to_owned() + deep,
+        deep.to_owned() + angular,
+        apart.concat(),
+    ] {
+        let [held, moving] = ["radial", "translational"].map(|own| at_rest(own, &bearings));
+        assert!(held.force[2].abs() < 1e-6, "{:?}", held.force);
+        for (held, moving) in held.bearings.iter().zip(&moving.bearings) {
+            assert!((held.force[2] - moving.force[2]).abs() < 1e-6 * 200.0);
+            assert_eq!(held.balls_loaded, moving.balls_loaded);
+            let [held, moving] = [held, moving].map(|own| own.stiffness[(0, 0)]);
+            assert!((held / moving - 1.0).abs() < 1e-9, "{held:e}, {moving:e}");
+        }
+    }
+    let pressed = at_rest("radial", spring_loaded);
+    let forces = [0, 1].map(|bearing: usize| pressed.bearings[bearing].force[2]);
+    assert!((forces[0] + 200.0).abs() < 1e-6 && (forces[1] - 200.0).abs() < 1e-6);
+}
+
+/// Two springs that press one way, and nothing that presses back.
+#[test]
+fn a_push_that_nothing_answers_is_held_with_a_warning() {
+    let spring = |position: &str| {
+        format!(
+            "[[bearing]]\ncatalogue = \"7205C\"\nposition = \"{position}\"\nspring_preload = \"200 N\"\n"
+        )
+    };
+    let found = at_rest("radial", &(spring("-80 mm") + &spring("80 mm")));
+    assert!(
+        (found.force[2].abs() - 400.0).abs() < 1e-6,
+        "{:?}",
+        found.force
+    );
+    let said = |warning: &String| warning.contains("400.0 N");
+    assert!(found.warnings.iter().any(said), "{:?}", found.warnings);
 }

@@ -148,6 +148,7 @@ impl Assessment<'_> {
             nominal_ball_pass: support.nominal_ball_pass(speed),
             warnings: bearing_warnings(
                 bearing,
+                support.definition.law,
                 speed,
                 contacts.permissible_pressure(),
                 self.squeeze(),
