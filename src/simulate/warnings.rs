@@ -6,10 +6,15 @@ use super::{MeasuredError, Model};
 use crate::analysis::{Channel, Motion};
 use crate::integrate::{Method, Stiffness};
 use crate::physics::PER_MINUTE;
-use crate::rotor::{Damping, GrowingMotion, Rotor, RotorDefinition, unconstrained_warning};
+use crate::rotor::{
+    Damping, FREEDOM_NAMES, GrowingMotion, Rotor, RotorDefinition, unconstrained_warning,
+};
 
 /// Balance quality grade of ISO 21940-11 beyond all that it lists but rigidly mounted marine engines, mm/s.
 const COARSEST_BALANCE: f64 = 100.0;
+
+/// Coefficients of damping so many times those of another speed, or the reverse, are worth a warning.
+const OTHER_DAMPING: f64 = 1.1;
 
 /// A measured error above this many tolerances is worth a warning.
 pub(crate) const PROMISE: f64 = 10.0;
@@ -97,7 +102,36 @@ fn warnings_between(definition: &RotorDefinition, range: [f64; 2]) -> Vec<String
 pub(crate) fn assembled_warnings(definition: &RotorDefinition, rotor: &Rotor) -> Vec<String> {
     let tables = definition.beyond_tables(definition.speed_range());
     let others = of_highest_speed(definition, rotor);
-    tables.into_iter().chain(others).collect()
+    let damping = damping_of_start(definition, rotor);
+    tables.into_iter().chain(others).chain(damping).collect()
+}
+
+/// Damping that follows from the stiffness at the start, where the speed makes another one of it.
+fn damping_of_start(definition: &RotorDefinition, rotor: &Rotor) -> Option<String> {
+    let key = match definition.damping {
+        Damping::Ratio(_) => "ratio",
+        Damping::StiffnessTime(_) => "stiffness_time",
+        Damping::Undamped | Damping::Coefficients(_) => return None,
+    };
+    let [_, highest] = definition.speed_range();
+    if highest == definition.speed {
+        return None;
+    }
+    let there = Rotor::assemble(&definition.at_constant_speed(highest)).ok()?;
+    let [own, other] = [rotor, &there].map(Rotor::damping_matrix);
+    let axes = rotor.freedoms().axes().iter();
+    let changes = axes.map(|&axis| (axis, own[axis][axis] / other[axis][axis]));
+    let changed = changes.filter(|(_, change)| change.ln().abs() > OTHER_DAMPING.ln());
+    let (axis, change) = changed.max_by(|a, b| a.1.ln().abs().total_cmp(&b.1.ln().abs()))?;
+    Some(format!(
+        "`damping.{key}` is that of the stiffness at the start, {:.0} rpm, and the run keeps its coefficients: at {:.0} rpm they are \
+         {change:.2} times those that `{key}` makes of the stiffness there (along {}), and so are damping ratios and resonances of \
+         the run, unlike those of `campbell`, `response` and `steady`; give damping.coefficients, or begin near the speed that \
+         matters",
+        definition.speed * PER_MINUTE,
+        highest * PER_MINUTE,
+        FREEDOM_NAMES[axis]
+    ))
 }
 
 /// Warnings of the highest speed of an assembled shaft.

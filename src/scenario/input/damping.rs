@@ -22,11 +22,11 @@ pub struct DampingInput {
     pub coefficients: Option<Coefficients>,
     /// Ratio of the critical damping of each freedom at the static equilibrium, 0 to 10;
     /// measured on ball bearings: 0.02 to 0.04. Where a single ball carries the shaft in its clearance,
-    /// with the cages turned by half a ball spacing.
+    /// with the cages turned by half a ball spacing. A run whose speed changes keeps the coefficients of its start.
     #[schemars(range(min = 0.0, max = 10.0))]
     pub ratio: Option<f64>,
     /// Damping matrix as this time multiplied by the stiffness matrix at the static
-    /// equilibrium; measured on ball bearings: "2.5 us" to "25 us".
+    /// equilibrium, also in a run whose speed changes; measured on ball bearings: "2.5 us" to "25 us".
     #[schemars(extend("examples" = ["10 us"], "x-minimum" = 0.0, "x-maximum" = 1.0))]
     pub stiffness_time: Option<Quantity<Time>>,
     /// Damping of the contacts of all balls and of each slice of rollers after Hunt and Crossley: a contact bears (1 + 1.5 α δ̇)
