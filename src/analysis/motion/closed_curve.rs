@@ -1,11 +1,13 @@
 //! Whether points of a section lie on a closed curve, one after the other by a fixed part of a turn.
 
+use std::convert::Infallible;
 use std::f64::consts::TAU;
 
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
 use crate::analysis::{Transform, Window};
+use crate::numerics::minimum::minimum;
 
 /// Most harmonics of a curve.
 const MOST_HARMONICS: usize = 8;
@@ -13,8 +15,8 @@ const MOST_HARMONICS: usize = 8;
 const POINTS_A_NUMBER: usize = 2;
 /// Most points that are fitted: the last ones.
 const MOST_POINTS: usize = 400;
-/// Sections of the golden-section search for the rotation number.
-const SECTIONS: usize = 30;
+/// Part of the range of a search within which a rotation number is found.
+const ROTATION_KNOWN: f64 = 1e-6;
 /// Best ones of the points' own candidates that are searched.
 const REFINED: usize = 2;
 
@@ -89,25 +91,14 @@ impl Centred {
             let fit = self.fit(rotation, curve.harmonics);
             fit.map_or(f64::INFINITY, |curve| curve.residual)
         };
-        let golden = 0.5 * (5f64.sqrt() - 1.0);
         let reach = 0.5 / (self.rows.nrows() * curve.harmonics) as f64;
-        let (mut low, mut high) = (curve.rotation - reach, curve.rotation + reach);
-        let inner =
-            |low: f64, high: f64| [high - golden * (high - low), low + golden * (high - low)];
-        let mut trials = inner(low, high);
-        let mut found = trials.map(residual);
-        for _ in 0..SECTIONS {
-            if found[0] < found[1] {
-                high = trials[1];
-                trials = inner(low, high);
-                found = [residual(trials[0]), found[0]];
-            } else {
-                low = trials[0];
-                trials = inner(low, high);
-                found = [found[1], residual(trials[1])];
-            }
-        }
-        self.best(0.5 * (low + high))
+        let ends = [curve.rotation - reach, curve.rotation + reach];
+        let Ok((rotation, _)) = minimum(
+            |rotation| Ok::<_, Infallible>(residual(rotation)),
+            ends,
+            ROTATION_KNOWN * reach,
+        );
+        self.best(rotation)
     }
 
     /// Least squares with every point left out once: its residual over 1 − its own weight in the fit.

@@ -358,7 +358,7 @@ mod tests {
     }
 
     #[test]
-    fn windows_are_apart_by_whole_revolutions_that_fit_the_ball_passes() {
+    fn windows_are_whole_revolutions_that_fit_the_ball_passes() {
         assert_eq!(windows(1, &[]), None);
         assert_eq!(windows(5, &[]), Some([2, 2]));
         assert_eq!(windows(9, &[]), Some([3, 2]));
