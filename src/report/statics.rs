@@ -8,9 +8,9 @@ use super::terminal::{
 };
 use super::{FileSet, Findings};
 use crate::bearing::{BallLine, BearingState, Elements, GeometryState, LaminaLine, Matrix5};
-use crate::physics::BallPass;
+use crate::physics::{BallPass, PER_MINUTE};
 use crate::quasi_static::{QuasiStatic, StaticQuestion};
-use crate::rotor::{FREEDOMS, Freedoms};
+use crate::rotor::{FREEDOMS, Freedoms, RotorDefinition};
 use crate::scenario::Scenario;
 use crate::table::{Named, Table};
 
@@ -43,7 +43,7 @@ pub fn answer_findings(
             FileSet::sealed("bearing.json"),
             scenario,
             answer,
-            text(title, answer),
+            text(title, &question.rotor, answer),
         )
     }
 }
@@ -60,8 +60,16 @@ const FORCES: [(&str, &str); FREEDOMS] = [
     ("My", "N m"),
 ];
 
-fn text(title: &str, answer: &QuasiStatic) -> Lines {
+fn text(title: &str, rotor: &RotorDefinition, answer: &QuasiStatic) -> Lines {
     let mut out = Lines::titled(title);
+    let speed = format!("{} rpm", decimal(rotor.speed * PER_MINUTE));
+    out.line(
+        "speed",
+        match rotor.changes_speed() {
+            true => format!("{speed}, at the start; --set speed.constant=\"…\" asks at another"),
+            false => speed,
+        },
+    );
     out.line(
         "equilibrium",
         displacement_text(Freedoms::All.axes(), &answer.displacement),

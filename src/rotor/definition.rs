@@ -291,6 +291,11 @@ impl RotorDefinition {
         }
     }
 
+    /// Whether the speed changes after the start, or a drive makes it.
+    pub(crate) fn changes_speed(&self) -> bool {
+        self.drive.is_some() || !self.speed_points.is_empty()
+    }
+
     /// Lowest and highest speed that the shaft is meant for, rad/s.
     pub(crate) fn speed_range(&self) -> [f64; 2] {
         let points = self.speed_points.iter().map(|point| point.speed);
