@@ -37,6 +37,7 @@ pub(super) fn bearing_warnings(
         too_fast(bearing, speed),
         inertia_left_out(bearing, law, speed),
         wrong_way(bearing, loaded),
+        without_thrust(bearing, loaded),
         squeezed(bearing, squeeze),
         edge_loaded(loaded),
         without_life(bearing),
@@ -195,6 +196,22 @@ fn wrong_way(bearing: &Bearing, loaded: &[(usize, &BallLine)]) -> Option<String>
         ball.inner.angle.to_degrees(),
         nominal.to_degrees(),
     ))
+}
+
+/// An angular contact bearing that bears at right angles to the axis, for nothing presses it along.
+fn without_thrust(bearing: &Bearing, loaded: &[(usize, &BallLine)]) -> Option<String> {
+    let nominal = bearing.geometry.nominal_angle();
+    let is_angular = nominal > 0.0 && bearing.geometry.rollers().is_none();
+    let is_upright = |ball: &BallLine| ball.inner.angle.abs() <= LEANING;
+    let without =
+        is_angular && !loaded.is_empty() && loaded.iter().all(|(_, ball)| is_upright(ball));
+    without.then(|| {
+        format!(
+            "an angular contact bearing of {:.1}° without any axial force: its balls bear at 0°, with a play that it has nowhere \
+             else; give it a preload, an axial load, or a second bearing with the other `facing`",
+            nominal.to_degrees()
+        )
+    })
 }
 
 /// Contact ellipses that reach over the shoulder of a race.

@@ -15,7 +15,8 @@ fn warned() -> PathBuf {
 
 /// Beginnings of the warnings of the scene.
 const OF_THE_FILE: [&str; 2] = ["no `settle` in `[time]`", "`[machine]` has no effect"];
-const OF_THE_SPEED: &str = "bearing 1: contact = \"hertz\" leaves out the inertia";
+const OF_THE_SPEED: &str =
+    "bearing 1, at the static equilibrium: contact = \"hertz\" leaves out the inertia";
 
 /// The warnings on the terminal, without what they are about; that a search is slow so far is told there alone.
 fn on_terminal(stderr: &str, about: &str) -> Vec<String> {

@@ -99,6 +99,19 @@ fn an_angular_contact_bearing_pulled_the_wrong_way() {
     assert_warns(&state, &["loaded the wrong way: 12 of 12 loaded balls"]);
 }
 
+/// Under a radial load alone, in the middle of its axial play.
+#[test]
+fn an_angular_contact_bearing_without_thrust() {
+    let middle = -bearing("7205C").geometry.free_axial();
+    let state = state_at(
+        &mounted(bearing("7205C")),
+        [0.0, -30e-6, middle, 0.0, 0.0],
+        0.0,
+    );
+    assert!(state.balls_loaded > 0);
+    assert_warns(&state, &["without any axial force"]);
+}
+
 #[test]
 fn a_deep_groove_bearing_has_no_wrong_way() {
     let pushed = mounted(bearing("6305"));
@@ -140,10 +153,14 @@ fn balls_behind_a_film_alone_are_not_loaded() {
 #[test]
 fn a_speed_above_the_limiting_one() {
     let rpm = std::f64::consts::TAU / 60.0;
-    let definition = mounted(Bearing {
+    let bearing_with_limit = Bearing {
         limiting_speed: Some(18_000.0 * rpm),
         ..bearing("7205C")
-    });
+    };
+    let definition = MountedBearing {
+        law: ContactLaw::Jones(crate::physics::RaceControl::Outer),
+        ..mounted(bearing_with_limit)
+    };
     let at = |speed: f64| state_under_thrust(&definition, 1000.0, speed * rpm);
     assert_warns(&at(18_000.0), &[]);
     assert_warns(
