@@ -7,7 +7,7 @@ from typing import Any
 
 from ._jeffcott import catalogue as _catalogue
 from ._results import Statics
-from ._scenario import Scenario, told_before
+from ._scenario import Scenario, warned_before
 from ._table import Array
 
 MODEL = ("contact", "film", "race_control")
@@ -35,8 +35,8 @@ class Bearing:
 
     def __init__(self, designation: str | None = None, **keys: Any) -> None:
         self.keys = {**({} if designation is None else {"catalogue": designation}), **keys}
-        self._told: frozenset[str] = frozenset()
-        self._told = self.scenario()._told
+        self._warned: frozenset[str] = frozenset()
+        self._warned = self.scenario()._warned
 
     @classmethod
     def from_ratings(
@@ -104,7 +104,7 @@ class Bearing:
             question["load"] = [{"constant": dict(load)}]
             if displacement:
                 question["static"] = {"displacement": dict(displacement)}
-        return told_before(question, "scenario.dict", self._told)
+        return warned_before(question, "scenario.dict", self._warned)
 
     def answer(
         self,

@@ -59,7 +59,7 @@ def compare(
     Values agree where |a − b| ≤ absolute + relative · max|column|; `columns` has (relative, absolute) for single ones,
     `absolute` in the unit of the column. `lines` compares that many of the strongest lines of spectra, wherever they
     stand: those of folders of runs and records `by` "frequency", "order" or "name"; each finds its partner within the part
-    `reach` of its frequency, without it within a bin, and agrees within so many `decibels` in place of the tolerances. `common` leaves out what only one of them has; `worst` places of every column are told.
+    `reach` of its frequency, without it within a bin, and agrees within so many `decibels` in place of the tolerances. `common` leaves out what only one of them has; `worst` places of every column are reported.
     """
     if lines is None and (reach is not None or decibels is not None or by != "frequency"):
         raise ValueError("by, reach and decibels are of `lines`: say how many of them, as lines=10")

@@ -15,7 +15,7 @@ PATIENCE = 0.8
 
 
 @contextmanager
-def told(progress: Progress, title: str) -> Iterator[Callable[[float], object] | None]:
+def reporting(progress: Progress, title: str) -> Iterator[Callable[[float], object] | None]:
     """The callback of the compiled part; a line that was shown is ended."""
     if progress is None or progress is False:
         yield None

@@ -16,7 +16,7 @@ from . import _results as results
 from ._errors import ScenarioError, warn
 from ._frozen import frozen
 from ._jeffcott import CheckedScenario, Findings
-from ._progress import Progress, told
+from ._progress import Progress, reporting
 
 if TYPE_CHECKING:
     from ._study import Study
@@ -185,7 +185,7 @@ class Scenario:
         name: str = "scenario.dict",
     ) -> None:
         self._tree: dict[str, Any] | None = None
-        self._told: frozenset[str] = frozenset()
+        self._warned: frozenset[str] = frozenset()
         if isinstance(source, Mapping):
             self._tree = json.loads(dumped(source))
             self.checked = self._parsed(dumped(source), name, folder, True)
@@ -200,21 +200,21 @@ class Scenario:
         return CheckedScenario.parse(text, name if folder is None else os.path.join(os.fspath(folder), name), is_json)
 
     def _tell(self) -> None:
-        """Warns of what it, or the scenario that it comes from, has not told."""
+        """Warns of what it, or the scenario that it comes from, has not given."""
         found = self.checked.warnings()
-        untold = [message for message in found if message not in self._told]
-        self._told |= set(found)
-        warn(untold)
+        unsaid = [message for message in found if message not in self._warned]
+        self._warned |= set(found)
+        warn(unsaid)
 
     def _answer(self, result: Answered) -> Answered:
-        """A result, of which everything is told that the scenario has not told."""
-        warn(message for message in result.warnings if message not in self._told)
+        """A result, with the warnings that the scenario has not given."""
+        warn(message for message in result.warnings if message not in self._warned)
         return result
 
     def copy(self) -> Scenario:
         """Another scenario of the same keys."""
         other = object.__new__(Scenario)
-        other.checked, other._tree, other._told = self.checked, self._tree, self._told  # a tree is never changed
+        other.checked, other._tree, other._warned = self.checked, self._tree, self._warned  # a tree is never changed
         return other
 
     def _written(self) -> dict[str, Any]:
@@ -313,7 +313,7 @@ class Scenario:
         Ctrl-C stops the run (KeyboardInterrupt). Raises `RunError` where the motion cannot be integrated.
         """
         asked = self._with_integrator(tolerance, verify)
-        with told(progress, self.title) as tell:
+        with reporting(progress, self.title) as tell:
             return asked._answer(results.Run(asked.checked.run(tell, []), asked))
 
     def bearing(self) -> results.Statics:
@@ -353,7 +353,7 @@ class Scenario:
         `over` is the path of a key, as "speed.constant", `start` and `stop` are its values with their units; at most
         `points` motions a branch, and none of doubled periods where `doubled` is false.
         """
-        with told(progress, self.title) as tell:
+        with reporting(progress, self.title) as tell:
             followed = (text_of(over), text_of(start), text_of(stop))
             period, points = whole("period", period, 1, 64), whole("points", points, 1, 2**32 - 1)
             found = self.checked.response(followed, period, points, doubled, tell)
@@ -427,7 +427,7 @@ class Scenario:
         given = [] if tolerances is None else [float(tolerance) for tolerance in tolerances]
         if tolerances is not None and not given:
             raise ValueError("tolerances: name at least one, as 1e-6")
-        with told(progress, self.title) as tell:
+        with reporting(progress, self.title) as tell:
             named = [text_of(method) for method in methods]
             found = self.checked.accuracy(named, given, text_of(longest), tell)
         return self._answer(results.Accuracy(found))
@@ -469,16 +469,16 @@ def _campbell(
     return scenario.checked.campbell(ends, count, orders, highest, keys)
 
 
-def told_before(tree: dict[str, Any], place: str, told: frozenset[str] | None) -> Scenario:
-    """A scenario of a path, some of whose warnings were told already: all of them where none are named."""
+def warned_before(tree: dict[str, Any], place: str, warned: frozenset[str] | None) -> Scenario:
+    """A scenario of a path, some of whose warnings were given already: all of them where none are named."""
     scenario = object.__new__(Scenario)
     scenario._read(tree, *os.path.split(place))
-    scenario._told = frozenset(scenario.checked.warnings()) if told is None else told
+    scenario._warned = frozenset(scenario.checked.warnings()) if warned is None else warned
     scenario._tell()
     return scenario
 
 
 def _restored(tree: dict[str, Any], place: str) -> Scenario:
-    return told_before(tree, place, None)
+    return warned_before(tree, place, None)
 
 

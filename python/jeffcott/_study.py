@@ -16,7 +16,7 @@ import numpy as np
 
 from ._errors import warn
 from ._jeffcott import CheckedScenario, StopSignal, StudyPlan, merge
-from ._progress import Progress, told
+from ._progress import Progress, reporting
 from ._results import Columns, Error
 from ._scenario import Scenario, dumped, text_of, whole
 from ._table import Table
@@ -205,7 +205,7 @@ def _made(
     parts = None if parts is None else whole("parts", parts, 1, 2**32 - 1)
     folder = Path(os.path.abspath(folder))
     plan = _plan(task)
-    with told(progress, plan.title()) as tell:
+    with reporting(progress, plan.title()) as tell:
         if executor is None:
             plan.make(folder, (1, 1), threads, restart, None, tell)
         else:

@@ -22,7 +22,7 @@ def program(name: str) -> list[dict[str, Any]]:
     return notebooks.cells((ROOT / "docs" / "python" / f"{name}.py").read_text(encoding="utf-8"))
 
 
-def told(cell: dict[str, Any]) -> list[tuple[str, str]]:
+def reported(cell: dict[str, Any]) -> list[tuple[str, str]]:
     """Kinds and words of the outputs; numbers differ in their last digits between machines."""
     found = []
     for output in cell.get("outputs", []):
@@ -53,7 +53,7 @@ def test_a_notebook_shows_what_its_program_does(name: str, folder: Path) -> None
     kept = json.loads(file.read_text(encoding="utf-8"))["cells"]
     again = "make it anew: JEFFCOTT_BLESS=1"
     assert [cell["source"] for cell in kept] == [cell["source"] for cell in made], again
-    assert [told(cell) for cell in kept] == [told(cell) for cell in made], again
+    assert [reported(cell) for cell in kept] == [reported(cell) for cell in made], again
 
 
 @pytest.mark.parametrize("name", SHOWN)

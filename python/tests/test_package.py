@@ -35,21 +35,21 @@ def test_it_says_that_it_is_typed() -> None:
     assert (Path(jc.__file__).parent / "py.typed").exists()
 
 
-def test_everything_public_is_told() -> None:
-    untold = []
+def test_everything_public_is_reported() -> None:
+    unnamed = []
     for name in jc.__all__:
         thing = getattr(jc, name)
         if not callable(thing):
             continue
         if not inspect.getdoc(thing):
-            untold.append(name)
+            unnamed.append(name)
         members = vars(thing).items() if inspect.isclass(thing) else []
         for member, value in members:
             if member.startswith("_") or not (callable(value) or isinstance(value, property)):
                 continue
             if not inspect.getdoc(value):
-                untold.append(f"{name}.{member}")
-    assert untold == []
+                unnamed.append(f"{name}.{member}")
+    assert unnamed == []
 
 
 def test_the_import_is_short() -> None:

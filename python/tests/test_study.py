@@ -78,11 +78,11 @@ def test_a_study_has_a_row_a_run(whole: jc.Study) -> None:
 def test_parts_make_the_same_bytes(
     pool: Callable[[], Executor], study_file: Path, whole: jc.Study, tmp_path: Path
 ) -> None:
-    told: list[float] = []
+    reported: list[float] = []
     with pool() as executor:
-        parted = jc.study(study_file, out=tmp_path, executor=executor, parts=4, progress=told.append)
+        parted = jc.study(study_file, out=tmp_path, executor=executor, parts=4, progress=reported.append)
     same_bytes(whole, parted)
-    assert told[-1] == 1.0 and told == sorted(told)
+    assert reported[-1] == 1.0 and reported == sorted(reported)
 
 
 def test_threads_make_the_same_bytes(study_file: Path, whole: jc.Study, tmp_path: Path) -> None:

@@ -23,9 +23,9 @@ def test_a_scenario_and_its_answers_tell_every_warning_once(scenarios: Path) -> 
         warnings.simplefilter("always")
         scenario[FAST] = "60000 rpm"
         found = scenario.bearing()
-    told = caught(record)
+    reported = caught(record)
     assert scenario.warnings or found.warnings
-    assert sorted(told) == sorted(set(scenario.warnings) | set(found.warnings))
+    assert sorted(reported) == sorted(set(scenario.warnings) | set(found.warnings))
     assert all(one.filename == __file__ for one in record)
 
 

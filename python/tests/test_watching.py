@@ -54,23 +54,23 @@ def test_an_interrupt_ends_it(work: str, scenarios: Path) -> None:
     assert (out, err, child.returncode) == ("stopped\n", "", 0)
 
 
-def test_progress_is_told_and_a_callback_can_stop_the_run(scenarios: Path) -> None:
+def test_progress_is_reported_and_a_callback_can_stop_the_run(scenarios: Path) -> None:
     scenario = jc.Scenario(scenarios / "steady-7205c.toml")
     scenario["time.duration"] = "2000 s"
     scenario["output.samples_per_revolution"] = 16
-    told: list[float] = []
+    reported: list[float] = []
 
     class Enough(Exception):
         pass
 
     def progress(part: float) -> None:
-        told.append(part)
-        if len(told) == 3:
+        reported.append(part)
+        if len(reported) == 3:
             raise Enough
 
     with pytest.raises(Enough):
         scenario.run(progress=progress)
-    assert 0 < told[0] < told[1] < told[2] < 1
+    assert 0 < reported[0] < reported[1] < reported[2] < 1
 
 
 def test_only_a_long_run_shows_a_line(
