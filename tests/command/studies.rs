@@ -878,3 +878,27 @@ fn an_axis_changes_several_keys_together() {
         "{both:?} {first:?}"
     );
 }
+
+/// A key that varies and a number of the answer have columns of their own, also where both are a preload or a rating.
+#[test]
+fn columns_of_keys_and_of_answers_are_apart() {
+    let folder = TempDir::new().expect("a folder");
+    let base = scenarios().join("arrangement-7205c.toml");
+    let axis = |key: &str, from: &str, to: &str| {
+        format!("[[axis]]\nkey = 'bearing[*].{key}'\nfrom = '{from}'\nto = '{to}'\ncount = 2\n")
+    };
+    let axes = axis("preload", "100 N", "200 N") + &axis("dynamic_rating", "15 kN", "16 kN");
+    let file = folder.path().join("apart.toml");
+    fs::write(
+        &file,
+        format!("base = '{}'\nask = 'bearing'\n{axes}", base.display()),
+    )
+    .expect("a writable folder");
+    done(study(&file, folder.path(), &[]));
+    let table = fs::read_to_string(folder.path().join("apart/runs.csv")).expect("a table");
+    let head: Vec<&str> = table.lines().next().expect("a head").split(',').collect();
+    let mut names = head.clone();
+    names.sort_unstable();
+    names.dedup();
+    assert_eq!(names.len(), head.len(), "{head:?}");
+}

@@ -40,7 +40,7 @@ const BEARING: [Named<BearingState>; 9] = [
         let pressure = |ball: &BallLine| ball.inner.peak_pressure.max(ball.outer.peak_pressure);
         extreme(state, pressure, f64::max)
     }),
-    ("dynamic_rating", "N", |state| {
+    ("life_rating", "N", |state| {
         let lives = state.rating_lives.as_ref();
         lives.map_or(f64::NAN, |lives| lives.dynamic_rating)
     }),
@@ -57,7 +57,7 @@ const BEARING: [Named<BearingState>; 9] = [
             .and_then(|lives| lives.modified?.hours)
             .unwrap_or(f64::NAN)
     }),
-    ("preload", "N", |state| state.preload),
+    ("operating_preload", "N", |state| state.preload),
     ("static_safety", "", |state| {
         state.static_safety.unwrap_or(f64::NAN)
     }),
