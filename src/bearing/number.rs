@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Sub};
 
-use fearless_simd::{Simd, SimdBase, SimdFloat};
+use fearless_simd::{ExtractToken, Simd, SimdBase, SimdFloat};
 
 /// Numbers of a few balls side by side, in registers as wide as the processor's level `S` has them.
 /// The lanes are the same at every level and no products are fused, so that results are the same, bit
@@ -68,7 +68,7 @@ pub trait Function<const K: usize, const M: usize> {
     /// Values for balls side by side: the same numbers as by [`Function::values`].
     #[inline(always)]
     fn side_by_side<S: Simd>(&self, at: [Lanes<S>; K]) -> [Lanes<S>; M] {
-        let simd = at[0].witness();
+        let simd = at[0].token();
         let mut positions = [[0.0; K]; LANES];
         for k in 0..K {
             for lane in 0..LANES {
@@ -79,7 +79,7 @@ pub trait Function<const K: usize, const M: usize> {
         let mut values = [Lanes::splat(simd, 0.0); M];
         for m in 0..M {
             let [a, b, c, d] = &found;
-            values[m] = simd.load_array_f64x4([a[m], b[m], c[m], d[m]]);
+            values[m] = Lanes::load_array(simd, [a[m], b[m], c[m], d[m]]);
         }
         values
     }
@@ -151,7 +151,7 @@ impl Plain for f64 {
 impl<S: Simd> Number for Lanes<S> {
     #[inline(always)]
     fn constant(self, value: f64) -> Self {
-        Self::splat(self.witness(), value)
+        Self::splat(self.token(), value)
     }
 
     #[inline(always)]
@@ -199,7 +199,7 @@ impl<S: Simd> Plain for Lanes<S> {
 
     #[inline(always)]
     fn if_positive(self, value: Self) -> Self {
-        let simd = self.witness();
+        let simd = self.token();
         let zero = self.constant(0.0);
         simd.select_f64x4(simd.simd_gt_f64x4(self, zero), value, zero)
     }

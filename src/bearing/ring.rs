@@ -160,7 +160,7 @@ impl Ring {
                     |first, [cos, sin]| {
                         let drops =
                             surfaces.drops(BallIdentity::Numbered(first), [&cos, &sin], rotation);
-                        drops.map(|drops| simd.load_array_f64x4(drops))
+                        drops.map(|drops| Lanes::load_array(simd, drops))
                     },
                     take,
                 );
@@ -182,7 +182,7 @@ impl Ring {
         for (group, azimuths) in self.groups.iter().enumerate() {
             let [cos, sin] = azimuths.turned(simd, rotation.cage);
             let start = [self.free_axial, self.free_radial];
-            let side = simd.load_array_ref_f64x4(&azimuths.side);
+            let side = Lanes::load_array_ref(simd, &azimuths.side);
             let [axial, radial, tilt] = self.components(start, displacement, [cos, sin, side]);
             take(&Balls {
                 first: LANES * group,
@@ -268,8 +268,8 @@ impl Azimuths {
     /// is known.
     #[inline(always)]
     fn turned<S: Simd>(&self, simd: S, cage: Angle) -> [Lanes<S>; 2] {
-        let cos = simd.load_array_ref_f64x4(&self.cos);
-        let sin = simd.load_array_ref_f64x4(&self.sin);
+        let cos = Lanes::load_array_ref(simd, &self.cos);
+        let sin = Lanes::load_array_ref(simd, &self.sin);
         // cos(φ + ψ_c) and sin(φ + ψ_c)
         [
             cos * cage.cos - sin * cage.sin,

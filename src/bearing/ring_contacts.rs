@@ -1,12 +1,12 @@
 //! What the contacts of a ring's balls are like: distance to lift-off, loads, life.
 
-use fearless_simd::{Fallback, Simd, SimdBase, SimdFloat};
+use fearless_simd::{Simd, SimdBase};
 
 use super::number::{LANES, Lanes};
 use super::ring::{Balls, side_by_side};
 use super::ring_forces::ForceSums;
 use super::{BallContact, BallLaw, BearingRotation, ForceLaw, RaceFilms, Ring, Vector5};
-use crate::numerics::registers::in_wide_registers;
+use crate::numerics::registers::{in_baseline_registers, in_wide_registers};
 
 /// Loads of the balls of one bearing at an instant, ball 0 first.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -176,8 +176,8 @@ impl Ring {
         displacement: &Vector5,
         rotation: &BearingRotation,
     ) -> f64 {
-        let simd = Fallback::new();
         let mut energy = 0.0;
+        in_baseline_registers!(simd => {
         self.visit(simd, &side_by_side(simd, displacement), rotation, |at| {
             for (_, ball) in at.single(self.balls()) {
                 let response = law.response(&ball, rotation.speed);
@@ -187,6 +187,7 @@ impl Ring {
                 });
                 energy += (elastic[0] + in_films[0]) + (elastic[1] + in_films[1]);
             }
+        });
         });
         energy
     }

@@ -149,7 +149,7 @@ impl Ring {
                     Some(surfaces) if D == 4 => {
                         let speeds = [rotation.cage_speed, rotation.speed];
                         let rates = surfaces.rates(at.first, [&at.cos, &at.sin], rotation, speeds);
-                        rates.map(|rates| simd.load_array_f64x4(rates))
+                        rates.map(|rates| Lanes::load_array(simd, rates))
                     }
                     _ => [zero; 2],
                 };

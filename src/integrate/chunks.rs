@@ -5,7 +5,7 @@
 
 use std::ops::{Deref, DerefMut};
 
-use fearless_simd::{Simd, f64x4};
+use fearless_simd::{Simd, SimdBase, f64x4};
 
 /// Numbers of a chunk.
 const WIDTH: usize = 4;
@@ -88,7 +88,7 @@ impl DerefMut for Padded {
 /// on several chunks at a time and collects their numbers one by one.
 #[inline(always)]
 pub(super) fn in_register<S: Simd>(simd: S, chunk: &Chunk) -> f64x4<S> {
-    simd.load_array_ref_f64x4(chunk)
+    f64x4::load_array_ref(simd, chunk)
 }
 
 /// Adds a factor times a chunk.

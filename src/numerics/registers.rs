@@ -6,7 +6,7 @@
 /// fused, so that the numbers are the same.
 macro_rules! in_wide_registers {
     ($level:expr, $simd:ident => $value:expr) => {{
-        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        #[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]
         {
             match $level.as_avx2() {
                 Some($simd) => fearless_simd::Simd::vectorize(
@@ -14,13 +14,10 @@ macro_rules! in_wide_registers {
                     #[inline(always)]
                     || $value,
                 ),
-                None => {
-                    let $simd = fearless_simd::Fallback::new();
-                    $value
-                }
+                None => $crate::numerics::registers::in_baseline_registers!($simd => $value),
             }
         }
-        #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+        #[cfg(not(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2")))]
         {
             fearless_simd::dispatch!($level, $simd => $value)
         }
@@ -30,4 +27,21 @@ macro_rules! in_wide_registers {
     };
 }
 
-pub(crate) use in_wide_registers;
+/// Evaluates an expression by a token of the registers that every processor of the target has: compiled once, for
+/// what need not be fast.
+macro_rules! in_baseline_registers {
+    ($simd:ident => $value:expr) => {{
+        #[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]
+        {
+            let $simd = fearless_simd::Level::baseline().as_sse2();
+            let $simd = $simd.expect("the target has SSE2");
+            $value
+        }
+        #[cfg(not(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2")))]
+        {
+            fearless_simd::dispatch!(fearless_simd::Level::baseline(), $simd => $value)
+        }
+    }};
+}
+
+pub(crate) use {in_baseline_registers, in_wide_registers};

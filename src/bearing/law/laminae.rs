@@ -1,6 +1,6 @@
 //! Laminae of a roller side by side, and what they bear.
 
-use fearless_simd::{Simd, SimdBase, SimdFloat};
+use fearless_simd::{Simd, SimdBase};
 
 use super::ninth_root::ninth_root;
 use crate::bearing::number::{LANES, Lanes, Plain};
@@ -50,8 +50,8 @@ impl<S: Simd> Sums<Lanes<S>> {
         let zero = Lanes::splat(simd, 0.0);
         let (mut load, mut stiffness) = ([zero; 2], [zero; 3]);
         for four in fours {
-            let position = simd.load_array_ref_f64x4(&four.position);
-            let drop = simd.load_array_ref_f64x4(&four.drop);
+            let position = Lanes::load_array_ref(simd, &four.position);
+            let drop = Lanes::load_array_ref(simd, &four.drop);
             // δ_k
             let approach = (Lanes::splat(simd, middle) - position * tilt) - drop;
             if !simd.any_true_mask64x4(simd.simd_gt_f64x4(approach, zero)) {

@@ -1,6 +1,6 @@
 //! The ninth root, by which the load of a lamina follows from its approach.
 
-use fearless_simd::{Simd, SimdBase, SimdFloat};
+use fearless_simd::{Bytes, ExtractToken, Simd, SimdBase, u32x8};
 
 use crate::bearing::number::Lanes;
 
@@ -29,13 +29,13 @@ const fn series() -> [f64; 5] {
 /// `z (1 − ε)^(−1/9)` with `ε = 1 − x z⁹`.
 #[inline(always)]
 pub(super) fn ninth_root<S: Simd>(number: Lanes<S>) -> Lanes<S> {
-    let simd = number.witness();
+    let simd = number.token();
     let x = number.max(Lanes::splat(simd, LEAST));
     // log₂ z = −log₂ x/9, by the exponents with the mantissas as their fractions: 1/9 = 1/8 − 1/64 + 1/512 …
-    let bits = simd.cvt_from_bytes_u32x8(simd.cvt_to_bytes_f64x4(x));
+    let bits = x.bitcast::<u32x8<S>>();
     let ninth = ((bits >> 3) - (bits >> 6)) + ((bits >> 9) - (bits >> 12)) + (bits >> 15);
-    let first = simd.splat_u32x8(FIRST) - ninth;
-    let mut z = simd.cvt_from_bytes_f64x4(simd.cvt_to_bytes_u32x8(first));
+    let first = u32x8::splat(simd, FIRST) - ninth;
+    let mut z = first.bitcast::<Lanes<S>>();
     z = z + z * correction::<S, 4>(x, z);
     z = z + z * correction::<S, 5>(x, z);
     // x^(1/9) = x z⁸
@@ -50,8 +50,8 @@ fn correction<S: Simd, const TERMS: usize>(x: Lanes<S>, z: Lanes<S>) -> Lanes<S>
     let square = z * z;
     let fourth = square * square;
     let ninth = (fourth * fourth) * z;
-    let off = Lanes::splat(z.witness(), 1.0) - x * ninth;
-    let mut sum = Lanes::splat(z.witness(), SERIES[TERMS - 1]);
+    let off = Lanes::splat(z.token(), 1.0) - x * ninth;
+    let mut sum = Lanes::splat(z.token(), SERIES[TERMS - 1]);
     for term in (0..TERMS - 1).rev() {
         sum = sum * off + SERIES[term];
     }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use fearless_simd::{Simd, SimdBase, SimdFloat};
+use fearless_simd::{Simd, SimdBase};
 
 use super::laminae::{Four, NEVER, Sums};
 use super::line_contacts::LineContacts;
@@ -289,8 +289,8 @@ impl<const TILTS: bool> BallLaw for RollerLaw<TILTS> {
         }
         in_wide_registers!(self.cells.level, simd => {
             for (four, loads) in self.cells.laminae.iter().zip(loads.chunks_mut(LANES)) {
-                let position = simd.load_array_ref_f64x4(&four.position);
-                let drop = simd.load_array_ref_f64x4(&four.drop);
+                let position = Lanes::load_array_ref(simd, &four.position);
+                let drop = Lanes::load_array_ref(simd, &four.drop);
                 let approach = (Lanes::splat(simd, middle) - position * tilt) - drop;
                 let pressed = approach.max(Lanes::splat(simd, 0.0));
                 let load = pressed * ninth_root(pressed) * self.stiffness;

@@ -1,6 +1,6 @@
 //! Damping of the contacts of a roller, lamina by lamina.
 
-use fearless_simd::{Simd, SimdBase, SimdFloat};
+use fearless_simd::{Simd, SimdBase};
 
 use super::laminae::{Four, total};
 use super::ninth_root::ninth_root;
@@ -42,8 +42,8 @@ impl LaminaDamping<'_> {
         // Σ p s^m, Σ ∂p/∂δ s^m and Σ ∂p/∂δ̇ s^m
         let (mut load, mut by_place, mut by_rate) = ([zero; 2], [zero; 3], [zero; 3]);
         for four in self.laminae {
-            let position = simd.load_array_ref_f64x4(&four.position);
-            let drop = simd.load_array_ref_f64x4(&four.drop);
+            let position = Lanes::load_array_ref(simd, &four.position);
+            let drop = Lanes::load_array_ref(simd, &four.drop);
             let approach = (Lanes::splat(simd, middle) - position * tilt) - drop;
             let rate = Lanes::splat(simd, middle_rate) - position * tilt_rate;
             let pressed = approach.max(zero);

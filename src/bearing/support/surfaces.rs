@@ -1,13 +1,12 @@
 //! What the surfaces of a mounted bearing add where they are not perfect.
 
-use fearless_simd::Fallback;
-
 use super::{Support, Vector5};
 use crate::bearing::law::with_law;
 use crate::bearing::number::LANES;
 use crate::bearing::ring::side_by_side;
 use crate::bearing::surface::{ImperfectSurfaces, TurningSurfaces};
 use crate::bearing::{Ball, BallLaw, BearingRotation, Passing, RaceSpall};
+use crate::numerics::registers::in_baseline_registers;
 
 impl Support {
     /// Whether any surface of the bearing differs from a perfect one.
@@ -59,8 +58,7 @@ impl Support {
         };
         let motion = self.ring_motion(motion, rotation);
         let coefficients = self.damped.unwrap_or_default();
-        with_law!(&self.law, law => {
-            let simd = Fallback::new();
+        with_law!(&self.law, law => in_baseline_registers!(simd => {
             let [place, rate] = motion.map(|vector| side_by_side(simd, &vector));
             let mut moments = [0.0; 2];
             self.ring.visit(simd, &place, rotation, |at| {
@@ -88,7 +86,7 @@ impl Support {
                 }
             });
             moments
-        })
+        }))
     }
 
     /// Upper bound of the change of a ball's load, N, at a distance in m past a kink of a defect, at a speed in rad/s.

@@ -1,6 +1,6 @@
 //! Steps of the explicit pair, one after the other.
 
-use fearless_simd::{Level, Simd, SimdBase, SimdFloat, f64x4};
+use fearless_simd::{Level, Simd, SimdBase, f64x4};
 
 use super::crossing::Crossings;
 use super::plan::Substitution;

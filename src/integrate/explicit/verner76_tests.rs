@@ -5,6 +5,7 @@
 //! where Σ_i b_i(θ) Φ_i(t) = θ^r/γ(t) for the trees of order r.
 
 use super::*;
+use crate::numerics::registers::in_baseline_registers;
 
 /// A row of coefficients, a stage each.
 type Weights = [f64; STAGES];
@@ -126,7 +127,7 @@ fn nodes_are_row_sums() {
 
 /// The weights b_i(θ) stage by stage.
 fn weights_within(part: f64) -> Weights {
-    let weights = dense_weights(fearless_simd::Fallback::new(), part);
+    let weights = in_baseline_registers!(simd => dense_weights(simd, part));
     std::array::from_fn(|stage| weights.as_flattened()[stage])
 }
 

@@ -1,11 +1,12 @@
 //! A table of polynomials in place of a ball law.
 
-use fearless_simd::{Level, Simd, SimdBase, SimdFloat, dispatch};
+use fearless_simd::{ExtractToken, Simd, SimdBase, SimdFloat};
 
 use super::cells::{Cell, Grid, InCells, values};
 use super::chart::{BallRegion, Chart};
 use crate::bearing::law::{Ball, BallForce, ForceLaw};
 use crate::bearing::number::{Function, Lanes, Number, Plain};
+use crate::numerics::registers::in_baseline_registers;
 
 /// The forces of a ball law at one speed over a region, as polynomials.
 ///
@@ -59,7 +60,7 @@ impl BallTable {
 /// Axial force, radial force and couple at positions that the table covers.
 impl Function<2, 3> for BallTable {
     fn with_slopes(&self, [axial, radial]: [f64; 2]) -> ([f64; 3], [[f64; 2]; 3]) {
-        let (past_lift, cell, x, t) = dispatch!(Level::baseline(), simd => {
+        let (past_lift, cell, x, t) = in_baseline_registers!(simd => {
             let [axial, radial] = [axial, radial].map(|number| Lanes::splat(simd, number));
             let (in_cells, past_lift) = self.locate(axial, radial);
             (past_lift[0], in_cells.cells[0], in_cells.x[0], in_cells.t[0])
@@ -90,7 +91,7 @@ impl Function<2, 3> for BallTable {
     }
 
     fn values(&self, at: [f64; 2]) -> [f64; 3] {
-        dispatch!(Level::baseline(), simd => {
+        in_baseline_registers!(simd => {
             let found = self.side_by_side(at.map(|number| Lanes::splat(simd, number)));
             found.map(|lanes| lanes[0])
         })
@@ -103,7 +104,7 @@ impl Function<2, 3> for BallTable {
         let odd = past_lift.copysign(axial);
         let [push_axial, push_radial] = values(&self.forces, &in_cells);
         let couple = if self.couples.is_empty() {
-            Lanes::splat(past_lift.witness(), 0.0)
+            Lanes::splat(past_lift.token(), 0.0)
         } else {
             odd * values(&self.couples, &in_cells)[0]
         };

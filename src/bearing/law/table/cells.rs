@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use fearless_simd::{Simd, SimdBase, SimdFloat, f64x2};
+use fearless_simd::{ExtractToken, Simd, SimdBase, f64x2};
 
 use crate::bearing::number::{LANES, Lanes};
 
@@ -59,15 +59,15 @@ impl<const POWERS: usize, const HALVES: usize> Cell<POWERS, HALVES> {
     /// and R₁. The same x and t² in all lanes.
     #[inline(always)]
     pub(super) fn pairs<S: Simd>(&self, x: Lanes<S>, square: Lanes<S>) -> Lanes<S> {
-        let simd = x.witness();
+        let simd = x.token();
         // Σ x^k of every pair, then Σ t^2l of the pairs
         let mut pairs = [Lanes::splat(simd, 0.0); HALVES];
         for (sum, term) in pairs.iter_mut().zip(&self.0[POWERS - 1]) {
-            *sum = simd.load_array_ref_f64x4(term);
+            *sum = Lanes::load_array_ref(simd, term);
         }
         for row in self.0[..POWERS - 1].iter().rev() {
             for (sum, term) in pairs.iter_mut().zip(row) {
-                *sum = *sum * x + simd.load_array_ref_f64x4(term);
+                *sum = *sum * x + Lanes::load_array_ref(simd, term);
             }
         }
         let mut sum = pairs[HALVES - 1];
@@ -82,7 +82,7 @@ impl<const POWERS: usize, const HALVES: usize> Cell<POWERS, HALVES> {
 #[inline(always)]
 pub(super) fn values<S: Simd>(table: &[Cell], position: &InCells<S>) -> [Lanes<S>; 2] {
     let InCells { cells, x, t } = *position;
-    let simd = x.witness();
+    let simd = x.token();
     let square = t * t;
     let mut rows = [Lanes::splat(simd, 0.0); LANES];
     for ball in 0..LANES {
@@ -104,7 +104,7 @@ pub(super) fn joined<S: Simd>(rows: [Lanes<S>; LANES], t: Lanes<S>) -> [Lanes<S>
 /// for wide registers.
 #[inline(always)]
 pub(super) fn transposed<S: Simd>([a, b, c, d]: [Lanes<S>; LANES]) -> [Lanes<S>; LANES] {
-    let simd = a.witness();
+    let simd = a.token();
     let ((a_low, a_high), (b_low, b_high)) = (simd.split_f64x4(a), simd.split_f64x4(b));
     let ((c_low, c_high), (d_low, d_high)) = (simd.split_f64x4(c), simd.split_f64x4(d));
     let [first, second] = columns(simd, [a_low, b_low, c_low, d_low]);
@@ -172,7 +172,7 @@ impl Parts {
     /// Numbers of the parts and positions −½ … ½ in them; beyond the range those of the last part on that side.
     #[inline(always)]
     fn locate<S: Simd>(&self, coordinate: Lanes<S>) -> [Lanes<S>; 2] {
-        let simd = coordinate.witness();
+        let simd = coordinate.token();
         let among = coordinate * self.scale + self.shift;
         let last = Lanes::splat(simd, self.last);
         let part = among.max(Lanes::splat(simd, 0.0)).min(last);
@@ -282,8 +282,8 @@ mod tests {
             let own = dispatch!(level, simd => {
                 let position = InCells {
                     cells,
-                    x: simd.load_array_f64x4(x),
-                    t: simd.load_array_f64x4(t),
+                    x: Lanes::load_array(simd, x),
+                    t: Lanes::load_array(simd, t),
                 };
                 values(&table, &position).map(|lanes| *lanes)
             });

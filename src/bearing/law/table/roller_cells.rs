@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use fearless_simd::{Level, Simd, SimdBase, SimdFloat, u32x8};
+use fearless_simd::{Bytes, ExtractToken, Level, Simd, SimdBase, SimdFloat, u32x8};
 
 use super::cells::{Cell, joined, lobatto, power_weights, weighted};
 use crate::bearing::law::laminae::{Four, NEVER, Sums, fours};
@@ -82,7 +82,7 @@ impl RollerCells {
     /// Σ q and −Σ s q of rollers by the approaches of their middles, m, and their tilts, rad.
     #[inline(always)]
     pub fn loads<S: Simd>(&self, [middle, tilt]: [Lanes<S>; 2]) -> [Lanes<S>; 2] {
-        let simd = middle.witness();
+        let simd = middle.token();
         let zero = Lanes::splat(simd, 0.0);
         let size = tilt.abs();
         let along = size * self.half_length;
@@ -114,8 +114,8 @@ impl RollerCells {
                     [position[lane], drop[lane]] = *lamina;
                 }
             }
-            let position = simd.load_array_f64x4(position);
-            let approach = (middle - position * size) - simd.load_array_f64x4(drop);
+            let position = Lanes::load_array(simd, position);
+            let approach = (middle - position * size) - Lanes::load_array(simd, drop);
             let pressed = approach.max(zero);
             let pushed = pressed * ninth_root(pressed);
             load += pushed;
@@ -195,9 +195,9 @@ fn edges(cell: usize, bits: u32) -> [f64; 2] {
 /// Cells along a coordinate in units, not negative, and positions −½ … ½ in them.
 #[inline(always)]
 fn locate<S: Simd>(coordinate: Lanes<S>, bits: u32) -> ([usize; LANES], Lanes<S>) {
-    let simd = coordinate.witness();
+    let simd = coordinate.token();
     let number = coordinate + 1.0;
-    let words = simd.cvt_from_bytes_u32x8(simd.cvt_to_bytes_f64x4(number));
+    let words = number.bitcast::<u32x8<S>>();
     let (exponent, first) = (
         0x7FF0_0000,
         0x7FF0_0000 | (0xF_FFFF << (20 - bits)) & 0xF_FFFF,
@@ -214,12 +214,11 @@ fn locate<S: Simd>(coordinate: Lanes<S>, bits: u32) -> ([usize; LANES], Lanes<S>
 /// A mask of the upper halves of numbers.
 #[inline(always)]
 fn upper<S: Simd>(simd: S, mask: u32) -> u32x8<S> {
-    simd.load_array_u32x8([0, mask, 0, mask, 0, mask, 0, mask])
+    u32x8::load_array(simd, [0, mask, 0, mask, 0, mask, 0, mask])
 }
 
 /// The numbers of these bits.
 #[inline(always)]
 fn float<S: Simd>(bits: u32x8<S>) -> Lanes<S> {
-    let simd = bits.witness();
-    simd.cvt_from_bytes_f64x4(simd.cvt_to_bytes_u32x8(bits))
+    bits.bitcast()
 }
