@@ -126,22 +126,33 @@ impl Ring {
         take: impl FnMut(&Balls<S>),
     ) {
         match &self.surfaces {
-            // a drop of nothing is folded away
-            None => self.visit_on(
-                simd,
-                displacement,
-                rotation,
-                #[inline(always)]
-                |_, _| [Lanes::splat(simd, 0.0); 2],
-                take,
-            ),
+            None => self.visit_perfect(simd, displacement, rotation, take),
             Some(surfaces) => self.visit_imperfect(simd, surfaces, displacement, rotation, take),
         }
     }
 
-    /// Out of line, so that what perfect surfaces need stays small.
+    /// Visits the balls as if their surfaces were perfect: a drop of nothing is folded away.
+    #[inline(always)]
+    pub(super) fn visit_perfect<S: Simd>(
+        &self,
+        simd: S,
+        displacement: &LaneVector<S>,
+        rotation: &BearingRotation,
+        take: impl FnMut(&Balls<S>),
+    ) {
+        self.visit_on(
+            simd,
+            displacement,
+            rotation,
+            #[inline(always)]
+            |_, _| [Lanes::splat(simd, 0.0); 2],
+            take,
+        );
+    }
+
+    /// Visits the balls on the surfaces of the ring. Out of line, so that what perfect surfaces need stays small.
     #[inline(never)]
-    fn visit_imperfect<S: Simd>(
+    pub(super) fn visit_imperfect<S: Simd>(
         &self,
         simd: S,
         surfaces: &ImperfectSurfaces,

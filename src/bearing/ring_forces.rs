@@ -124,52 +124,86 @@ impl Ring {
     /// Force as by [`Ring::force`], and the force that moves the ring at a rate against the damping of the contacts,
     /// given in the frame that turns with the cage: sums over [`BallLaw::damped`].
     ///
-    /// Loads change by the first D of A1, A2 and both drops: 2 on perfect surfaces, 4 on others.
-    #[inline(always)]
-    pub(super) fn damped_force_by<L: BallLaw, S: Simd, const D: usize>(
+    /// Loads change by A1 and A2, and where the surfaces are not perfect by both drops. Out of line: the laws in one
+    /// function take the compiler far longer than each by itself.
+    #[inline(never)]
+    pub(super) fn damped_force(
         &self,
-        simd: S,
-        (law, coefficients): (&L, [f64; 2]),
-        [displacement, rate]: &[LaneVector<S>; 2],
+        law: &impl BallLaw,
+        coefficients: [f64; 2],
+        [displacement, rate]: [&Vector5; 2],
         rotation: &BearingRotation,
     ) -> [Vector5; 2] {
-        let zero = Lanes::splat(simd, 0.0);
-        let mut elastic = ForceSums::new(simd, self.arm);
-        let mut damping = ForceSums::new(simd, self.arm);
-        self.visit(
-            simd,
-            displacement,
-            rotation,
-            #[inline(always)]
-            |at| {
-                // Ȧ1, Ȧ2 and Ṫ, and the rates of the drops
-                let [axial, radial, tilt] =
-                    self.components([0.0; 2], rate, [at.cos, at.sin, at.side]);
-                let drop = match &self.surfaces {
-                    Some(surfaces) if D == 4 => {
+        in_wide_registers!(self.level, simd => {
+            let [displacement, rate] = [side_by_side(simd, displacement), side_by_side(simd, rate)];
+            let mut sums = [ForceSums::new(simd, self.arm), ForceSums::new(simd, self.arm)];
+            match &self.surfaces {
+                None => self.visit_perfect(
+                    simd,
+                    &displacement,
+                    rotation,
+                    #[inline(always)]
+                    |at| {
+                        let rate = self.ball_rate(at, &rate, [Lanes::splat(simd, 0.0); 2]);
+                        let forces =
+                            law.damped::<_, 2>(&at.ball, &rate, coefficients, rotation.speed);
+                        self.add_damped(&mut sums, at, law, &forces);
+                    },
+                ),
+                Some(surfaces) => self.visit_imperfect(
+                    simd,
+                    surfaces,
+                    &displacement,
+                    rotation,
+                    #[inline(always)]
+                    |at| {
                         let speeds = [rotation.cage_speed, rotation.speed];
-                        let rates = surfaces.rates(at.first, [&at.cos, &at.sin], rotation, speeds);
-                        rates.map(|rates| Lanes::load_array(simd, rates))
-                    }
-                    _ => [zero; 2],
-                };
-                let rate = Ball {
-                    axial,
-                    radial,
-                    tilt,
-                    drop,
-                };
-                let (force, resisting) =
-                    law.damped::<_, D>(&at.ball, &rate, coefficients, rotation.speed);
-                elastic.add_force(at, law, &force);
-                let moment = match L::FOLLOWS_TILT {
-                    true => resisting.axial + resisting.tilt / self.arm,
-                    false => resisting.axial,
-                };
-                damping.add(at, [resisting.radial, resisting.axial, moment]);
-            },
-        );
-        [elastic.force(), damping.force()]
+                        let drops = surfaces.rates(at.first, [&at.cos, &at.sin], rotation, speeds);
+                        let drops = drops.map(|rates| Lanes::load_array(simd, rates));
+                        let rate = self.ball_rate(at, &rate, drops);
+                        let forces =
+                            law.damped::<_, 4>(&at.ball, &rate, coefficients, rotation.speed);
+                        self.add_damped(&mut sums, at, law, &forces);
+                    },
+                ),
+            }
+            let [elastic, damping] = sums;
+            [elastic.force(), damping.force()]
+        })
+    }
+
+    /// Ȧ1, Ȧ2 and Ṫ of balls, with the rates of the drops under them.
+    #[inline(always)]
+    fn ball_rate<S: Simd>(
+        &self,
+        at: &Balls<S>,
+        rate: &LaneVector<S>,
+        drop: [Lanes<S>; 2],
+    ) -> Ball<Lanes<S>> {
+        let [axial, radial, tilt] = self.components([0.0; 2], rate, [at.cos, at.sin, at.side]);
+        Ball {
+            axial,
+            radial,
+            tilt,
+            drop,
+        }
+    }
+
+    /// Adds the elastic forces of balls and those that resist their rates.
+    #[inline(always)]
+    fn add_damped<L: BallLaw, S: Simd>(
+        &self,
+        [elastic, damping]: &mut [ForceSums<S>; 2],
+        at: &Balls<S>,
+        law: &L,
+        (force, resisting): &(BallForce<Lanes<S>>, Ball<Lanes<S>>),
+    ) {
+        elastic.add_force(at, law, force);
+        let moment = match L::FOLLOWS_TILT {
+            true => resisting.axial + resisting.tilt / self.arm,
+            false => resisting.axial,
+        };
+        damping.add(at, [resisting.radial, resisting.axial, moment]);
     }
 }
 

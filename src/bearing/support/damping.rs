@@ -3,8 +3,7 @@
 use super::{Matrix5, Support, Vector5};
 use crate::bearing::BearingRotation;
 use crate::bearing::law::with_law;
-use crate::bearing::ring::{quarter_turn, side_by_side};
-use crate::numerics::registers::in_wide_registers;
+use crate::bearing::ring::quarter_turn;
 
 /// Rate at which the damping of a linear bearing is looked at, m/s: so slow that no contact parts.
 const SLOW: f64 = 1e-12;
@@ -61,15 +60,9 @@ impl Support {
         rate: &Vector5,
         rotation: &BearingRotation,
     ) -> [Vector5; 2] {
-        let (ring, law) = (&self.ring, &self.law);
         let (place, rate, follows) = self.followed(displacement, rate, rotation);
-        let [elastic, damping] = in_wide_registers!(ring.level, simd => {
-            let motion = [side_by_side(simd, &place), side_by_side(simd, &rate)];
-            with_law!(law, law => match ring.surfaces {
-                None => ring.damped_force_by::<_, _, 2>(simd, (law, coefficients), &motion, rotation),
-                Some(_) => ring.damped_force_by::<_, _, 4>(simd, (law, coefficients), &motion, rotation),
-            })
-        });
+        let motion = [&place, &rate];
+        let [elastic, damping] = with_law!(&self.law, law => self.ring.damped_force(law, coefficients, motion, rotation));
         match follows {
             None => [elastic, damping],
             // by virtual work
