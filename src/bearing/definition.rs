@@ -23,8 +23,8 @@ pub struct Bearing {
     pub dynamic_rating: Option<f64>,
     /// Composite root-mean-square roughness σ of ball and race, m; the film ratio λ needs it.
     pub roughness: Option<f64>,
-    /// Highest permissible speed, rad/s, as catalogues print it, for cage and lubrication; where it is
-    /// not given, `n d_m` = 10⁶ mm/min is taken.
+    /// Highest permissible speed, rad/s, as catalogues print it, for cage and lubrication; where it is not given,
+    /// [`Bearing::highest_permissible_speed`] estimates it.
     pub limiting_speed: Option<f64>,
     /// Angle at which the shoulders of the races end, from the radial plane, rad; where it is given,
     /// contacts that reach it are warned of.
@@ -47,9 +47,9 @@ pub struct Bearing {
     pub(crate) fit: Option<FitState>,
 }
 
-/// Speed factor `ω d_m`, m/s, above which manufacturers ask for bearings and lubrication of special
-/// design, where they give no limiting speed: `n d_m` = 10⁶ mm/min, a rule of thumb.
-const LIMITING_SPEED_FACTOR: f64 = 1e6 * 1e-3 / PER_MINUTE;
+/// `n d_m` of balls, mm/min, above which manufacturers ask for bearings and lubrication of special design, where they give no
+/// limiting speed: a rule of thumb.
+const BALL_SPEED_FACTOR: f64 = 1e6;
 
 /// How many times as dense as the rings balls of the same material are at least.
 const AS_HEAVY: f64 = 0.8;
@@ -77,10 +77,13 @@ impl Bearing {
         }
     }
 
-    /// Highest permissible speed, rad/s, given or by its pitch diameter.
+    /// Highest permissible speed, rad/s, given or by rules of thumb for `n d_m`: 10⁶ mm/min of balls, 7·10⁵ of cylindrical
+    /// rollers, 5·10⁵ of needle, tapered and spherical rollers.
     pub fn highest_permissible_speed(&self) -> f64 {
-        self.limiting_speed
-            .unwrap_or(LIMITING_SPEED_FACTOR / self.geometry.pitch_diameter())
+        let rollers = self.geometry.rollers();
+        let factor = rollers.map_or(BALL_SPEED_FACTOR, |rollers| rollers.kind.speed_factor());
+        let estimate = factor * 1e-3 / PER_MINUTE / self.geometry.pitch_diameter();
+        self.limiting_speed.unwrap_or(estimate)
     }
 
     /// Whether its balls are much lighter than its rings, as those of ceramic are.

@@ -31,6 +31,15 @@ impl RollerKind {
         }
     }
 
+    /// `n d_m` that cage and lubrication bear, mm/min, where the maker gives no limiting speed: a rule of thumb, about what
+    /// general catalogues print for oil (NU 206 some 14 000 rpm, 30206 9000 to 12 000 rpm, 22212 6300 rpm).
+    pub(super) fn speed_factor(self) -> f64 {
+        match self {
+            Self::Cylindrical => 7e5,
+            Self::Needle | Self::Tapered | Self::Spherical => 5e5,
+        }
+    }
+
     /// Rows of rollers.
     pub fn rows(self) -> usize {
         match self {

@@ -11,9 +11,14 @@ const SUFFIXES: &str = "2RS1 2RS2 2RSR 2RSH 2RSL 2RSD 2RS 2HRS 2BRS 2RZ 2RU 2RD 
 const RUBBING_SEALS: &str =
     "2RS1 2RS2 2RSR 2RSH 2RS 2HRS RS1 RS2 RSR RSH RS HRS DDU DD DU LLU LU EE";
 
-/// Suffixes of roller bearings that change neither rollers nor races of these designations: designs, cages, grooves for
-/// oil. A tapered bore, K, is another bearing: its clearance differs.
-pub(super) const ROLLER_SUFFIXES: &str = "ECP ECJ ECML ECM ECPH EC ETN9 ET EW E1 E CC CJ CA CW33 W33 W20 TVP2 TVPB TVPA XL J2 JR J A Q RHR R MB MA M C";
+/// Suffixes of roller bearings that change neither rollers nor races of these designations: cages, surfaces, grooves for
+/// oil, and designs with the ratings of the catalogue. A tapered bore, K, is another bearing: its clearance differs.
+const ROLLER_SUFFIXES: &str =
+    "CC CJ CA CW33 W33 W20 TVP2 TVPB TVPA TVP T W XL J2 JR JP A Q RHR MB MA ML MP M PA PH P C";
+
+/// Letters that suffixes of other rollers begin with: E, EC, EW, E1 … and Koyo's R are high-capacity designs, V is full of
+/// rollers, without a cage.
+const OTHER_ROLLERS: [char; 3] = ['E', 'R', 'V'];
 
 /// Makers whose names come before or after designations.
 const MAKERS: &str =
@@ -43,8 +48,36 @@ pub(crate) struct Suffixes {
     pub rubs: bool,
 }
 
-/// What suffixes say, or the part of them that is neither known nor `more`.
-pub(super) fn suffixes<'a>(mut rest: &'a str, more: &str) -> Result<Suffixes, &'a str> {
+/// What rolls in the bearing that suffixes belong to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Elements {
+    Balls,
+    Rollers,
+}
+
+impl Elements {
+    /// The longest suffix at the beginning of `rest` that changes neither what rolls nor the races.
+    fn harmless(self, rest: &str) -> Option<&'static str> {
+        let own = match self {
+            Self::Balls => "",
+            // EM is a quality of motors with balls, and a cage of the design E with rollers
+            Self::Rollers if rest.starts_with(['E', 'V']) => return None,
+            Self::Rollers => ROLLER_SUFFIXES,
+        };
+        let known = [SUFFIXES, MAKERS, own].into_iter();
+        let known = known.flat_map(str::split_whitespace);
+        let known = known.filter(|known| rest.starts_with(known));
+        known.max_by_key(|known| known.len())
+    }
+}
+
+/// Whether a suffix that is not known stands for a design with other rollers.
+pub(super) fn has_other_rollers(suffix: &str) -> bool {
+    suffix.starts_with(OTHER_ROLLERS)
+}
+
+/// What suffixes say, or the part of them that is not known of these elements.
+pub(super) fn suffixes(mut rest: &str, elements: Elements) -> Result<Suffixes, &str> {
     let mut said = Suffixes::default();
     loop {
         rest = rest.trim_start_matches(['-', '/', '.', ',', '_', '(', ')']);
@@ -54,11 +87,10 @@ pub(super) fn suffixes<'a>(mut rest: &'a str, more: &str) -> Result<Suffixes, &'
         let named = ClearanceClass::ALL
             .into_iter()
             .find(|class| rest.starts_with(class.name()));
-        let known = [SUFFIXES, MAKERS, more].into_iter();
-        let known = known.flat_map(str::split_whitespace);
-        let known = known.filter(|known| rest.starts_with(known));
-        let longest = known.max_by_key(|known| known.len());
-        let suffix = named.map(ClearanceClass::name).or(longest).ok_or(rest)?;
+        let suffix = named
+            .map(ClearanceClass::name)
+            .or_else(|| elements.harmless(rest))
+            .ok_or(rest)?;
         said.class = named.or(said.class);
         said.rubs |= RUBBING_SEALS.split_whitespace().any(|seal| seal == suffix);
         rest = &rest[suffix.len()..];

@@ -10,7 +10,7 @@ pub(crate) use file::read;
 use std::collections::BTreeMap;
 use std::sync::{LazyLock, OnceLock};
 
-use designation::{ROLLER_SUFFIXES, normal, suffixes};
+use designation::{Elements, has_other_rollers, normal, suffixes};
 
 use super::{Bearing, BearingError, CatalogueLine, ClearanceClass, FreePosition, RollerLine};
 use crate::physics::SkfFriction;
@@ -98,13 +98,19 @@ pub(crate) fn look_up<'a>(
     designation: &str,
 ) -> Result<(Found<'a>, Suffixes), UnknownBearing> {
     let wanted = normal(designation);
-    let odd = match matching(all_balls(file), &wanted, "") {
+    let odd = match matching(all_balls(file), &wanted, Elements::Balls) {
         Ok((entry, said)) => return Ok((Found::Balls(entry), said)),
         Err(odd) => odd,
     };
-    matching(all_rollers(file), &wanted, ROLLER_SUFFIXES)
+    matching(all_rollers(file), &wanted, Elements::Rollers)
         .map(|(entry, said)| (Found::Rollers(entry), said))
-        .map_err(|_| UnknownBearing::new(file, designation, odd))
+        .map_err(|rollers| {
+            let other = rollers.filter(|(_, suffix)| has_other_rollers(suffix));
+            match other {
+                Some(other) => UnknownBearing::of_other_rollers(designation, other),
+                None => UnknownBearing::new(file, designation, odd),
+            }
+        })
 }
 
 /// An entry, and what the suffixes of its designation say.
@@ -118,7 +124,7 @@ type Odd<'a, 'w, L> = (&'a CatalogueEntry<L>, &'w str);
 fn matching<'a, 'w, L>(
     entries: impl Iterator<Item = &'a CatalogueEntry<L>>,
     wanted: &'w str,
-    more: &str,
+    elements: Elements,
 ) -> Result<Matched<'a, L>, Option<Odd<'a, 'w, L>>> {
     let mut found: Option<Matched<'_, L>> = None;
     let mut odd: Option<Odd<'_, '_, L>> = None;
@@ -128,11 +134,11 @@ fn matching<'a, 'w, L>(
             continue;
         };
         let is_number = rest.starts_with(|c: char| c.is_ascii_digit());
-        if base.is_empty() || is_number && suffixes(rest, more).is_err() {
+        if base.is_empty() || is_number && suffixes(rest, elements).is_err() {
             continue;
         }
         let is_longer = |found: &Matched<'_, L>| base.len() > found.0.key.len();
-        match suffixes(rest, more) {
+        match suffixes(rest, elements) {
             Ok(said) if found.as_ref().is_none_or(is_longer) => found = Some((entry, said)),
             Ok(_) => {}
             Err(part) => odd = odd.or(Some((entry, part))),
@@ -162,6 +168,27 @@ pub struct UnknownBearing {
 }
 
 impl UnknownBearing {
+    /// A design with other rollers than those of the entry.
+    fn of_other_rollers(designation: &str, (entry, suffix): (&RollerEntry, &str)) -> Self {
+        let line = &entry.line;
+        let kind = line.kind.name();
+        let [bore, outside, width] = line.boundary.map(|length| (1e6 * length).round() / 1e3);
+        let angle = (1e2 * line.contact_angle.to_degrees()).round() / 1e2;
+        let help = format!(
+            "it is a {kind} roller bearing of another design ({suffix}), with other rollers and other ratings than \"{}\" of \
+             the catalogue (C {:.0} N, C0 {:.0} N): give C and C0 as its maker prints them, and e by contact_angle = atan(e/1.5), \
+             [bearing.ratings] with kind = \"{kind}\", bore = \"{bore} mm\", outside_diameter = \"{outside} mm\", \
+             width = \"{width} mm\", contact_angle = \"{angle} deg\", dynamic = \"… kN\", static = \"… kN\"; or, to see its rollers: \
+             jeffcott estimate --kind {kind} --bore {bore}mm --outside-diameter {outside}mm --width {width}mm \
+             --contact-angle {angle}deg --dynamic …kN --static …kN",
+            entry.designation, line.dynamic_rating, line.static_rating,
+        );
+        Self {
+            designation: designation.to_owned(),
+            help,
+        }
+    }
+
     fn new(file: &Catalogue, designation: &str, odd: Option<Odd<'_, '_, CatalogueLine>>) -> Self {
         let wanted = normal(designation);
         let number = |text: &str| {
@@ -352,11 +379,14 @@ mod tests {
     #[test]
     fn suffixes_of_roller_bearings() {
         for (text, designation, class) in [
-            ("NU 206 ECP", "NU206", None),
-            ("SKF NU206 ECM/C3", "NU206", Some(ClearanceClass::C3)),
-            ("22212 E/C3", "22212", Some(ClearanceClass::C3)),
-            ("22212-E1-XL", "22212", None),
+            ("NU 206 P", "NU206", None),
+            ("SKF NU206 M/C3", "NU206", Some(ClearanceClass::C3)),
+            ("NU206-TVP2", "NU206", None),
+            ("NU206J", "NU206", None),
+            ("22212 CC/W33/C3", "22212", Some(ClearanceClass::C3)),
+            ("22212RHR", "22212", None),
             ("30206 J2/Q", "30206", None),
+            ("30206JR", "30206", None),
         ] {
             let (entry, found) = rollers(text).expect(text);
             assert_eq!((entry.designation.as_str(), found), (designation, class));
@@ -364,6 +394,45 @@ mod tests {
         for unknown in ["22212 K", "NU20", "NU2060", "N206"] {
             assert!(rollers(unknown).is_none(), "{unknown}");
         }
+    }
+
+    /// The design E of NU 206 has C 44 kN (SKF, NU 206 ECP), the standard one 23.5 kN.
+    #[test]
+    fn designs_with_other_rollers_are_refused() {
+        for text in [
+            "NU 206 ECP/C3",
+            "NU206E",
+            "NU206EM",
+            "NU206-EE",
+            "NU206EW C3",
+            "NU206ETN9",
+            "NU206-E-XL-TVP2",
+            "NU206 P6 ECP",
+            "NU206R",
+            "NU206V",
+        ] {
+            let help = look_up(&EMPTY, text).expect_err(text).help;
+            let line = ["kind = \"cylindrical\"", "bore = \"30 mm\"", "static = "];
+            assert!(line.iter().all(|part| help.contains(part)), "{help}");
+        }
+        for text in ["22212 E", "22212-E1-XL", "22212EK"] {
+            let help = look_up(&EMPTY, text).expect_err(text).help;
+            assert!(help.contains("contact_angle = \"9.09 deg\""), "{help}");
+        }
+    }
+
+    #[test]
+    fn a_catalogue_line_of_a_high_capacity_design_is_found() {
+        let table = "designation,kind,bore_mm,outside_diameter_mm,width_mm,contact_angle_deg,\
+                     dynamic_rating_N,static_rating_N\n\
+                     NU 206 E,cylindrical,30,62,16,0,44000,36500\n";
+        let own = read(table).expect("a catalogue");
+        for text in ["NU206E", "NU 206 ECP/C3", "NU206-E-TVP2"] {
+            let (found, _) = look_up(&own, text).expect(text);
+            assert_eq!(found, Found::Rollers(&own.rollers[0]));
+        }
+        let (found, _) = look_up(&own, "NU206").expect("the standard design");
+        assert!(matches!(found, Found::Rollers(entry) if entry.designation == "NU206"));
     }
 
     #[test]

@@ -92,7 +92,8 @@ pub struct BearingInput {
     #[schemars(extend("examples" = ["0.1 um"], "x-above" = 0.0))]
     pub roughness: Option<Quantity<Length>>,
     /// Highest permissible speed by the catalogue, for instance "26000 rpm"; a higher one is warned of.
-    /// Default: 1e6 mm/min over the pitch diameter.
+    /// Default, over the pitch diameter: 1e6 mm/min of balls, 7e5 of cylindrical rollers, 5e5 of needle, tapered and
+    /// spherical ones.
     #[schemars(extend("examples" = ["26000 rpm"], "x-above" = 0.0))]
     pub limiting_speed: Option<Quantity<AngularSpeed>>,
     /// Angle from the radial plane at which the shoulders of the races end, for instance
