@@ -68,9 +68,9 @@ impl SensitivityTable {
         }
     }
 
-    /// A row a number and a quantity.
+    /// A row a number that changes and a quantity; per cent where the change is known.
     pub(super) fn table(&self) -> Table<'static> {
-        let numbers = 0..self.numbers.len();
+        let numbers = self.changing(usize::MAX).into_iter();
         let rows = numbers.flat_map(|number| {
             let keys = 0..self.variables.len();
             keys.map(move |key| self.row(key, number))
@@ -85,8 +85,12 @@ impl SensitivityTable {
             .word("key_unit", |row| &row.variable.unit)
             .number("derivative", "", |row| row.slope.value)
             .number("derivative_error", "", |row| row.slope.error)
-            .number("percent_per_percent", "", Row::relative)
-            .number("percent_per_percent_error", "", Row::relative_error)
+            .number("percent_per_percent", "", |row| {
+                row.counts().then(|| row.relative())
+            })
+            .number("percent_per_percent_error", "", |row| {
+                row.counts().then(|| row.relative_error())
+            })
             .end()
     }
 
