@@ -111,16 +111,26 @@ impl FitInput {
         }
         let mate =
             |input: &Option<MaterialInput>| material(input.as_ref(), Material::BEARING_STEEL);
+        let mates = [mate(&self.shaft_material), mate(&self.housing_material)];
+        let around = [shaft.unwrap_or(inner_ring), housing.unwrap_or(outer_ring)];
+        let expansions = [&self.shaft_expansion, &self.housing_expansion];
+        for (place, name) in ["shaft", "housing"].into_iter().enumerate() {
+            let is_steel = is_of_steel(&mates[place]) || around[place] == 0.0;
+            if expansions[place].is_none() && !is_steel {
+                let modulus = mates[place].youngs_modulus;
+                let seat = [modulus, boundary[place], around[place]];
+                problems.warn(mate_expanding_as_steel(name, seat, problems));
+            }
+        }
         let fit = Fit {
             interference: [self.inner_interference.si(), self.outer_interference.si()],
             shaft_bore,
             housing_outside,
-            mates: [mate(&self.shaft_material), mate(&self.housing_material)],
-            expansions: [&self.shaft_expansion, &self.housing_expansion]
-                .map(|expansion| si(expansion).unwrap_or(STEEL_EXPANSION)),
+            mates,
+            expansions: expansions.map(|expansion| si(expansion).unwrap_or(STEEL_EXPANSION)),
             ball_expansion: si(&self.ball_expansion).unwrap_or(STEEL_EXPANSION),
             rings: [inner_ring, balls, outer_ring],
-            around: [shaft.unwrap_or(inner_ring), housing.unwrap_or(outer_ring)],
+            around,
         };
         Some((fit, boundary))
     }
@@ -162,6 +172,29 @@ fn expanding_as_steel(bearing: &Bearing, balls: f64, problems: &Problems<'_>) ->
          reference temperature {name}s of silicon nitride, \"3.2e-6 1/K\", would change the clearance by {:.2} um more",
         problems.path(".fit.ball_expansion"),
         1e6 * 2.0 * bearing.geometry.ball_diameter() * balls * (STEEL_EXPANSION - SILICON_NITRIDE),
+    )
+}
+
+/// Largest relative difference of the Young's modulus of steels from that of bearing steel.
+const STEELS: f64 = 0.1;
+
+fn is_of_steel(material: &Material) -> bool {
+    (material.youngs_modulus / Material::BEARING_STEEL.youngs_modulus - 1.0).abs() <= STEELS
+}
+
+/// What the expansion of a shaft or a housing of another material than steel changes, where it is not given, by its modulus
+/// in Pa, the diameter of its seat in m and the K that it is over the reference.
+fn mate_expanding_as_steel(
+    name: &str,
+    [modulus, seat, temperature]: [f64; 3],
+    problems: &Problems<'_>,
+) -> String {
+    format!(
+        "`{}` is not given, and the {name}, of {:.0} GPa no steel, is taken to expand as steel, \"12.5e-6 1/K\": at \
+         {temperature:.0} K over the reference temperature each 1e-6 1/K more changes its seat by {:.2} um",
+        problems.path(&format!(".fit.{name}_expansion")),
+        modulus / 1e9,
+        seat * temperature,
     )
 }
 
