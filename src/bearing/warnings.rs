@@ -126,20 +126,21 @@ fn without_life(bearing: &Bearing) -> Option<String> {
     ))
 }
 
-/// How many times the rating of ISO 281 a maker's is at most, or a part of it at least.
-const LIKELY_RATING: f64 = 3.0;
+/// How many times the rating of ISO 281 a maker's is at most, or a part of it at least: makers print up to 1.1 times that of
+/// balls and 1.2 times that of rollers.
+const LIKELY_RATING: f64 = 1.3;
 
-/// A dynamic load rating that balls or rollers of this size do not have: most often a unit mistaken.
+/// A dynamic load rating that balls or rollers of this size do not have.
 fn doubtful_rating(bearing: &Bearing) -> Option<String> {
     let given = bearing.radial_rating()?;
     let expected = bearing.geometry.dynamic_rating();
     let ratio = given / expected;
+    let element = bearing.geometry.element();
     let likely = 1.0 / LIKELY_RATING..=LIKELY_RATING;
     (!likely.contains(&ratio)).then(|| {
         format!(
-            "`dynamic_rating` is {given:.4} N, and ISO 281 gives {expected:.0} N by the {}s: lives go with its third power; look \
-             at its unit",
-            bearing.geometry.element(),
+            "the dynamic load rating is {given:.0} N, and ISO 281 gives {expected:.0} N by the {element}s: lives go with its third \
+             power; look at the unit of the rating, and at number and size of the {element}s",
         )
     })
 }

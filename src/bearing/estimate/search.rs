@@ -132,7 +132,7 @@ impl CatalogueLine {
     }
 
     /// Whether the printed C lies about an ISO 281 rating as those of makers do.
-    pub(super) fn is_rated_usually(&self, rating: f64) -> bool {
+    pub(crate) fn is_rated_usually(&self, rating: f64) -> bool {
         is_rated_within([rating, self.dynamic_rating], DYNAMIC_RATIO)
     }
 

@@ -41,9 +41,13 @@ impl BearingInput {
                 estimate.notes.join("; ")
             ));
         }
+        let dynamic_rating = match &self.dynamic_rating {
+            Some(given) => Some(given.si()),
+            None => sources.dynamic_rating(&geometry, estimate.as_ref(), problems),
+        };
         Some(Bearing {
             contact_stiffness: si(&input.contact_stiffness),
-            dynamic_rating: line.map(|line| line.dynamic_rating),
+            dynamic_rating,
             clearance_class: sources.class_taken(),
             boundary: line.map(|line| [line.bore, line.outside_diameter]),
             estimated: estimate.as_ref().is_some_and(Estimate::is_estimated),

@@ -16,6 +16,9 @@ use crate::scenario::quantity::{Angle, ContactStiffness, Length, Quantity, si, s
 /// Groove factor of a model in which the contact angle, and with it the groove, plays no part.
 const ANY_GROOVE_FACTOR: f64 = 0.52;
 
+/// Relative difference of load ratings that sizes in rounded figures make.
+const SAME_RATING: f64 = 1e-3;
+
 /// Internal dimensions of a bearing. With a catalogue bearing each key overrides its value;
 /// without, balls, ball_diameter, pitch_diameter and one of contact_angle, diametral_clearance,
 /// radial_clearance are needed.
@@ -119,6 +122,42 @@ impl Sources<'_> {
             EstimateError::Geometry(error) => self.wrong(&error),
             error => printed.wrong(&error),
         }))
+    }
+
+    /// Basic dynamic load rating C of the printed line, N, in the geometry that is built.
+    ///
+    /// A catalogue prints C of its own balls: where the table makes them others, C is the printed one times the ratio of both
+    /// by ISO 281, which keeps the maker's factor over the standard. Balls that are given for a line that does not know its own
+    /// are those of the line if its C fits them as it fits estimated ones. The ratings of [bearing.ratings] are those of the
+    /// geometry beside them.
+    pub fn dynamic_rating(
+        &self,
+        geometry: &Geometry,
+        estimate: Option<&Estimate>,
+        problems: &mut Problems<'_>,
+    ) -> Option<f64> {
+        let printed = self.printed.as_ref()?;
+        let line = &printed.line;
+        let own = line.estimate().ok().filter(|_| printed.key == ".catalogue");
+        let Some(own) = own else {
+            return Some(line.dynamic_rating);
+        };
+        let is_open = line.balls.is_none() || line.ball_diameter.is_none();
+        let fits = |found: &&Estimate| line.is_rated_usually(found.internal.dynamic_rating);
+        let estimate = estimate.filter(fits).filter(|_| is_open);
+        let reference = estimate.unwrap_or(&own).internal.dynamic_rating;
+        let rating = geometry.dynamic_rating();
+        let scaled = line.dynamic_rating * (rating / reference);
+        if (scaled / line.dynamic_rating - 1.0).abs() > SAME_RATING {
+            problems.warn(format!(
+                "`{}` changes the load rating of {}: by ISO 281 C is {rating:.0} N here and {reference:.0} N of its own balls, \
+                 so that lives rest on {scaled:.0} N instead of the {:.0} N of the catalogue; give `dynamic_rating` where you know it",
+                problems.path(".geometry"),
+                printed.name,
+                line.dynamic_rating,
+            ));
+        }
+        Some(scaled)
     }
 
     /// Groove factors, inner race first: those given, those known otherwise, or else those of ISO/TS 16281, with a warning.

@@ -445,6 +445,71 @@ fn a_mounted_bearing_is_rated_at_its_nominal_angle() {
     }
 }
 
+/// C of a catalogue bearing whose balls are changed keeps the maker's factor over ISO 281.
+#[test]
+fn the_rating_of_a_catalogue_follows_its_balls() {
+    let read = |bearing: &str| {
+        let scenario = read(&format!(
+            "{SMALLEST}[[bearing]]\n{bearing}[damping]\nratio = 0.03\n"
+        ));
+        let rating = scenario.question.rotor.bearings[0].bearing.dynamic_rating;
+        let is_warned = scenario
+            .warnings
+            .iter()
+            .any(|text| text.contains("ISO 281"));
+        (rating.expect("a rating"), is_warned)
+    };
+    // Z^(2/3) D^1.8 at the same f_c; 7205C knows its balls, of 6203 they are estimated, 8 of 6.747 mm
+    let few = read("catalogue = \"7205C\"\n[bearing.geometry]\nballs = 3\n");
+    assert!((few.0 / (16_600.0 * (3.0_f64 / 12.0).powf(2.0 / 3.0)) - 1.0).abs() < 1e-12);
+    assert!(few.1);
+    let given = "catalogue = \"7205C\"\ndynamic_rating = \"7 kN\"\n[bearing.geometry]\nballs = 3\n";
+    assert_eq!(read(given), (7000.0, false));
+    let own = "[bearing.geometry]\ndiametral_clearance = \"20 um\"\n";
+    assert_eq!(read(&format!("catalogue = \"6205\"\n{own}")).1, false);
+    let line = |balls: &str| format!("catalogue = \"6203\"\n[bearing.geometry]\nballs = {balls}\n");
+    let plain = read("catalogue = \"6203\"\n").0;
+    let same = read(&line("8\nball_diameter = \"6.747 mm\""));
+    assert!((same.0 / plain - 1.0).abs() < 1e-3 && !same.1, "{same:?}");
+    let grooves = "groove_factor_inner = 0.52\ngroove_factor_outer = 0.53";
+    let few = read(&line(&format!(
+        "4\nball_diameter = \"6.747 mm\"\n{grooves}"
+    )));
+    let expected = plain * 0.5_f64.powf(2.0 / 3.0);
+    assert!(
+        (few.0 / expected - 1.0).abs() < 1e-3 && few.1,
+        "{few:?} {expected}"
+    );
+    // what a maker prints beside the balls is theirs
+    let rated = "[bearing.ratings]\nbore = \"17 mm\"\noutside_diameter = \"40 mm\"\ncontact_angle = \"0 deg\"\n\
+                 dynamic = \"9.6 kN\"\nstatic = \"4.6 kN\"\n[bearing.geometry]\npitch_diameter = \"28.6 mm\"\n";
+    assert_eq!(read(rated).0, 9600.0);
+}
+
+/// A housing of another metal that would expand as steel is warned of.
+#[test]
+fn the_expansion_of_another_metal_is_asked_for() {
+    let warns = |fit: &str| {
+        let scenario = read(&format!(
+            "{SMALLEST}[[bearing]]\ncatalogue = \"7208C\"\n[bearing.fit]\n{fit}[damping]\nratio = 0.03\n"
+        ));
+        let warnings = scenario.warnings.iter();
+        let named = |key: &str| warnings.clone().any(|warning| warning.contains(key));
+        ["shaft_expansion", "housing_expansion"].map(named)
+    };
+    let warm = "inner_temperature = \"60 degC\"\nouter_temperature = \"60 degC\"\n";
+    let of = |place: &str, modulus: &str| {
+        format!("{warm}{place}_material = {{ youngs_modulus = \"{modulus}\" }}\n")
+    };
+    assert_eq!(warns(&of("housing", "70 GPa")), [false, true]);
+    assert_eq!(warns(&of("shaft", "70 GPa")), [true, false]);
+    assert_eq!(warns(&of("housing", "210 GPa")), [false; 2]);
+    let given = of("housing", "70 GPa") + "housing_expansion = \"23.8e-6 1/K\"\n";
+    assert_eq!(warns(&given), [false; 2]);
+    let cold = of("housing", "70 GPa").replace(warm, "");
+    assert_eq!(warns(&cold), [false; 2]);
+}
+
 /// Ceramic balls that would expand as steel are told, with what they would change.
 #[test]
 fn the_expansion_of_ceramic_balls_is_asked_for() {
