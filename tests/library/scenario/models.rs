@@ -466,7 +466,7 @@ fn the_rating_of_a_catalogue_follows_its_balls() {
     let given = "catalogue = \"7205C\"\ndynamic_rating = \"7 kN\"\n[bearing.geometry]\nballs = 3\n";
     assert_eq!(read(given), (7000.0, false));
     let own = "[bearing.geometry]\ndiametral_clearance = \"20 um\"\n";
-    assert_eq!(read(&format!("catalogue = \"6205\"\n{own}")).1, false);
+    assert!(!read(&format!("catalogue = \"6205\"\n{own}")).1);
     let line = |balls: &str| format!("catalogue = \"6203\"\n[bearing.geometry]\nballs = {balls}\n");
     let plain = read("catalogue = \"6203\"\n").0;
     let same = read(&line("8\nball_diameter = \"6.747 mm\""));
