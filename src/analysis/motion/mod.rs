@@ -23,7 +23,7 @@ use serde::Serialize;
 use super::{Channel, NoiseFloor};
 use crate::keys;
 use crate::rotor::{FREEDOMS, Freedoms, Sample};
-use moments::DriftRecorder;
+use moments::{DriftRecorder, GrowthRecorder};
 use section::{NODES, Node};
 
 /// A motion below this part of the displacement is round-off.
@@ -152,6 +152,7 @@ pub struct MotionRecorder {
     housing_velocity: Vec<(Channel, LevelRecorder)>,
     planner: RealFftPlanner<f64>,
     drift: DriftRecorder,
+    growth: GrowthRecorder,
     sections: Vec<Section>,
     orbit: VecDeque<[f64; 2]>,
     times: Option<[f64; 2]>,
@@ -184,6 +185,7 @@ impl MotionRecorder {
                 settings.revolution,
                 &settings.passes,
             ),
+            growth: GrowthRecorder::new([settings.start, settings.end]),
             sections: sections
                 .map(|(kind, order)| Section::new(*kind, *order))
                 .collect(),
@@ -220,6 +222,7 @@ impl MotionRecorder {
             }
         }
         self.drift.record(sample);
+        self.growth.record(sample);
         if self.orbit.len() == ORBIT {
             self.orbit.pop_front();
         }
@@ -257,7 +260,8 @@ impl MotionRecorder {
             distances: Vec::new(),
             curves: Vec::new(),
         };
-        let recognition = if !bounded {
+        let diverges = !bounded || self.growth.is_exponential(&self.settings.levers);
+        let recognition = if diverges {
             at_once(Kind::Diverging)
         } else if resting {
             at_once(Kind::Rest)

@@ -296,6 +296,56 @@ impl DriftRecorder {
     }
 }
 
+/// Parts of a record that a growth is followed through.
+const GROWTH_PARTS: usize = 6;
+
+/// Growth over a record, as a factor from its first part to its last, from which on a motion diverges.
+const DIVERGING: f64 = 10.0;
+
+/// Takes samples at equal times for the RMS in equal parts of a record of known ends.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct GrowthRecorder {
+    start: f64,
+    /// Length of a part, s.
+    length: f64,
+    parts: [[Moments; FREEDOMS]; GROWTH_PARTS],
+}
+
+impl GrowthRecorder {
+    /// For samples from `start` to `end`, s.
+    pub fn new([start, end]: [f64; 2]) -> Self {
+        Self {
+            start,
+            length: (end - start) / GROWTH_PARTS as f64,
+            parts: Default::default(),
+        }
+    }
+
+    /// Takes a sample.
+    pub fn record(&mut self, sample: &Sample) {
+        let part = ((sample.time - self.start) / self.length) as usize;
+        let moments = &mut self.parts[part.min(GROWTH_PARTS - 1)];
+        for (moments, value) in moments.iter_mut().zip(sample.displacement) {
+            moments.take(value);
+        }
+    }
+
+    /// Whether the RMS grows tenfold over the record, by the same factor or a larger one from each part to the next: the way
+    /// into a resonance and a beat grow ever more slowly.
+    pub fn is_exponential(&self, levers: &[f64; FREEDOMS]) -> bool {
+        let size = |moments: &[Moments; FREEDOMS]| {
+            let sizes = moments.iter().zip(levers);
+            sizes
+                .map(|(own, lever)| lever * own.rms())
+                .fold(0.0, f64::max)
+        };
+        let least = DIVERGING.powf(1.0 / (GROWTH_PARTS - 1) as f64);
+        let sizes = self.parts.each_ref().map(size);
+        let mut pairs = sizes.windows(2);
+        pairs.all(|pair| pair[0] > 0.0 && pair[1] > least * pair[0])
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -355,6 +405,31 @@ mod tests {
             let drift = recorder.finish(&[1.0; FREEDOMS], 0.7).expect("a drift");
             assert!(drift.largest() < 2e-5, "{revolutions}: {drift:?}");
         }
+    }
+
+    #[test]
+    fn only_a_motion_that_goes_on_growing_diverges() {
+        let grows = |size: fn(f64) -> f64| {
+            let mut recorder = GrowthRecorder::new([0.0, 1.0]);
+            for n in 0..1000 {
+                let time = f64::from(n) * 1e-3;
+                let x = size(time) * (300.0 * time).cos();
+                recorder.record(&Sample {
+                    time,
+                    displacement: [5.0 + x, 0.0, 0.0, 0.0, 0.0],
+                    ..Sample::default()
+                });
+            }
+            recorder.is_exponential(&[1.0; FREEDOMS])
+        };
+        assert!(grows(|time| (8.0 * time).exp()));
+        assert!(grows(|time| 1e-12 * (3.0 * time).exp()));
+        // it grows sevenfold; at resonance; a beat; into a limit cycle
+        assert!(!grows(|time| (2.0 * time).exp()));
+        assert!(!grows(|time| time));
+        assert!(!grows(|time| (1.5 * time).sin()));
+        assert!(!grows(|time| (1.0 + (12.0 - 20.0 * time).exp()).recip()));
+        assert!(!grows(|_| 1.0));
     }
 
     #[test]
