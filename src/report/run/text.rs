@@ -5,6 +5,7 @@ use super::motion::{add_housings, add_motion, add_severity};
 use super::run_up::add_run_up;
 use crate::analysis::{Axis, EnvelopeLine, EstimatedSpectrum, Peak, Spectrum};
 use crate::numerics::digits::to_digits;
+use crate::physics::PER_MINUTE;
 use crate::report::statics::ball_pass_text;
 use crate::report::terminal::{
     Lines, MICRO, clearance_text, displacement_text, listed, mark_estimated, measured_text,
@@ -41,7 +42,15 @@ pub fn text(title: &str, model: &Model, run: &Run, campbell: Option<&Campbell>) 
     let moving = model.rotor.shaft.freedoms.axes();
     let place = displacement_text(moving, &run.equilibrium.displacement);
     out.line("equilibrium", place);
-    out.line("natural", natural(&run.equilibrium));
+    let first = PER_MINUTE * model.rotor.speed;
+    let natural = natural(&run.equilibrium);
+    out.line(
+        "natural",
+        match run.run_up {
+            Some(_) => format!("at {} rpm: {natural}", to_digits(first, 6)),
+            None => natural,
+        },
+    );
     let rolling = model.rotor.bearings.iter();
     let elements = rolling.map(|mounted| mounted.bearing.geometry.element());
     for (index, (pass, element)) in run.ball_pass.iter().zip(elements).enumerate() {
