@@ -378,7 +378,7 @@ fn maps(
     let revolutions = (TRACK_PART * turns).round().clamp(1.0, TRACK_REVOLUTIONS);
     let window = recording.length() as f64 / rate / WINDOWS;
     let highest = highest / TAU;
-    let (orders, half) = (tracked_orders(&passes), 0.5 * rate / highest);
+    let (orders, half) = (tracked_orders(&passes, &[]), 0.5 * rate / highest);
     let mut tracks = TrackRecorder::new(orders, channels.to_vec(), revolutions, half);
     let mut waterfall = WaterfallRecorder::new(channels.to_vec(), rate, window, shown * highest);
     for (index, (angle, speed)) in angle.iter().zip(speed).enumerate() {

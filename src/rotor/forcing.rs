@@ -178,6 +178,13 @@ impl Rotor {
         repeating.collect()
     }
 
+    /// Periods per revolution of the loads that go with the shaft's angle.
+    pub(crate) fn excited_orders(&self) -> Vec<f64> {
+        let loads = self.excitation.loads.iter();
+        let orders = loads.map(|load| load.kind.main_vibration().order);
+        orders.filter(|order| *order > 0.0).collect()
+    }
+
     /// Ball passes a revolution at the standing and the turning race, of every bearing whose balls
     /// go round.
     pub(crate) fn ball_pass_orders(&self) -> Vec<[f64; 2]> {

@@ -154,7 +154,7 @@ pub(super) fn maps_of(
     let limit = wanted.into_iter().fold(0.0, f64::max);
     let limit = if limit > 0.0 { limit } else { rate };
     let window = waterfall_window(model, rotor);
-    let orders = tracked_orders(&passes);
+    let orders = tracked_orders(&passes, &rotor.excited_orders());
     let revolutions = track_window(model, rotor, &orders);
     let half = 0.5 * rate / shaft;
     let tracks = TrackRecorder::new(orders, channels.clone(), revolutions, half);
@@ -209,14 +209,22 @@ fn track_window(model: &Model, rotor: &Rotor, orders: &[TrackedOrder]) -> f64 {
     needed.fold(shortest, f64::max).ceil()
 }
 
-/// The first shaft orders, and the ball passes of every bearing at both races.
-pub(crate) fn tracked_orders(passes: &[[f64; 2]]) -> Vec<TrackedOrder> {
+/// The first shaft orders, those that loads excite, and the ball passes of every bearing at both races.
+pub(crate) fn tracked_orders(passes: &[[f64; 2]], excited: &[f64]) -> Vec<TrackedOrder> {
     let mut orders: Vec<TrackedOrder> = (1..=SHAFT_ORDERS)
         .map(|order| TrackedOrder {
             name: format!("{order}×"),
             order: f64::from(order),
         })
         .collect();
+    for &order in excited {
+        if !orders.iter().any(|known| known.order == order) {
+            orders.push(TrackedOrder {
+                name: format!("{order}×"),
+                order,
+            });
+        }
+    }
     for (index, pass) in passes.iter().enumerate() {
         if passes[..index].contains(pass) {
             continue;
