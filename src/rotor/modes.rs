@@ -12,6 +12,9 @@ use super::Rotor;
 const AXIAL: f64 = 0.5;
 /// Below this share of whirl a mode is a straight line rather than a circle either way.
 const STRAIGHT: f64 = 0.05;
+/// A mode of more damping than this is no vibration: within one period it dies out to 2e-6, and nothing rises where an
+/// excitation has its frequency. In a shaft with internal damping such modes turn with the shaft.
+const MOST_DAMPING: f64 = 0.9;
 /// Eigenvalues nearer than this part of their size share their eigenvectors.
 const REPEATED: f64 = 1e-6;
 /// What keeps a nearly singular matrix with entries of order one from being singular: round-off of an eigenvalue.
@@ -168,7 +171,7 @@ impl Rotor {
         let eigenvalues = state_matrix(&matrices).complex_eigenvalues();
         let mut eigenvalues: Vec<Complex<f64>> = eigenvalues
             .iter()
-            .filter(|eigenvalue| eigenvalue.im > 1e-9 * eigenvalue.re.abs())
+            .filter(|own| own.im > 0.0 && own.re.abs() < MOST_DAMPING * own.norm())
             .copied()
             .collect();
         eigenvalues.sort_by(|a, b| a.norm().total_cmp(&b.norm()));

@@ -580,3 +580,14 @@ fn inner_damping_drives_a_whirl_above_the_speed_of_the_books() {
     }
     assert!(limit > 1.2 * natural, "{limit}, {natural}");
 }
+
+/// The stiffer motions of the shaft are overdamped; seen from the ground they turn with it, at its frequency.
+#[test]
+fn overdamped_motions_that_turn_with_the_shaft_are_no_modes() {
+    let mut definition = laval(7850.0, 1e-3);
+    definition.speed = 150.0;
+    let modes = Rotor::assemble(&definition).expect("a rotor").modes();
+    let ratios = modes.iter().map(|mode| mode.damping_ratio().abs());
+    let largest = ratios.fold(0.0, f64::max);
+    assert!(!modes.is_empty() && largest < 0.9, "{largest}");
+}
