@@ -76,6 +76,15 @@ impl Recorded {
         }
     }
 
+    /// Largest displacement, m; tilts count by their arm.
+    fn largest(&self, scale: &MotionScale) -> f64 {
+        let largest = |axis: usize| self.highest[axis].abs().max(self.lowest[axis].abs());
+        (0..FREEDOMS)
+            .map(|axis| scale.lever(axis) * largest(axis))
+            .filter(|largest| largest.is_finite())
+            .fold(0.0, f64::max)
+    }
+
     /// Largest distance of a displacement from its mean, m; tilts count by their arm.
     pub fn size(&self, scale: &MotionScale) -> f64 {
         let peak = |axis: usize| {
@@ -270,7 +279,10 @@ impl<'a> Passes<'a> {
     /// end.
     pub fn measured_error(&self) -> Option<MeasuredError> {
         let reference = self.reference.as_ref()?;
-        let displacement = reference.difference + self.rotor.displacement_round_off();
+        let duration = self.grid.time(self.grid.count - 1);
+        let round_off = self.rotor.displacement_round_off()
+            + self.rotor.linear_round_off(duration) * self.recorded.largest(&self.scale);
+        let displacement = reference.difference + round_off;
         reference.failure.is_none().then(|| MeasuredError {
             displacement,
             relative: self.relative(displacement),

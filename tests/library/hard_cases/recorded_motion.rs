@@ -1,6 +1,8 @@
 //! Errors are relative to the motion that was recorded, where a linear response says nothing of its size: the stiffness
 //! at the equilibrium is next to nothing.
 
+use nalgebra::Complex;
+
 use super::model;
 use crate::analysis::Moments;
 use crate::rotor::{Rotor, Sample};
@@ -164,4 +166,45 @@ fn a_loosely_held_shaft_states_its_error_of_the_record() {
         .replace("1190.01 rpm", "1500 rpm")
         .replace("\"42.3 um\"", "\"35 um\"");
     assert_stated(&neighbour);
+}
+
+/// Both passes take the same exact steps: 100 µm cos √(K/M) t, and `1 µm e^(λ t)` of a shaft whose springs drive its whirl.
+#[test]
+fn a_linear_run_states_the_round_off_of_its_length() {
+    let scene = |springs: &str, displacement: &str, duration: &str| {
+        let text = format!(
+            "[shaft]\nmass = \"10 kg\"\nfreedoms = \"radial\"\n[[element]]\nlinear = {{ stiffness = {{ x = \"1 N/um\", y = \
+             \"1 N/um\"{springs} }} }}\n[initial]\ndisplacement = {{ x = \"{displacement}\" }}\n[speed]\nconstant = \"3000 rpm\"\n[time]\nduration = \"{duration}\"\nsettle = \"0 s\"\n[output]\nspectrum = false\nmotion = false\n"
+        );
+        samples(&model(&text))
+    };
+    let error = |run: &Run| run.measured_error.as_ref().expect("verified").displacement;
+    let (run, free) = scene("", "100 um", "6 s");
+    let exact = |time: f64| 1e-4 * (1e5_f64.sqrt() * time).cos();
+    let apart = free
+        .iter()
+        .map(|sample| (sample.displacement[0] - exact(sample.time)).abs());
+    let apart = apart.fold(0.0, f64::max);
+    let stated = error(&run);
+    assert!(apart < stated && stated < 1e-14, "{apart:e}, {stated:e}");
+
+    let (run, growing) = scene(", xy = \"0.02 N/um\", yx = \"-0.02 N/um\"", "1 um", "3 s");
+    // x + i y goes with λ = √(−(K ∓ i k)/M), one half each of which grows
+    let omega = Complex::new(1e5, 2e3).sqrt();
+    let exact = |time: f64| {
+        let half = |omega: Complex<f64>| (omega * time).cos();
+        0.5e-6 * (half(omega) + half(omega.conj())).re
+    };
+    let (mut apart, mut largest) = (0.0_f64, 0.0_f64);
+    for sample in &growing {
+        let x = sample.displacement[0];
+        apart = apart.max((x - exact(sample.time)).abs());
+        largest = largest.max(x.abs());
+    }
+    let stated = error(&run);
+    assert!(largest > 1e-3, "{largest:e}");
+    assert!(
+        apart < stated && stated < 1e-9 * largest,
+        "{apart:e}, {stated:e}"
+    );
 }
