@@ -178,10 +178,11 @@ impl Rotor {
         repeating.collect()
     }
 
-    /// Periods per revolution of the loads that go with the shaft's angle.
+    /// Periods per revolution of the loads that go with the shaft's angle; not of sprockets.
     pub(crate) fn excited_orders(&self) -> Vec<f64> {
-        let loads = self.excitation.loads.iter();
-        let orders = loads.map(|load| load.kind.main_vibration().order);
+        let loads = self.excitation.loads.iter().map(|load| &load.kind);
+        let harmonics = loads.filter(|kind| !matches!(kind, LoadKind::Sprocket(_)));
+        let orders = harmonics.map(|kind| kind.main_vibration().order);
         orders.filter(|order| *order > 0.0).collect()
     }
 

@@ -244,3 +244,15 @@ pub(crate) fn tracked_orders(passes: &[[f64; 2]], excited: &[f64]) -> Vec<Tracke
     orders.retain(|order| order.order > 0.0);
     orders
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn orders_of_loads_are_tracked_once() {
+        let orders = tracked_orders(&[[3.5, 5.5]], &[2.5, 2.0, 2.5]);
+        let orders: Vec<f64> = orders.iter().map(|own| own.order).collect();
+        assert_eq!(orders, [1.0, 2.0, 3.0, 2.5, 3.5, 5.5, 7.0]);
+    }
+}
