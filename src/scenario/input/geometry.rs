@@ -19,7 +19,7 @@ const ANY_GROOVE_FACTOR: f64 = 0.52;
 /// Relative difference of load ratings that sizes in rounded figures make.
 const SAME_RATING: f64 = 1e-3;
 
-/// Internal dimensions of a bearing. With a catalogue bearing each key overrides its value;
+/// Internal dimensions of a bearing. With a catalogue bearing each key overrides its value, and C follows as ISO 281 has it;
 /// without, balls, ball_diameter, pitch_diameter and one of contact_angle, diametral_clearance,
 /// radial_clearance are needed.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
@@ -129,7 +129,7 @@ impl Sources<'_> {
     /// A catalogue prints C of its own balls: where the table makes them others, C is the printed one times the ratio of both
     /// by ISO 281, which keeps the maker's factor over the standard. Balls that are given for a line that does not know its own
     /// are those of the line if its C fits them as it fits estimated ones. The ratings of [bearing.ratings] are those of the
-    /// geometry beside them.
+    /// geometry next to them.
     pub fn dynamic_rating(
         &self,
         geometry: &Geometry,
