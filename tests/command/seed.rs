@@ -46,7 +46,11 @@ fn answer(files: &[PathBuf], folder: &Path) {
     for file in files {
         let output = verb("study", &[file], folder, &[]).output();
         let output = done(output.expect("the command starts"));
-        assert!(!told(&output).contains("warning"), "{}", told(&output));
+        let text = told(&output);
+        let warnings = text.lines().filter(|line| line.starts_with("warning"));
+        // what is changed to leave out the inertia is warned of
+        let mut others = warnings.filter(|line| !line.contains("leaves out the inertia"));
+        assert_eq!(others.next(), None, "{text}");
     }
 }
 
