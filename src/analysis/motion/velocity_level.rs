@@ -168,33 +168,37 @@ impl LevelRecorder {
         let band = self.wanted.map(|end| end / resolution);
         let first = (band[0].floor() as usize).saturating_sub(1);
         let last = (band[1].ceil() as usize + 1).min(transform.bins() - 1);
-        let mut lines: Vec<_> = (0..transform.bins())
-            .map(|k| transform.line(k, Window::Hann))
-            .collect();
-        take_out_lines_beyond(band, transform.length() as f64, &mut lines);
+        let begin = first.saturating_sub(LOBES);
+        let bins = begin..(last + LOBES).min(transform.bins());
+        let mut lines: Vec<_> = bins.map(|k| transform.line(k, Window::Hann)).collect();
+        take_out_lines_beyond(band, transform.length() as f64, begin, &mut lines);
         let factor = |k: usize| {
             self.velocity
                 .map_or(1.0, |rate| rate(k as f64 * resolution))
         };
-        let power = |k: usize| 0.5 * (factor(k) * lines[k].norm()).powi(2);
+        let power = |k: usize| 0.5 * (factor(k) * lines[k - begin].norm()).powi(2);
         (first.max(self.lowest_bin)..=last).map(power).sum()
     }
 }
 
-/// Takes out of the bins of a spectrum of N samples what strong lines just beyond a band, in bins, leave in it.
+/// Takes out of the bins from `begin` on of a spectrum of N samples what strong lines just beyond a band, in bins, leave in it.
 ///
 /// A line f bins from zero whose largest bin is k has `Y_m = (−1)^(m − k) Y_k H(f − m)/H(f − k)` at bin m, with H of
 /// [`Window::line_response`].
-fn take_out_lines_beyond([low, high]: [f64; 2], length: f64, lines: &mut [Complex<f64>]) {
+fn take_out_lines_beyond(
+    [low, high]: [f64; 2],
+    length: f64,
+    begin: usize,
+    lines: &mut [Complex<f64>],
+) {
     let near = |end: f64| {
         let first = (end - NEAR_END).max(1.0) as usize;
-        first..(end + NEAR_END) as usize + 1
+        first.max(begin + 1)..(end + NEAR_END) as usize + 1
     };
     for k in near(low).chain(near(high)) {
-        let Some([below, at, above]) = lines
-            .get(k - 1..k + 2)
-            .map(|three| [0, 1, 2].map(|j| three[j].norm()))
-        else {
+        let index = |bin: usize| bin - begin;
+        let three = lines.get(index(k - 1)..index(k + 2));
+        let Some([below, at, above]) = three.map(|three| [0, 1, 2].map(|j| three[j].norm())) else {
             continue;
         };
         if at <= below || at < above {
@@ -209,9 +213,9 @@ fn take_out_lines_beyond([low, high]: [f64; 2], length: f64, lines: &mut [Comple
             continue;
         }
         let response = |bin: usize| Window::Hann.line_response(place - bin as f64, length);
-        let line = lines[k] / response(k);
-        let bins = k.saturating_sub(LOBES)..(k + LOBES + 1).min(lines.len());
-        for (bin, own) in bins.clone().zip(&mut lines[bins]) {
+        let line = lines[index(k)] / response(k);
+        let bins = k.saturating_sub(LOBES).max(begin)..(k + LOBES + 1).min(begin + lines.len());
+        for (bin, own) in bins.clone().zip(&mut lines[index(bins.start)..]) {
             let sign = if bin.abs_diff(k) % 2 == 0 { 1.0 } else { -1.0 };
             *own -= line * (sign * response(bin));
         }
