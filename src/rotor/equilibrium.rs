@@ -284,7 +284,10 @@ pub(super) fn static_place_of(
         };
         Ok((free, problem.on(&structure, load)?))
     };
-    let axial = AxialPlace::find(&structure, supports, load[z]);
+    let axial = match definition.shaft.freedoms.moves(2) {
+        true => AxialPlace::Balanced,
+        false => AxialPlace::find(&structure, supports, load[z]),
+    };
     let (found, is_pushed) = match solved(axial) {
         Err(EquilibriumError::NotCarried { .. }) if axial == AxialPlace::BalancedOrHeld => {
             (solved(AxialPlace::Held)?, true)
@@ -310,8 +313,7 @@ pub(super) fn static_place_of(
 /// Warning of a hold along z that bears what the bearings do not balance, N.
 pub(crate) fn axial_hold_warning(force: f64) -> String {
     format!(
-        "the springs of the bearings push the shaft along z and nothing pushes back: z is held, against {force:.1} N, which no \
-         machine does by itself; turn the `facing` of a bearing, or leave out a `spring_preload`"
+        "the springs of the bearings push the shaft along z and nothing pushes back: z is held, against {force:.1} N; turn the `facing` of a bearing, or leave out a `spring_preload`"
     )
 }
 
@@ -339,7 +341,7 @@ fn static_start(
     (free, start)
 }
 
-/// Where a shaft whose freedoms leave z out is along its axis.
+/// Where a shaft is along its axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum AxialPlace {
     /// Where its axial forces balance.

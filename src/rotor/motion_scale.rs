@@ -19,7 +19,8 @@ const CAGE_POSITIONS: usize = 8;
 /// An assumed length of more than this many times the recorded motion is wrong.
 const FAR: f64 = 10.0;
 
-/// Round-off of an eigenvalue of a matrix that is not symmetric, in parts of it: shafts with cross-coupled springs have 27 ε.
+/// Round-off of an eigenvalue of a matrix that is not symmetric, in parts of it: 27 ε was measured on a shaft with cross-coupled
+/// springs.
 const EIGENVALUE_ROUND_OFF: f64 = 32.0 * f64::EPSILON;
 
 /// Length and time that make the states of the integration numbers of order one.

@@ -121,7 +121,8 @@ fn damping_of_start(definition: &RotorDefinition, rotor: &Rotor) -> Option<Strin
     let [own, other] = [rotor, &there].map(Rotor::damping_matrix);
     let axes = rotor.freedoms().axes().iter();
     let changes = axes.map(|&axis| (axis, own[axis][axis] / other[axis][axis]));
-    let changed = changes.filter(|(_, change)| change.ln().abs() > OTHER_DAMPING.ln());
+    let known = changes.filter(|(_, change)| change.is_finite());
+    let changed = known.filter(|(_, change)| change.ln().abs() > OTHER_DAMPING.ln());
     let (axis, change) = changed.max_by(|a, b| a.1.ln().abs().total_cmp(&b.1.ln().abs()))?;
     Some(format!(
         "`damping.{key}` is that of the stiffness at the start, {:.0} rpm, and the run keeps its coefficients: at {:.0} rpm they are \

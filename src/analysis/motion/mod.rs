@@ -212,6 +212,7 @@ impl MotionRecorder {
             for (rate, value) in self.rates.iter_mut().zip(sample.velocity) {
                 rate.take(value);
             }
+            self.growth.record(sample);
         }
         for (level, value) in self.velocity.iter_mut().zip(sample.velocity) {
             level.take(value, &mut self.planner);
@@ -222,7 +223,6 @@ impl MotionRecorder {
             }
         }
         self.drift.record(sample);
-        self.growth.record(sample);
         if self.orbit.len() == ORBIT {
             self.orbit.pop_front();
         }

@@ -296,6 +296,16 @@ mod tests {
         }
     }
 
+    /// Tracks of a run-up at 10 rad/s² in which the shaft is displaced by a length in m at an angle.
+    fn run_up(mut recorder: TrackRecorder, displacement: impl Fn(f64) -> f64) -> OrderTracks {
+        for n in 0..20_000 {
+            let time = 5e-4 * f64::from(n);
+            let angle = 5.0 * time * time;
+            recorder.take([time, angle, 10.0 * time], |_| displacement(angle));
+        }
+        recorder.finish()
+    }
+
     #[test]
     fn orders_that_are_too_close_share_a_track() {
         let named = |name: &str, order| TrackedOrder {
@@ -308,21 +318,8 @@ mod tests {
             named("3×", 3.0),
             named("BPFO", 3.08),
         ];
-        let mut recorder = TrackRecorder::new(orders, vec![Channel::Displacement(0)], 6.0, 60.0);
-        for n in 0..20_000 {
-            let time = 5e-4 * f64::from(n);
-            let (speed, angle) = (10.0 * time, 5.0 * time * time);
-            let x = 1e-6 * (3.08 * angle).cos();
-            let displacement = [x, 0.0, 0.0, 0.0, 0.0];
-            recorder.record(&Sample {
-                time,
-                angle,
-                speed,
-                displacement,
-                ..Sample::default()
-            });
-        }
-        let tracks = recorder.finish();
+        let recorder = TrackRecorder::new(orders, vec![Channel::Displacement(0)], 6.0, 60.0);
+        let tracks = run_up(recorder, |angle| 1e-6 * (3.08 * angle).cos());
         let names: Vec<_> = tracks.tracked.iter().map(|track| &track.name[..]).collect();
         assert_eq!(names, ["1×", "2×", "3× + BPFO"]);
         for point in &tracks.points[2..] {
@@ -346,21 +343,11 @@ mod tests {
             order,
         };
         let orders = vec![order("1×", 1.0), order("BPFO", 4.8)];
-        let mut recorder = TrackRecorder::new(orders, vec![Channel::Displacement(0)], 8.0, 60.0);
-        // a run-up at 10 rad/s²: 3 µm of order 1, 1 µm of order 4.8, and a mean of 50 µm
-        for n in 0..20_000 {
-            let time = 5e-4 * f64::from(n);
-            let (speed, angle) = (10.0 * time, 5.0 * time * time);
-            let x = 5e-5 + 3e-6 * (angle + 0.5).cos() + 1e-6 * (4.8 * angle).sin();
-            recorder.record(&Sample {
-                time,
-                angle,
-                speed,
-                displacement: [x, 0.0, 0.0, 0.0, 0.0],
-                ..Sample::default()
-            });
-        }
-        let tracks = recorder.finish();
+        let recorder = TrackRecorder::new(orders, vec![Channel::Displacement(0)], 8.0, 60.0);
+        // 3 µm of order 1, 1 µm of order 4.8, and a mean of 50 µm
+        let tracks = run_up(recorder, |angle| {
+            5e-5 + 3e-6 * (angle + 0.5).cos() + 1e-6 * (4.8 * angle).sin()
+        });
         for point in &tracks.points {
             let [first, pass] = [point.tracks[0][0], point.tracks[0][1]];
             assert!((first.amplitude - 3e-6).abs() < 1e-12 && (first.phase - 0.5).abs() < 1e-6);

@@ -194,7 +194,7 @@ impl<'a> Scales<'a> {
         self.allowance_by(|place| place != 0.0, column, rules)
     }
 
-    /// What the means of two spectra may differ by, measured by the largest value, as one beside it may be round-off; of other tables
+    /// What the means of two spectra may differ by, measured by the largest value, next to which one may be round-off; of other tables
     /// what any row may.
     fn allowance_of_mean(&self, column: &Column, rules: &Rules) -> Allowance {
         self.allowance_by(|_| true, column, rules)

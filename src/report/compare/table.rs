@@ -168,7 +168,7 @@ impl<'a> Cells<'a> {
         Self::Numbers(name, Vec::new())
     }
 
-    /// Takes the next cell: a word where no number stands above it.
+    /// Takes the next cell: a word where there is no number above it.
     fn push(&mut self, path: &Path, line: u64, text: &str) -> Result<(), CompareError> {
         let (name, values) = match self {
             Self::Words(words) => {

@@ -14,7 +14,7 @@ pub(super) struct Words {
     pub cells: Vec<String>,
 }
 
-/// Refuses words of one table that stand beside numbers of the other.
+/// Refuses words in a column of one table that has numbers in the other.
 ///
 /// # Errors
 /// [`CompareError::Number`] names the first word.
